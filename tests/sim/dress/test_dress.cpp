@@ -19,6 +19,7 @@
 #include "sim/pattern/pattern_file.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
+#include "tests/support/right_wrong.h"
 
 namespace selvedge::sim::test {
 namespace {
@@ -223,6 +224,28 @@ TEST_F(DressABox, a_tube_that_is_less_than_half_as_wide_as_the_body_never_passes
         << faults;
 }
 
+// The same garment, one panel of which was cut with its wrong side out.
+TEST(DressShirt, with_its_front_sewn_right_side_to_wrong_side_hangs_as_the_same_shirt) {
+    Pattern pattern = shipped("tshirt");
+    const DressedGarment plain = dress(pattern, mannequin(), up_to_level(1));
+    mirror_panel(pattern, 0);
+    const DressedGarment half = dress(pattern, mannequin(), up_to_level(1));
+    EXPECT_EQ(list_faults(half.report), list_faults(plain.report));
+    EXPECT_EQ(half.report.seams.open, 0);
+    EXPECT_TRUE(half.report.settled);
+    EXPECT_TRUE(plain.mesh.turned_corners.empty());
+    EXPECT_EQ(half.mesh.turned_corners.size(), half.mesh.triangles.size());
+    const auto box_of = [](const DressedGarment& garment) {
+        Eigen::AlignedBox3f box;
+        for (const Vec3f& x : garment.mesh.x) box.extend(x);
+        return box;
+    };
+    const float low = (box_of(plain).min() - box_of(half).min()).cwiseAbs().maxCoeff();
+    const float high = (box_of(plain).max() - box_of(half).max()).cwiseAbs().maxCoeff();
+    EXPECT_LT(std::max(low, high), 0.01F) << low << " " << high;
+    EXPECT_LT(half.report.stretch.warp_weft_p99, 0.05);
+}
+
 // Published patterns, on a mannequin with the mean measurements that are published with them.
 class PublishedPattern : public testing::TestWithParam<const char*> {
  protected:
@@ -260,7 +283,8 @@ INSTANTIATE_TEST_SUITE_P(GarmentCode, PublishedDress, testing::Values("dress_pen
                          [](const auto&) { return std::string("dress_pencil"); });
 
 INSTANTIATE_TEST_SUITE_P(GarmentCode, PublishedPattern,
-                         testing::Values("shirt_mean_specification.json", "dress_pencil_specification.json"),
+                         testing::Values("shirt_mean_specification.json", "dress_pencil_specification.json",
+                                         "shirt_lapel_specification.json"),
                          [](const auto& instance) {
                              const std::string name = instance.param;
                              return name.substr(0, name.find("_specification"));
