@@ -56,11 +56,14 @@ class SurfaceMaker {
         added.sheet = triangle.panel;
         added.middle = middle_of(triangle.u);
         for (std::size_t k = 0; k < 3; ++k) {
-            added.vertices[k] = triangle.vertices[k].value;
-            std::uint32_t& edge = edge_index_[triangle.edges[k].value];
+            // In the orientation of the surface: backwards where that is not the panel's.
+            const std::size_t corner = triangle.turned ? 2 - k : k;
+            const EdgeId side = triangle.edges[triangle.turned ? (4 - k) % 3 : k];
+            added.vertices[k] = triangle.vertices[corner].value;
+            std::uint32_t& edge = edge_index_[side.value];
             if (edge == kNoElement) {
                 edge = static_cast<std::uint32_t>(surface_.edges.size());
-                const AdaptiveEdge& from = mesh_.edge(triangle.edges[k]);
+                const AdaptiveEdge& from = mesh_.edge(side);
                 surface_.edges.push_back({.ends = {from.ends[0].value, from.ends[1].value},
                                           .triangles = {index, kNoElement},
                                           .rest_length = from.rest_length});

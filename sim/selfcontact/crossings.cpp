@@ -1,6 +1,8 @@
 #include "sim/selfcontact/crossings.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace selvedge::sim {
@@ -69,6 +71,9 @@ std::optional<Crossing> find_crossing(const ContactSurface& surface, const float
     const Vec3d p = at(ends[0]), q = at(ends[1]), a = at(corners[0]), b = at(corners[1]), c = at(corners[2]);
     const double below = volume(a, b, c, p), above = volume(a, b, c, q);
     if ((below > 0) == (above > 0)) return std::nullopt;
+    constexpr double kInPlane = 1e-7;  // m, the rounding of floats: an edge that is no farther from the plane is in it
+    const double twice_area = (b - a).cross(c - a).norm();
+    if (std::max(std::abs(below), std::abs(above)) <= kInPlane * twice_area) return std::nullopt;
     const double ab = volume(p, q, a, b), bc = volume(p, q, b, c), ca = volume(p, q, c, a);
     const bool is_inside = (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
     const double sum = ab + bc + ca;

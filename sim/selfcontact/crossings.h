@@ -1,7 +1,7 @@
 #pragma once
-// Crossings: edges that pierce triangles. The signs of the volumes are computed in double precision from the float
-// positions, so that the test is exact but for volumes below 1e-20 m^3. An edge that meets the border of a triangle
-// crosses it; an edge in the plane of a triangle does not.
+// Crossings: edges that pierce triangles. The signs of volumes are computed in double precision from float positions.
+// An edge that meets the border of a triangle crosses it; an edge that lies in the plane of a triangle, to the rounding
+// of the positions, does not.
 #include <array>
 #include <cstdint>
 #include <optional>

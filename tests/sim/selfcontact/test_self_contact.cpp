@@ -61,6 +61,22 @@ TEST(FindCrossing, an_edge_through_a_triangle_crosses_it_and_one_beside_it_does_
     EXPECT_FALSE(find_crossing(sheets.surface, sheets.now.front().data(), sheets.surface.triangles[2].edges[0], 1));
 }
 
+TEST(FindCrossing, flat_cloth_in_any_position_does_not_cross_itself) {
+    for (const float angle : {0.1F, 0.7F, 1.3F, 2.9F}) {
+        const Eigen::Matrix3f turn(Eigen::AngleAxisf(angle, Vec3f(1, 2, -1).normalized()));
+        Sheets sheets;
+        add_sheet(sheets, 20, kEdge, 0, [&](const Vec2f& u) -> Vec3f { return turn * Vec3f(u.x(), 0.7F, -u.y()); });
+        EXPECT_EQ(crossings(sheets), 0) << angle;
+    }
+}
+
+TEST(FindCrossing, edges_that_lie_exactly_above_those_of_a_sheet_that_they_cross_are_found) {
+    Sheets sheets;
+    add_flat_sheet(sheets, 4, kEdge, 0, 0);
+    add_sheet(sheets, 4, kEdge, 1, [](const Vec2f& u) { return Vec3f(u.x(), 0.03F - u.x(), -u.y()); });
+    EXPECT_GT(crossings(sheets), 3);
+}
+
 TEST(SelfContact, a_sheet_thrown_at_another_at_any_speed_does_not_pass_through_it) {
     for (const float speed : {0.5F, 2.0F, 5.0F}) {  // m/s
         Sheets sheets;
