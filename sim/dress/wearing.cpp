@@ -128,8 +128,7 @@ PanelVertices vertices_by_panel(const GarmentMesh& mesh) {
     }
     for (std::vector<std::size_t>& vertices : panels) {
         std::ranges::sort(vertices);
-        const auto rest = std::ranges::unique(vertices);
-        vertices.erase(rest.begin(), rest.end());
+        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     }
     return panels;
 }

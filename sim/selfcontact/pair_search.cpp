@@ -136,7 +136,7 @@ void PairSearch::find_elements(const SelfContactKernels& loops, const ContactSur
 
 // Notes the pairs of elements of two triangles whose boxes overlap.
 void PairSearch::note_elements(const ContactSurface& surface, TrianglePair pair, float thickness_scale) {
-    const auto [a, b] = pair;
+    const std::uint32_t a = pair.first, b = pair.second;
     std::optional<float> radius;
     const auto add = [&](PairList& noted, const std::array<std::uint32_t, 4>& vertices) {
         if (!radius) radius = radius_of(surface, pair, thickness_scale);
