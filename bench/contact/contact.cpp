@@ -29,7 +29,7 @@ sim::Fabric sheet_fabric() {
 }
 
 int crossings_of(const sim::Cloth& cloth) {
-    const sim::ContactSurface surface = contact_surface(cloth, order_of_base_triangles(cloth));
+    const sim::ContactSurface surface = contact_surface(cloth);
     return static_cast<int>(find_crossing_triangles(surface, cloth.x.front().data()).size());
 }
 

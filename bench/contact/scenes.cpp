@@ -1,7 +1,6 @@
 #include "bench/contact/scenes.h"
 
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <utility>
 

@@ -104,6 +104,10 @@ ContactSurface contact_surface(const Cloth& cloth, const std::vector<std::uint32
     return surface;
 }
 
+ContactSurface contact_surface(const Cloth& cloth) {
+    return contact_surface(cloth, order_of_base_triangles(cloth));
+}
+
 void update_contact_surface(Cloth& cloth) {
     SelfContactState& state = *cloth.solver.self_contact;
     if (state.has_surface) return;

@@ -25,8 +25,10 @@ void update_contact_surface(Cloth& cloth);
 // SelfContact::clearances() of the cloth. Empty if its steps do not keep it apart (StepOptions::self_contact).
 std::vector<float> self_contact_clearances(Cloth& cloth);
 
-// The same surface, for tests of the whole cloth. Pre: as for update_contact_surface().
+// The surface of the present leaves, for tests of the whole cloth; with the base triangles in that order, or in the
+// usual one.
 ContactSurface contact_surface(const Cloth& cloth, const std::vector<std::uint32_t>& base_order);
+ContactSurface contact_surface(const Cloth& cloth);
 
 // Base triangles by panel and then along a Z-order curve through their material coordinates, so that groups of
 // successive triangles are compact patches of cloth however the cloth hangs.  (Morton 1966)

@@ -239,7 +239,7 @@ std::string describe_tight(const std::vector<TightLevel>& tight) {
 
 // Cloth that passes through itself.
 void validate_crossings(const Cloth& cloth, const Pattern& pattern, const FaultLimits& limits, DressReport& report) {
-    const ContactSurface surface = contact_surface(cloth, order_of_base_triangles(cloth));
+    const ContactSurface surface = contact_surface(cloth);
     const float* const points = cloth.x.front().data();
     const std::vector<TrianglePair> pairs = find_crossing_triangles(surface, points);
     if (pairs.empty()) return;

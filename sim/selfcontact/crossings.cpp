@@ -17,14 +17,6 @@ double volume(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
     return (a - d).dot((b - d).cross(c - d));
 }
 
-bool shares_vertex(const ContactSurface& surface, const std::array<std::uint32_t, 2>& ends,
-                   const ContactTriangle& triangle) {
-    return std::ranges::any_of(ends, [&](std::uint32_t v) {
-        return std::ranges::any_of(triangle.vertices,
-                                   [&](std::uint32_t w) { return surface.sewn_as(v) == surface.sewn_as(w); });
-    });
-}
-
 std::vector<ContactBox> boxes_of(const ContactSurface& surface, const float* points) {
     std::vector<ContactBox> boxes(surface.triangles.size());
     const auto at = [&](std::uint32_t v) { return Eigen::Map<const Vec4f>(points + 4 * static_cast<std::size_t>(v)); };
@@ -54,7 +46,7 @@ bool is_on_one_side(const ContactSurface& surface, const float* points, std::uin
 bool cross(const ContactSurface& surface, const float* points, std::uint32_t a, std::uint32_t b) {
     const auto pierces = [&](std::uint32_t from, std::uint32_t into) {
         return std::ranges::any_of(surface.triangles[from].edges, [&](std::uint32_t e) {
-            return !shares_vertex(surface, surface.edges[e].ends, surface.triangles[into]) &&
+            return !surface.has_any(surface.triangles[into], surface.edges[e].ends) &&
                    find_crossing(surface, points, e, into);
         });
     };
@@ -90,7 +82,7 @@ std::vector<Crossing> find_crossings(const ContactSurface& surface, const PairSe
     const auto look = [&](std::uint32_t from, std::uint32_t into) {
         for (const std::uint32_t e : search.owned_edges(from)) {
             if (e == kNoElement) return;
-            if (shares_vertex(surface, surface.edges[e].ends, surface.triangles[into])) continue;
+            if (surface.has_any(surface.triangles[into], surface.edges[e].ends)) continue;
             if (const auto found = find_crossing(surface, points, e, into)) crossings.push_back(*found);
         }
     };
@@ -116,11 +108,7 @@ std::vector<TrianglePair> find_crossing_triangles(const ContactSurface& surface,
         for (std::size_t j = i + 1; j < count && boxes[order[j]].low.x() <= boxes[a].high.x(); ++j) {
             const std::uint32_t b = order[j];
             if (!overlap(boxes[a], boxes[b])) continue;
-            const auto has = [&](std::uint32_t v) {
-                return std::ranges::any_of(surface.triangles[b].vertices,
-                                           [&](std::uint32_t w) { return surface.sewn_as(v) == surface.sewn_as(w); });
-            };
-            if (std::ranges::any_of(surface.triangles[a].vertices, has)) continue;
+            if (surface.has_any(surface.triangles[b], surface.triangles[a].vertices)) continue;
             if (cross(surface, points, a, b)) pairs.push_back({a, b});
         }
     }

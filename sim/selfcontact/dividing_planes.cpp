@@ -13,20 +13,21 @@ constexpr float kGapShare = 0.5F, kRadiusShare = 0.1F;
 constexpr float kWatched = 0.0005F;  // m: pairs that are divided by no more are tested in later rounds too
 constexpr int kPartingRounds = 12, kShorteningRounds = 8, kStoppingRounds = 4;
 
-// The two vertices of a pair that are nearest along its divider, and how far apart they are there, m.
-struct Extremes {
-    std::uint32_t first, second;
-    float apart;
-};
-
 Vec3f divider_of(const PairBlock& block, std::size_t at) {
     return {block.divider[0][at], block.divider[1][at], block.divider[2][at]};
 }
 
-Extremes extremes_of(const PairBlock& block, std::size_t at, std::size_t first_side, const MovingPoints& points) {
+float asked_of(const PairBlock& block, std::size_t at) {
+    return std::min(kGapShare * block.gap[at], kRadiusShare * block.radius[at]);
+}
+
+}  // namespace
+
+DividerExtremes extremes_of(const PairBlock& block, std::size_t at, std::size_t first_side,
+                            const MovingPoints& points) {
     const Vec3f normal = divider_of(block, at), origin = points.at(block.vertices[0][at] / 4);
     float lowest = std::numeric_limits<float>::max(), highest = std::numeric_limits<float>::lowest();
-    Extremes found{};
+    DividerExtremes found;
     for (std::size_t k = 0; k < 4; ++k) {
         const std::uint32_t v = block.vertices[k][at] / 4;
         const float height = normal.dot(points.at(v) - origin);
@@ -41,12 +42,6 @@ Extremes extremes_of(const PairBlock& block, std::size_t at, std::size_t first_s
     found.apart = lowest - highest;
     return found;
 }
-
-float asked_of(const PairBlock& block, std::size_t at) {
-    return std::min(kGapShare * block.gap[at], kRadiusShare * block.radius[at]);
-}
-
-}  // namespace
 
 CertificateReport DividingPlanes::certify(const SelfContactKernels& loops, const ContactPairs& pairs,
                                           std::span<const Vec4f> start, const Vec3f& mean, const Vec3f& mean_move,
@@ -93,7 +88,7 @@ void DividingPlanes::collect(const SelfContactKernels& loops, const PairList& pa
 
 // Moves the two nearest vertices apart along the divider, weighted by inverse masses.
 bool DividingPlanes::part(const Undivided& pair, const MovingPoints& points, CertificateReport& report) const {
-    const Extremes nearest = extremes_of(*pair.block, pair.at, pair.first_side, points);
+    const DividerExtremes nearest = extremes_of(*pair.block, pair.at, pair.first_side, points);
     const float asked = asked_of(*pair.block, pair.at);
     if (nearest.apart >= asked) return false;
     const float mine = points.inverse_mass(nearest.first), theirs = points.inverse_mass(nearest.second);

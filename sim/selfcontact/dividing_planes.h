@@ -14,6 +14,16 @@
 
 namespace selvedge::sim {
 
+// The two vertices of a pair that are nearest along its divider, and how far apart they are there, m: no more than the
+// sides are.
+struct DividerExtremes {
+    std::uint32_t first = 0, second = 0;  // on the first and on the second side
+    float apart = 0;
+};
+
+// Of the pair in slot `at`; first_side: number of vertices on its first side.
+DividerExtremes extremes_of(const PairBlock& block, std::size_t at, std::size_t first_side, const MovingPoints& points);
+
 struct CertificateReport {
     int rounds = 0;
     int parted = 0;     // pairs of vertices that were moved apart

@@ -182,11 +182,7 @@ float PairSearch::radius_of(const ContactSurface& surface, TrianglePair pair, fl
     const ContactTriangle &first = surface.triangles[pair.first], &second = surface.triangles[pair.second];
     const float radius =
         thickness_scale * 0.5F * (surface.sheets[first.sheet].thickness + surface.sheets[second.sheet].thickness);
-    const auto is_shared = [&](std::uint32_t v) {
-        return std::ranges::any_of(second.vertices,
-                                   [&](std::uint32_t w) { return surface.sewn_as(v) == surface.sewn_as(w); });
-    };
-    if (std::ranges::none_of(first.vertices, is_shared)) return radius;
+    if (!surface.has_any(second, first.vertices)) return radius;
     return std::min(radius, kOfEdge * std::min(shortest_edge_[pair.first], shortest_edge_[pair.second]));
 }
 

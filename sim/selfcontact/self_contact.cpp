@@ -319,14 +319,7 @@ void SelfContact::limit_clearances(const PairList& pairs, const MovingPoints& po
         const PairBlock& block = pairs.blocks()[i / kBlock];
         const std::size_t at = i % kBlock;
         if (block.side[at] == 0) continue;
-        const Vec3f divider(block.divider[0][at], block.divider[1][at], block.divider[2][at]);
-        const Vec3f origin = points.at(block.vertices[0][at] / 4);
-        float lowest = std::numeric_limits<float>::max(), highest = std::numeric_limits<float>::lowest();
-        for (std::size_t k = 0; k < 4; ++k) {
-            const float height = divider.dot(points.at(block.vertices[k][at] / 4) - origin);
-            (k < first ? lowest : highest) = k < first ? std::min(lowest, height) : std::max(highest, height);
-        }
-        const float half = std::max(0.0F, 0.5F * (lowest - highest));
+        const float half = std::max(0.0F, 0.5F * extremes_of(block, at, first, points).apart);
         for (const BlockPoints& vertices : block.vertices) {
             float& clearance = clearances[vertices[at] / 4];
             clearance = std::min(clearance, half);

@@ -1,9 +1,11 @@
 #pragma once
 // The triangle surface of one or several garments as self-contact reads it: which triangles, edges and vertices belong
 // together, and what the sheets of cloth are. It knows nothing of adaptive meshes.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "sim/core/math.h"
@@ -40,6 +42,13 @@ struct ContactSurface {
     std::vector<std::uint32_t> sewn;
 
     std::uint32_t sewn_as(std::uint32_t vertex) const { return sewn.empty() ? vertex : sewn[vertex]; }
+
+    // Whether the triangle has one of these vertices, or one that is sewn to it.
+    bool has_any(const ContactTriangle& triangle, std::span<const std::uint32_t> vertices) const {
+        return std::ranges::any_of(vertices, [&](std::uint32_t v) {
+            return std::ranges::any_of(triangle.vertices, [&](std::uint32_t w) { return sewn_as(v) == sewn_as(w); });
+        });
+    }
 };
 
 }  // namespace selvedge::sim

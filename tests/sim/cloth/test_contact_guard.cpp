@@ -87,7 +87,7 @@ TEST(SelfContactOfCloth, a_pile_of_adaptive_cloth_does_not_cross_itself) {
         }
         most_leaves = std::max(most_leaves, static_cast<int>(cloth.mesh.leaf_triangles().size()));
         if (frame % 5 != 4) continue;
-        const ContactSurface surface = contact_surface(cloth, order_of_base_triangles(cloth));
+        const ContactSurface surface = contact_surface(cloth);
         EXPECT_TRUE(find_crossing_triangles(surface, cloth.x.front().data()).empty()) << "frame " << frame;
     }
     EXPECT_GT(most_leaves, 2 * static_cast<int>(cloth.mesh.base_triangle_count()));
@@ -96,7 +96,7 @@ TEST(SelfContactOfCloth, a_pile_of_adaptive_cloth_does_not_cross_itself) {
 TEST(ContactSurface, holds_every_leaf_and_edge_once) {
     Cloth cloth = make_patch(find_fabric("cotton_shirting"), {.side = 0.4, .quads = 4});
     refine(cloth, 2);
-    const ContactSurface surface = contact_surface(cloth, order_of_base_triangles(cloth));
+    const ContactSurface surface = contact_surface(cloth);
     EXPECT_EQ(surface.triangles.size(), cloth.mesh.leaf_triangles().size());
     EXPECT_EQ(surface.edges.size(), cloth.mesh.leaf_edges().size());
     for (const ContactTriangle& triangle : surface.triangles) {
