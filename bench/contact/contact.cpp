@@ -214,19 +214,23 @@ std::vector<Table> tables_of(const ContactBenchReport& report) {
                           Cell(row.drape_ms_with, 0), Cell(row.drape_ms_with / row.drape_ms_without - 1, 2),
                           Cell(row.rest_ms_with, 2), Cell(row.rest_ms_with / row.rest_ms_without - 1, 2)});
     }
-    Table counts{
-        .name = "counts",
-        .title = "What self-contact did in these scenes",
-        .note = "Per step of 12 sub-steps; triangle pairs and candidates per detection, contacts per refresh."};
-    counts.columns = {"scene",    "detections", "exact tests", "triangle pairs", "candidates",
-                      "contacts", "acted",      "parted",      "truncated",      "rounds"};
+    Table counts{.name = "counts",
+                 .title = "What self-contact did in these scenes",
+                 .note =
+                     "Per step of 12 sub-steps. Asked: share of the cloth that was asked, summed over all detections; "
+                     "candidates per detection, contacts per refresh."};
+    counts.columns = {"scene",      "detections", "local", "asked",  "tests",     "local tests", "triangle pairs",
+                      "candidates", "contacts",   "acted", "parted", "truncated", "rounds"};
     for (const ContactBenchReport::SceneRow& row : report.scenes) {
         const sim::SelfContactCounts& c = row.with.counts;
         const auto per = [](long count, long of) {
             return static_cast<double>(count) / static_cast<double>(std::max(1L, of));
         };
-        counts.add_row({row.name, Cell(per(c.detections, c.steps), 2), Cell(per(c.exact_tests, c.steps), 2),
-                        Cell(per(c.triangle_pairs, c.detections), 0), Cell(per(c.pairs, c.detections), 0),
+        const long detections = c.detections + c.local_detections;
+        counts.add_row({row.name, Cell(per(c.detections, c.steps), 2), Cell(per(c.local_detections, c.steps), 2),
+                        Cell(c.asked / static_cast<double>(std::max(1L, c.steps)), 2),
+                        Cell(per(c.exact_tests, c.steps), 2), Cell(per(c.local_tests, c.steps), 2),
+                        Cell(per(c.triangle_pairs, c.steps), 0), Cell(per(c.pairs, detections), 0),
                         Cell(per(c.contacts, c.refreshes), 0), Cell(per(c.acted, c.steps), 0),
                         Cell(per(c.parted, c.steps), 1), Cell(per(c.truncated, c.steps), 1),
                         Cell(per(c.untangling_rounds, c.steps), 1)});

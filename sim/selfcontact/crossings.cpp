@@ -27,22 +27,6 @@ std::vector<ContactBox> boxes_of(const ContactSurface& surface, const float* poi
     return boxes;
 }
 
-// Whether all corners of a triangle are on one side of another one's plane, by more than rounding.
-bool is_on_one_side(const ContactSurface& surface, const float* points, std::uint32_t plane, std::uint32_t other) {
-    constexpr float kRounding = 1e-6F;  // m
-    const std::array<std::uint32_t, 3>& corners = surface.triangles[plane].vertices;
-    const Vec3f origin = point_at(points, corners[0]);
-    const Vec3f normal =
-        (point_at(points, corners[1]) - origin).cross(point_at(points, corners[2]) - origin).normalized();
-    float lowest = std::numeric_limits<float>::max(), highest = std::numeric_limits<float>::lowest();
-    for (const std::uint32_t v : surface.triangles[other].vertices) {
-        const float height = normal.dot(point_at(points, v) - origin);
-        lowest = std::min(lowest, height);
-        highest = std::max(highest, height);
-    }
-    return lowest > kRounding || highest < -kRounding;
-}
-
 bool cross(const ContactSurface& surface, const float* points, std::uint32_t a, std::uint32_t b) {
     const auto pierces = [&](std::uint32_t from, std::uint32_t into) {
         return std::ranges::any_of(surface.triangles[from].edges, [&](std::uint32_t e) {
@@ -77,7 +61,8 @@ std::optional<Crossing> find_crossing(const ContactSurface& surface, const float
         .corners = {static_cast<float>(bc / sum), static_cast<float>(ca / sum), static_cast<float>(ab / sum)}};
 }
 
-std::vector<Crossing> find_crossings(const ContactSurface& surface, const PairSearch& search, const float* points) {
+std::vector<Crossing> find_crossings(const ContactSurface& surface, const PairSearch& search,
+                                     std::span<const TrianglePair> pairs, const float* points) {
     std::vector<Crossing> crossings;
     const auto look = [&](std::uint32_t from, std::uint32_t into) {
         for (const std::uint32_t e : search.owned_edges(from)) {
@@ -86,10 +71,7 @@ std::vector<Crossing> find_crossings(const ContactSurface& surface, const PairSe
             if (const auto found = find_crossing(surface, points, e, into)) crossings.push_back(*found);
         }
     };
-    const std::vector<ContactBox> boxes = boxes_of(surface, points);
-    for (const auto [a, b] : search.triangle_pairs()) {
-        if (!overlap(boxes[a], boxes[b])) continue;
-        if (is_on_one_side(surface, points, a, b) || is_on_one_side(surface, points, b, a)) continue;
+    for (const auto [a, b] : pairs) {
         look(a, b);
         look(b, a);
     }

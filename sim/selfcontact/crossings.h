@@ -26,9 +26,10 @@ struct Crossing {
 std::optional<Crossing> find_crossing(const ContactSurface& surface, const float* points, std::uint32_t edge,
                                       std::uint32_t triangle);
 
-// All crossings of these pairs of triangles, in their order. Edges that share a (sewn) vertex with a triangle do not
-// cross it.
-std::vector<Crossing> find_crossings(const ContactSurface& surface, const PairSearch& search, const float* points);
+// All crossings of these pairs of triangles of a search, in their order. Edges that share a (sewn) vertex with a
+// triangle do not cross it.
+std::vector<Crossing> find_crossings(const ContactSurface& surface, const PairSearch& search,
+                                     std::span<const TrianglePair> pairs, const float* points);
 
 // The pairs of triangles that cross each other, and share no vertex, in a fixed order: an exact test of all pairs.
 // (Ericson, Real-Time Collision Detection, 5.2.10: edges of each against the other; sweep and prune along x)

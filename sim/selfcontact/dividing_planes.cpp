@@ -11,7 +11,7 @@ namespace {
 // radius. So a gap of any size never closes, and pairs at their radius are left to the contacts.
 constexpr float kGapShare = 0.5F, kRadiusShare = 0.1F;
 constexpr float kWatched = 0.0005F;  // m: pairs that are divided by no more are tested in later rounds too
-constexpr int kPartingRounds = 12, kShorteningRounds = 8, kStoppingRounds = 4;
+constexpr int kPartingRounds = 6, kShorteningRounds = 8;
 
 Vec3f divider_of(const PairBlock& block, std::size_t at) {
     return {block.divider[0][at], block.divider[1][at], block.divider[2][at]};
@@ -44,50 +44,74 @@ DividerExtremes extremes_of(const PairBlock& block, std::size_t at, std::size_t 
 }
 
 CertificateReport DividingPlanes::certify(const SelfContactKernels& loops, const ContactPairs& pairs,
-                                          std::span<const Vec4f> start, const Vec3f& mean, const Vec3f& mean_move,
+                                          std::span<const Vec4f> start, const Motion& mean,
                                           const MovingPoints& points) {
     CertificateReport report;
-    undivided_.clear();
-    collect(loops, pairs.vertex_triangle, points);
-    collect(loops, pairs.edge_edge, points);
     share_.resize(points.count, 1.0F);
-    constexpr int kRounds = kPartingRounds + kShorteningRounds + kStoppingRounds;
-    for (bool changed = true; changed && report.rounds < kRounds; ++report.rounds) {
-        changed = false;
-        touched_.clear();
-        for (const Undivided& pair : undivided_) {
-            if (report.rounds < kPartingRounds) {
-                changed |= part(pair, points, report);
-            } else {
-                changed |= shorten(pair, points, report.rounds < kPartingRounds + kShorteningRounds ? 1.0F : 0.0F);
-            }
-        }
-        for (const std::uint32_t v : touched_) {
-            const float share = std::exchange(share_[v], 1.0F);
-            const Vec3f origin = start[v].head<3>() + mean, now = points.at(v);
-            const Eigen::Map<const Vec3f> was(points.before + 4 * static_cast<std::size_t>(v));
-            const Vec3f to = origin + (now - origin) * share;
-            const Vec3f before = to - (now - was) * share - mean_move * (1 - share);
-            Eigen::Map<Vec3f>(points.now + 4 * static_cast<std::size_t>(v)) = to;
-            Eigen::Map<Vec3f>(points.before + 4 * static_cast<std::size_t>(v)) = before;
-        }
-        report.truncated += static_cast<int>(touched_.size());
+    if (collect(loops, pairs, kWatched, points) == 0) return report;
+    for (int round = 0; round < kPartingRounds && part_all(points, report); ++round) {
+    }
+    if (collect(loops, pairs, kWatched, points) == 0) return report;
+    for (int round = 0; round < kShorteningRounds && shorten_all(start, mean, 1, points, report); ++round) {
+    }
+    // What moved back may have got into the way of others. In the end all are where they started.
+    stopped_.assign(points.count, 0);
+    while (collect(loops, pairs, 0, points) != 0 && shorten_all(start, mean, 0, points, report)) {
     }
     return report;
 }
 
-void DividingPlanes::collect(const SelfContactKernels& loops, const PairList& pairs, const MovingPoints& points) {
-    for (std::size_t i = 0; i < pairs.block_count(); ++i) {
-        const PairBlock& block = pairs.blocks()[i];
-        unsigned found = loops.find_undivided(pairs.kind(), block, points.now, kGapShare, kRadiusShare, kWatched);
-        for (; found != 0; found &= found - 1) {
-            undivided_.push_back({&block, static_cast<std::size_t>(__builtin_ctz(found)), first_side(pairs.kind())});
+bool DividingPlanes::part_all(const MovingPoints& points, CertificateReport& report) {
+    bool changed = false;
+    for (const Undivided& pair : undivided_) changed |= part(pair, points, report);
+    return changed;
+}
+
+// Takes back a part of their movement from the vertices of undivided pairs: as much as is necessary, or 1 - `most`.
+bool DividingPlanes::shorten_all(std::span<const Vec4f> start, const Motion& mean, float most,
+                                 const MovingPoints& points, CertificateReport& report) {
+    touched_.clear();
+    bool changed = false;
+    for (const Undivided& pair : undivided_) changed |= shorten(pair, points, most);
+    take_back(start, mean, points, report);
+    return changed;
+}
+
+void DividingPlanes::take_back(std::span<const Vec4f> start, const Motion& mean, const MovingPoints& points,
+                               CertificateReport& report) {
+    for (const std::uint32_t v : touched_) {
+        const float share = std::exchange(share_[v], 1.0F);
+        const Vec3f origin = start[v].head<3>() + mean.displacement, now = points.at(v), was = points.was_at(v);
+        const Vec3f to = origin + (now - origin) * share;
+        const Vec3f before = to - (now - was) * share - mean.per_substep * (1 - share);
+        points.shift(v, to - now);
+        Eigen::Map<Vec3f>(points.before + 4 * static_cast<std::size_t>(v)) = before;
+    }
+    report.truncated += static_cast<int>(touched_.size());
+}
+
+// Lists the pairs that are not divided, by more than `watched` (m); returns how many of them are not divided at all.
+std::size_t DividingPlanes::collect(const SelfContactKernels& loops, const ContactPairs& pairs, float watched,
+                                    const MovingPoints& points) {
+    undivided_.clear();
+    std::size_t count = 0;
+    for (const PairList* const list : {&pairs.vertex_triangle, &pairs.edge_edge}) {
+        const std::size_t first = first_side(list->kind());
+        for (std::size_t i = 0; i < list->block_count(); ++i) {
+            const PairBlock& block = list->blocks()[i];
+            unsigned found = loops.find_undivided(list->kind(), block, points.now, kGapShare, kRadiusShare, watched);
+            for (; found != 0; found &= found - 1) {
+                const Undivided& pair =
+                    undivided_.emplace_back(Undivided{&block, static_cast<std::size_t>(__builtin_ctz(found)), first});
+                if (extremes_of(block, pair.at, first, points).apart < asked_of(block, pair.at)) ++count;
+            }
         }
     }
+    return count;
 }
 
 // Moves the two nearest vertices apart along the divider, weighted by inverse masses.
-bool DividingPlanes::part(const Undivided& pair, const MovingPoints& points, CertificateReport& report) const {
+bool DividingPlanes::part(const Undivided& pair, const MovingPoints& points, CertificateReport& report) {
     const DividerExtremes nearest = extremes_of(*pair.block, pair.at, pair.first_side, points);
     const float asked = asked_of(*pair.block, pair.at);
     if (nearest.apart >= asked) return false;
@@ -112,8 +136,9 @@ bool DividingPlanes::shorten(const Undivided& pair, const MovingPoints& points, 
     bool changed = false;
     for (const BlockPoints& vertices : pair.block->vertices) {
         const std::uint32_t v = vertices[pair.at] / 4;
-        if (points.inverse_mass(v) <= 0) continue;
+        if (points.inverse_mass(v) <= 0 || (most == 0 && stopped_[v] != 0)) continue;
         changed = true;
+        if (most == 0) stopped_[v] = 1;
         if (share_[v] == 1.0F) touched_.push_back(v);
         share_[v] = std::min(share_[v], share);
     }

@@ -9,8 +9,8 @@
 
 #include "sim/core/math.h"
 #include "sim/selfcontact/kernels.h"
+#include "sim/selfcontact/moving_points.h"
 #include "sim/selfcontact/pair_search.h"
-#include "sim/selfcontact/untangle.h"
 
 namespace selvedge::sim {
 
@@ -25,17 +25,21 @@ struct DividerExtremes {
 DividerExtremes extremes_of(const PairBlock& block, std::size_t at, std::size_t first_side, const MovingPoints& points);
 
 struct CertificateReport {
-    int rounds = 0;
     int parted = 0;     // pairs of vertices that were moved apart
     int truncated = 0;  // vertices whose movement was shortened
 };
 
 class DividingPlanes {
  public:
-    // Makes all pairs divided by their planes. start: positions at the last detection; mean: the mean displacement of
-    // all vertices since then, which is not truncated; mean_move: the mean displacement per sub-step.
+    // The motion that all vertices share, which is not truncated.
+    struct Motion {
+        Vec3f displacement = Vec3f::Zero();  // m, since the last detection
+        Vec3f per_substep = Vec3f::Zero();   // m
+    };
+
+    // Makes all pairs divided by their planes. start: positions at the last detection.
     CertificateReport certify(const SelfContactKernels& loops, const ContactPairs& pairs, std::span<const Vec4f> start,
-                              const Vec3f& mean, const Vec3f& mean_move, const MovingPoints& points);
+                              const Motion& mean, const MovingPoints& points);
 
  private:
     struct Undivided {
@@ -43,11 +47,18 @@ class DividingPlanes {
         std::size_t at;
         std::size_t first_side;
     };
-    void collect(const SelfContactKernels& loops, const PairList& pairs, const MovingPoints& points);
-    bool part(const Undivided& pair, const MovingPoints& points, CertificateReport& report) const;
+    std::size_t collect(const SelfContactKernels& loops, const ContactPairs& pairs, float watched,
+                        const MovingPoints& points);
+    bool part_all(const MovingPoints& points, CertificateReport& report);
+    bool shorten_all(std::span<const Vec4f> start, const Motion& mean, float most, const MovingPoints& points,
+                     CertificateReport& report);
+    void take_back(std::span<const Vec4f> start, const Motion& mean, const MovingPoints& points,
+                   CertificateReport& report);
+    bool part(const Undivided& pair, const MovingPoints& points, CertificateReport& report);
     bool shorten(const Undivided& pair, const MovingPoints& points, float most);
 
     std::vector<Undivided> undivided_;
+    std::vector<std::uint8_t> stopped_;   // by vertex: whether it is back where it started
     std::vector<float> share_;            // by vertex, of its movement that is kept
     std::vector<std::uint32_t> touched_;  // vertices with a share below 1
 };

@@ -27,10 +27,11 @@ struct TriangleRows {
     const std::uint32_t* is_flat{};  // all bits set, or 0: no edge near the triangle is bent sharply
 };
 
-// Expected motion of the vertices until the next detection.
+// Expected motion of the vertices until the next detection, in a frame that travels with the cloth.
 struct Sweep {
     const float* moves = nullptr;  // by vertex, four floats: displacement per sub-step, m
     float substeps = 0;
+    std::array<float, 3> frame{};  // m, the frame's origin
 };
 
 // The distance within which a pair is kept is its radius plus `margin`, plus the distance by which its sides approach
@@ -40,19 +41,22 @@ struct PairReach {
     float least = 0;   // m
 };
 
-struct TrianglePair {
-    std::uint32_t first, second;
-};
-
 struct SelfContactKernels {
-    // Computes boxes, normals and middles of all triangles. Boxes hold the triangle before and after the sweep, and are
-    // grown by `grow` (m).
-    void (*bound_triangles)(const TriangleRows& rows, const float* points, const Sweep& sweep, float grow);
+    // Computes boxes and middles, in the sweep's frame, and normals of the triangles of a packet. Boxes hold the
+    // triangle before and after the sweep, and are grown by `grow` (m).
+    void (*bound_packet)(const TriangleRows& rows, std::size_t packet, const float* points, const Sweep& sweep,
+                         float grow);
 
-    // Writes the pairs of triangles with overlapping boxes, of which the first is in that packet and the second is a
-    // later triangle; returns their number. Leaves out pairs that cannot touch because the cloth between them is nearly
-    // flat. `pairs` must hold 16 times `padded` pairs.
-    std::size_t (*find_pairs)(const TriangleRows& rows, std::size_t packet, TrianglePair* pairs);
+    // Writes the pairs of triangles with overlapping boxes, of which the first is in that packet; returns their number.
+    // The second is a later triangle or one of an earlier packet that is not in `asked` (a bit per packet, sixteen per
+    // number): if all packets of `asked` are searched, each pair is found once. Leaves out pairs that cannot touch
+    // because the cloth between them is nearly flat. `pairs` must hold 16 times `padded` pairs.
+    std::size_t (*find_pairs)(const TriangleRows& rows, std::size_t packet, const std::uint32_t* asked,
+                              TrianglePair* pairs);
+
+    // Returns a bit for each of sixteen pairs of triangles whose boxes overlap and of which neither is on one side of
+    // the other's plane: only those can cross.
+    unsigned (*find_piercing)(const TriangleRows& rows, const TrianglePair* pairs, const float* points);
 
     // Computes the closest points of sixteen pairs: weights, normal, divider and gap. Returns a bit for each pair
     // within reach.

@@ -7,8 +7,9 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr SelfContactKernels kLoops{.bound_triangles = bound_triangles,
+constexpr SelfContactKernels kLoops{.bound_packet = bound_packet,
                                     .find_pairs = find_pairs,
+                                    .find_piercing = find_piercing,
                                     .measure_pairs = measure_pairs,
                                     .refresh_pairs = refresh_pairs,
                                     .solve_contacts = solve_contacts,

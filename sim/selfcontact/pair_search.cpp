@@ -1,6 +1,8 @@
 #include "sim/selfcontact/pair_search.h"
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 #include <optional>
 
 namespace selvedge::sim {
@@ -11,6 +13,11 @@ constexpr float kSharpBend = 0.5F;  // cosine of the angle between two triangles
 
 std::size_t padded_count(std::size_t count) {
     return (count + kPacket - 1) / kPacket * kPacket;
+}
+
+std::span<const ContactTriangle> triangles_of(const ContactSurface& surface, std::size_t packet) {
+    const std::span all(surface.triangles);
+    return all.subspan(packet * kPacket, std::min(kPacket, all.size() - packet * kPacket));
 }
 
 }  // namespace
@@ -30,6 +37,13 @@ void PairSearch::set_surface(const ContactSurface& surface, std::uint32_t dummy)
         packet_low_[k].assign(padded_count(padded_ / kPacket), std::numeric_limits<float>::max());
         packet_high_[k].assign(padded_count(padded_ / kPacket), std::numeric_limits<float>::lowest());
     }
+    is_sharp_.assign(surface.edges.size(), 0);
+    sharp_.assign(dummy + 1, 0);
+    vertex_boxes_.resize(dummy);
+    edge_boxes_.resize(surface.edges.size());
+    triangle_boxes_.resize(count);
+    triangle_pairs_.clear();
+    select_all();
     sheet_.assign(padded_, kNoElement);
     flat_.assign(padded_, 0);
     u_.assign(padded_, 0);
@@ -70,85 +84,169 @@ TriangleRows PairSearch::rows() {
     return rows;
 }
 
+void PairSearch::select_all() {
+    asked_.assign(padded_count(padded_ / kPacket) / kPacket, 0xFFFFU);
+    asked_packets_.resize(padded_ / kPacket);
+    std::iota(asked_packets_.begin(), asked_packets_.end(), std::size_t{0});
+    stays_.assign(dummy_, 0);
+}
+
+void PairSearch::select(const ContactSurface& surface, std::span<const std::uint8_t> is_off) {
+    std::ranges::fill(asked_, 0U);
+    asked_packets_.clear();
+    stays_.assign(dummy_, 0);
+    for (std::size_t packet = 0; packet < padded_ / kPacket; ++packet) {
+        const std::span triangles = triangles_of(surface, packet);
+        const bool is_asked = std::ranges::any_of(triangles, [&](const ContactTriangle& triangle) {
+            return std::ranges::any_of(triangle.vertices, [&](std::uint32_t v) { return is_off[v] != 0; });
+        });
+        if (is_asked) {
+            asked_[packet / kPacket] |= 1U << packet % kPacket;
+            asked_packets_.push_back(packet);
+        } else {
+            for (const ContactTriangle& triangle : triangles) {
+                for (const std::uint32_t v : triangle.vertices) stays_[v] = 1;
+            }
+        }
+    }
+}
+
+bool PairSearch::asks(std::uint32_t triangle) const {
+    const std::size_t packet = triangle / kPacket;
+    return (asked_[packet / kPacket] >> packet % kPacket & 1U) != 0;
+}
+
 void PairSearch::find_triangles(const SelfContactKernels& loops, const ContactSurface& surface, const float* points,
                                 const Sweep& sweep, float reach) {
     const TriangleRows all = rows();
-    loops.bound_triangles(all, points, sweep, reach / 2);
+    for (const std::size_t packet : asked_packets_) loops.bound_packet(all, packet, points, sweep, reach / 2);
     find_flat(surface);
     bound_elements(surface, points, sweep, reach / 2);
-    triangle_pairs_.clear();
+    std::erase_if(triangle_pairs_, [&](TrianglePair pair) { return asks(pair.first) || asks(pair.second); });
+    known_ = triangle_pairs_.size();
     found_.resize(kPacket * padded_);
     const auto real = static_cast<std::uint32_t>(surface.triangles.size());
-    for (std::size_t packet = 0; packet < padded_ / kPacket; ++packet) {
-        const std::size_t count = loops.find_pairs(all, packet, found_.data());
+    for (const std::size_t packet : asked_packets_) {
+        const std::size_t count = loops.find_pairs(all, packet, asked_.data(), found_.data());
         for (std::size_t i = 0; i < count; ++i) {
-            if (found_[i].second < real) triangle_pairs_.push_back(found_[i]);
+            if (found_[i].first < real && found_[i].second < real) triangle_pairs_.push_back(found_[i]);
         }
     }
 }
 
 // A vertex is flat if none of the triangles around it has a sharp edge.
 void PairSearch::find_flat(const ContactSurface& surface) {
-    flat_vertices_.assign(dummy_ + 1, 1);
-    for (const ContactEdge& edge : surface.edges) {
-        if (edge.triangles[1] == kNoElement) continue;
-        if (normal_of(edge.triangles[0]).dot(normal_of(edge.triangles[1])) > kSharpBend) continue;
-        for (const std::uint32_t t : edge.triangles) {
-            for (const std::uint32_t v : surface.triangles[t].vertices) flat_vertices_[v] = 0;
+    for (const std::size_t packet : asked_packets_) {
+        for (const ContactTriangle& triangle : triangles_of(surface, packet)) {
+            for (const std::uint32_t e : triangle.edges) find_sharp(surface, e);
         }
     }
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        const auto flat = [&](std::uint32_t v) { return is_flat(v); };
-        flat_[t] = std::ranges::all_of(surface.triangles[t].vertices, flat) ? ~0U : 0U;
+        const auto [a, b, c] = surface.triangles[t].vertices;
+        flat_[t] = is_flat(a) && is_flat(b) && is_flat(c) ? ~0U : 0U;
     }
 }
 
+void PairSearch::find_sharp(const ContactSurface& surface, std::uint32_t edge) {
+    const std::array<std::uint32_t, 2>& sides = surface.edges[edge].triangles;
+    if (sides[1] == kNoElement) return;
+    const bool is_sharp = normal_of(sides[0]).dot(normal_of(sides[1])) <= kSharpBend;
+    if (is_sharp == (is_sharp_[edge] != 0)) return;
+    is_sharp_[edge] = is_sharp ? 1 : 0;
+    for (const std::uint32_t t : sides) {
+        for (const std::uint32_t v : surface.triangles[t].vertices) is_sharp ? ++sharp_[v] : --sharp_[v];
+    }
+}
+
+// Boxes of the elements that the asked triangles own, and of these. Elements that other triangles own have no vertex
+// with a new path.
 void PairSearch::bound_elements(const ContactSurface& surface, const float* points, const Sweep& sweep, float grow) {
-    const Vec4f more(grow, grow, grow, 0);
-    vertex_boxes_.resize(dummy_);
-    for (std::size_t v = 0; v < dummy_; ++v) {
-        const Vec4f x = Eigen::Map<const Vec4f>(points + 4 * v);
-        const Vec4f end = x + Eigen::Map<const Vec4f>(sweep.moves + 4 * v) * sweep.substeps;
-        vertex_boxes_[v] = {x.cwiseMin(end) - more, x.cwiseMax(end) + more};
-    }
-    edge_boxes_.resize(surface.edges.size());
-    for (std::size_t e = 0; e < surface.edges.size(); ++e) {
-        const auto [a, b] = surface.edges[e].ends;
-        edge_boxes_[e] = around(vertex_boxes_[a], vertex_boxes_[b]);
-    }
-    triangle_boxes_.resize(surface.triangles.size());
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const Vec4f more(grow, grow, grow, 0), frame(sweep.frame[0], sweep.frame[1], sweep.frame[2], 0);
+    const auto for_asked = [&](const auto& apply) {
+        for (const std::size_t packet : asked_packets_) {
+            const std::size_t end = std::min((packet + 1) * kPacket, surface.triangles.size());
+            for (std::size_t t = packet * kPacket; t < end; ++t) apply(t);
+        }
+    };
+    const auto bound_vertices = [&](std::size_t t) {
+        for (const std::uint32_t v : owned_vertices_[t]) {
+            if (v == kNoElement) return;
+            const std::size_t at = 4 * static_cast<std::size_t>(v);
+            const Vec4f x = Eigen::Map<const Vec4f>(points + at) - frame;
+            const Vec4f end = x + Eigen::Map<const Vec4f>(sweep.moves + at) * sweep.substeps;
+            vertex_boxes_[v] = {x.cwiseMin(end) - more, x.cwiseMax(end) + more};
+        }
+    };
+    for_asked(bound_vertices);
+    for_asked([&](std::size_t t) {
+        for (const std::uint32_t e : owned_edges_[t]) {
+            if (e == kNoElement) break;
+            const auto [a, b] = surface.edges[e].ends;
+            edge_boxes_[e] = around(vertex_boxes_[a], vertex_boxes_[b]);
+        }
         const auto [a, b, c] = surface.triangles[t].vertices;
         triangle_boxes_[t] = around(around(vertex_boxes_[a], vertex_boxes_[b]), vertex_boxes_[c]);
-    }
+    });
 }
 
 void PairSearch::find_elements(const SelfContactKernels& loops, const ContactSurface& surface, const float* points,
                                const Sweep& sweep, const PairReach& reach, float thickness_scale, ContactPairs& pairs) {
     noted_vertices_.clear(dummy_);
     noted_edges_.clear(dummy_);
-    for (const TrianglePair pair : triangle_pairs_) note_elements(surface, pair, thickness_scale);
-    pairs.vertex_triangle.clear(dummy_);
-    pairs.edge_edge.clear(dummy_);
+    for (const TrianglePair pair : new_triangle_pairs()) note_elements(surface, pair, thickness_scale);
+    for (PairList* const list : {&pairs.vertex_triangle, &pairs.edge_edge}) {
+        keep_known(loops, points, sweep, reach, *list);
+    }
     measure(loops, noted_vertices_, points, sweep, reach, pairs.vertex_triangle);
     measure(loops, noted_edges_, points, sweep, reach, pairs.edge_edge);
+}
+
+// Keeps the pairs that are not asked and still within reach, with dividers of now.
+void PairSearch::keep_known(const SelfContactKernels& loops, const float* points, const Sweep& sweep,
+                            const PairReach& reach, PairList& pairs) {
+    if (known_ == 0) return pairs.clear(dummy_);
+    gone_.clear();
+    for (std::size_t i = 0; i < pairs.size(); i += kBlock) {
+        PairBlock& block = pairs.blocks()[i / kBlock];
+        const unsigned near = loops.measure_pairs(pairs.kind(), block, points, sweep, reach);
+        for (std::size_t at = 0; at < kBlock && i + at < pairs.size(); ++at) {
+            const bool is_near = (near >> at & 1U) != 0;
+            if (!is_near || asks(block.triangles[0][at]) || asks(block.triangles[1][at])) gone_.push_back(i + at);
+        }
+    }
+    pairs.remove(gone_);
+}
+
+// The pairs are copied in sixteens; those that fill up the last are pairs of a triangle with itself.
+std::vector<TrianglePair> PairSearch::piercing(const SelfContactKernels& loops, std::span<const TrianglePair> pairs,
+                                               const float* points) {
+    const TriangleRows all = rows();
+    std::vector<TrianglePair> found;
+    for (std::size_t first = 0; first < pairs.size(); first += kBlock) {
+        std::array<TrianglePair, kBlock> block{};
+        const std::size_t count = std::min(kBlock, pairs.size() - first);
+        std::copy_n(pairs.begin() + static_cast<std::ptrdiff_t>(first), count, block.begin());
+        unsigned bits = loops.find_piercing(all, block.data(), points) & (0xFFFFU >> (kBlock - count));
+        for (; bits != 0; bits &= bits - 1) found.push_back(block[static_cast<std::size_t>(__builtin_ctz(bits))]);
+    }
+    return found;
 }
 
 // Notes the pairs of elements of two triangles whose boxes overlap.
 void PairSearch::note_elements(const ContactSurface& surface, TrianglePair pair, float thickness_scale) {
     const std::uint32_t a = pair.first, b = pair.second;
     std::optional<float> radius;
-    const auto add = [&](PairList& noted, const std::array<std::uint32_t, 4>& vertices) {
+    const auto add = [&](PairList& noted, const std::array<std::uint32_t, 4>& vertices, TrianglePair of) {
         if (!radius) radius = radius_of(surface, pair, thickness_scale);
         const float friction = 0.5F * (surface.sheets[surface.triangles[a].sheet].friction +
                                        surface.sheets[surface.triangles[b].sheet].friction);
-        noted.add({4 * vertices[0], 4 * vertices[1], 4 * vertices[2], 4 * vertices[3]}, *radius, friction);
+        noted.add({4 * vertices[0], 4 * vertices[1], 4 * vertices[2], 4 * vertices[3]}, of, *radius, friction);
     };
     const auto add_vertices = [&](std::uint32_t of, std::uint32_t t) {
         const std::array<std::uint32_t, 3>& corners = surface.triangles[t].vertices;
         for (const std::uint32_t v : owned_vertices_[of]) {
             if (v == kNoElement) return;
-            if (is_near(surface, v, t)) add(noted_vertices_, {v, corners[0], corners[1], corners[2]});
+            if (is_near(surface, v, t)) add(noted_vertices_, {v, corners[0], corners[1], corners[2]}, {of, t});
         }
     };
     add_vertices(a, b);
@@ -159,7 +257,7 @@ void PairSearch::note_elements(const ContactSurface& surface, TrianglePair pair,
             if (f == kNoElement) break;
             if (!are_near(surface, e, f)) continue;
             const std::array<std::uint32_t, 2>&mine = surface.edges[e].ends, &theirs = surface.edges[f].ends;
-            add(noted_edges_, {mine[0], mine[1], theirs[0], theirs[1]});
+            add(noted_edges_, {mine[0], mine[1], theirs[0], theirs[1]}, pair);
         }
     }
 }

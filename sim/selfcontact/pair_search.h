@@ -1,9 +1,11 @@
 #pragma once
 // Finds the pairs of mesh elements that can touch soon: boxes of triangles in packets of sixteen, overlapping boxes,
 // then the vertices and edges of two triangles against each other. Every vertex and every edge is owned by one
-// triangle, so that no pair is found twice.
+// triangle, so that no pair is found twice. A search asks some of the packets, and keeps what is known of the others.
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sim/core/math.h"
@@ -27,26 +29,44 @@ class PairSearch {
     // Prepares for a surface, which all later calls must be given; dummy: the index of the dummy vertex.
     void set_surface(const ContactSurface& surface, std::uint32_t dummy);
 
+    // The next search asks all packets, or those that have a vertex whose `is_off` is not 0 (by vertex).
+    void select_all();
+    void select(const ContactSurface& surface, std::span<const std::uint8_t> is_off);
+    bool asks(std::uint32_t triangle) const;
+    double share_asked() const {
+        return static_cast<double>(asked_packets_.size() * kBlock) / static_cast<double>(padded_);
+    }
+    // By vertex: 1 for vertices that packets have which are not asked.
+    std::span<const std::uint8_t> stays() const { return stays_; }
+
     // Computes boxes and finds pairs of triangles. reach: the largest distance at which two sides matter, m.
     void find_triangles(const SelfContactKernels& loops, const ContactSurface& surface, const float* points,
                         const Sweep& sweep, float reach);
 
-    // Of those, finds the pairs of elements within reach and adds them to `pairs`, which must be clear. The radius of a
-    // pair is the mean thickness of its sheets times `thickness_scale`, but less for elements of triangles that share a
-    // vertex: a quarter of their shortest edge.
+    // Of those, finds the pairs of elements within reach. `pairs` are those of the last search, of which the ones that
+    // were not asked and are still within reach remain. The radius of a pair is the mean thickness of its sheets times
+    // `thickness_scale`, but less for elements of triangles that share a vertex: a quarter of their shortest edge.
     void find_elements(const SelfContactKernels& loops, const ContactSurface& surface, const float* points,
                        const Sweep& sweep, const PairReach& reach, float thickness_scale, ContactPairs& pairs);
 
-    const std::vector<TrianglePair>& triangle_pairs() const { return triangle_pairs_; }
+    // All pairs of triangles, and those that the last search found.
+    std::span<const TrianglePair> triangle_pairs() const { return triangle_pairs_; }
+    std::span<const TrianglePair> new_triangle_pairs() const { return triangle_pairs().subspan(known_); }
+
+    // Those of the pairs that are near enough to cross, in their order.
+    std::vector<TrianglePair> piercing(const SelfContactKernels& loops, std::span<const TrianglePair> pairs,
+                                       const float* points);
+
     Vec3f normal_of(std::uint32_t triangle) const {
         return {normal_[0][triangle], normal_[1][triangle], normal_[2][triangle]};
     }
-    bool is_flat(std::uint32_t vertex) const { return flat_vertices_[vertex] != 0; }
+    bool is_flat(std::uint32_t vertex) const { return sharp_[vertex] == 0; }
     const std::array<std::uint32_t, 3>& owned_edges(std::uint32_t triangle) const { return owned_edges_[triangle]; }
 
  private:
     TriangleRows rows();
     void find_flat(const ContactSurface& surface);
+    void find_sharp(const ContactSurface& surface, std::uint32_t edge);
     void bound_elements(const ContactSurface& surface, const float* points, const Sweep& sweep, float grow);
     void note_elements(const ContactSurface& surface, TrianglePair pair, float thickness_scale);
     bool is_near(const ContactSurface& surface, std::uint32_t vertex, std::uint32_t triangle) const;
@@ -54,6 +74,8 @@ class PairSearch {
     float radius_of(const ContactSurface& surface, TrianglePair pair, float thickness_scale) const;
     void measure(const SelfContactKernels& loops, PairList& noted, const float* points, const Sweep& sweep,
                  const PairReach& reach, PairList& pairs);
+    void keep_known(const SelfContactKernels& loops, const float* points, const Sweep& sweep, const PairReach& reach,
+                    PairList& pairs);
 
     std::uint32_t dummy_ = 0;
     std::size_t padded_ = 0;
@@ -61,11 +83,17 @@ class PairSearch {
     std::vector<float> shortest_edge_;                                        // by triangle, m
     std::array<std::vector<std::uint32_t>, 3> corner_, sewn_;
     std::vector<std::uint32_t> sheet_, flat_;
-    std::vector<std::uint8_t> flat_vertices_;
+    std::vector<std::uint8_t> is_sharp_;      // by edge
+    std::vector<std::uint16_t> sharp_;        // by vertex: sharp edges of the triangles at it, times their number
+    std::vector<std::uint32_t> asked_;        // a bit per packet, sixteen per number
+    std::vector<std::size_t> asked_packets_;  // ascending
+    std::vector<std::uint8_t> stays_;         // by vertex
     std::vector<float> u_, v_;
     std::array<std::vector<float>, 3> low_, high_, normal_, middle_, packet_low_, packet_high_;
     std::vector<ContactBox> vertex_boxes_, edge_boxes_, triangle_boxes_;  // over the sweep
     std::vector<TrianglePair> triangle_pairs_, found_;
+    std::size_t known_ = 0;          // triangle pairs that the last search did not ask
+    std::vector<std::size_t> gone_;  // scratch
     PairList noted_vertices_{PairKind::VertexTriangle}, noted_edges_{PairKind::EdgeEdge};  // to be measured
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sim/core/blocks.h"
@@ -17,10 +18,16 @@ constexpr std::size_t first_side(PairKind kind) {
     return kind == PairKind::VertexTriangle ? 1 : 2;
 }
 
+// Two triangles of a surface.
+struct TrianglePair {
+    std::uint32_t first = 0, second = 0;
+};
+
 // Sixteen pairs of one kind. A free slot refers to the dummy vertex and has a radius of -1,000 km.
 struct alignas(64) PairBlock {
-    std::array<BlockPoints, 4> vertices{};  // first side, then second side
-    BlockFloats radius{};                   // m, distance to keep between the sides
+    std::array<BlockPoints, 4> vertices{};   // first side, then second side
+    std::array<BlockPoints, 2> triangles{};  // which own the sides, or are them
+    BlockFloats radius{};                    // m, distance to keep between the sides
     BlockFloats friction{};
     std::array<BlockFloats, 3> divider{};  // unit normal of the dividing plane, found by the last detection
     BlockFloats gap{};                     // m, distance of the sides at that time
@@ -46,19 +53,25 @@ class PairList {
         dummy_ = dummy;
     }
     // Adds a pair with these vertices (offsets), and no more than its radius and friction filled in.
-    void add(const std::array<std::uint32_t, 4>& offsets, float radius, float friction) {
+    void add(const std::array<std::uint32_t, 4>& offsets, TrianglePair of, float radius, float friction) {
         PairBlock& block = open_slot();
         const std::size_t at = size_++ % kBlock;
         for (std::size_t k = 0; k < 4; ++k) block.vertices[k][at] = offsets[k];
+        block.triangles[0][at] = of.first;
+        block.triangles[1][at] = of.second;
         block.radius[at] = radius;
         block.friction[at] = friction;
         block.side[at] = 1;
     }
-    // Adds a copy of the pair in slot `at` of another block.
+    // Adds a copy of the pair in slot `at` of a block of another list.
     void add(const PairBlock& from, std::size_t at);
+
+    // Removes these pairs (ascending) and moves the last ones to their places.
+    void remove(std::span<const std::size_t> pairs);
 
  private:
     PairBlock& open_slot();
+    void free_slot(std::size_t pair);
 
     PairKind kind_;
     std::size_t size_ = 0;

@@ -50,9 +50,11 @@ constexpr float kTinyArea = 1e-12F;  // m^2, lower bound of a divisor
 
 [[gnu::always_inline]] inline void bound_lanes(const TriangleRows& rows, std::size_t at, const float* points,
                                                const Sweep& sweep, float grow) {
-    const Xyz a = points_at(points, rows.corner[0] + at);
-    const Xyz b = points_at(points, rows.corner[1] + at);
-    const Xyz c = points_at(points, rows.corner[2] + at);
+    const Xyz frame = {lanes::broadcast(sweep.frame[0]), lanes::broadcast(sweep.frame[1]),
+                       lanes::broadcast(sweep.frame[2])};
+    const Xyz a = minus(points_at(points, rows.corner[0] + at), frame);
+    const Xyz b = minus(points_at(points, rows.corner[1] + at), frame);
+    const Xyz c = minus(points_at(points, rows.corner[2] + at), frame);
     const Floats ahead = lanes::broadcast(sweep.substeps);
     const Xyz a1 = plus(a, ahead, points_at(sweep.moves, rows.corner[0] + at));
     const Xyz b1 = plus(b, ahead, points_at(sweep.moves, rows.corner[1] + at));
@@ -68,20 +70,19 @@ constexpr float kTinyArea = 1e-12F;  // m^2, lower bound of a divisor
     store_xyz(rows.normal, at, {normal.x * inverse, normal.y * inverse, normal.z * inverse});
 }
 
-void bound_triangles(const TriangleRows& rows, const float* points, const Sweep& sweep, float grow) {
-    for (std::size_t at = 0; at < rows.padded; at += lanes::kCount) bound_lanes(rows, at, points, sweep, grow);
-    for (std::size_t packet = 0; packet < rows.padded / kPacket; ++packet) {
-        for (int k = 0; k < 3; ++k) {
-            const float* const low = rows.low[k] + packet * kPacket;
-            const float* const high = rows.high[k] + packet * kPacket;
-            float lowest = low[0], highest = high[0];
-            for (std::size_t i = 1; i < kPacket; ++i) {
-                lowest = low[i] < lowest ? low[i] : lowest;
-                highest = high[i] > highest ? high[i] : highest;
-            }
-            rows.packet_low[k][packet] = lowest;
-            rows.packet_high[k][packet] = highest;
+void bound_packet(const TriangleRows& rows, std::size_t packet, const float* points, const Sweep& sweep, float grow) {
+    const std::size_t first = packet * kPacket;
+    for (std::size_t i = 0; i < kPacket; i += lanes::kCount) bound_lanes(rows, first + i, points, sweep, grow);
+    for (int k = 0; k < 3; ++k) {
+        const float* const low = rows.low[k] + first;
+        const float* const high = rows.high[k] + first;
+        float lowest = low[0], highest = high[0];
+        for (std::size_t i = 1; i < kPacket; ++i) {
+            lowest = low[i] < lowest ? low[i] : lowest;
+            highest = high[i] > highest ? high[i] : highest;
         }
+        rows.packet_low[k][packet] = lowest;
+        rows.packet_high[k][packet] = highest;
     }
 }
 
@@ -120,14 +121,17 @@ void bound_triangles(const TriangleRows& rows, const float* points, const Sweep&
     return flat & ((shares & (facing > 0.0F)) | (is_same & is_wide & (facing > 0.5F)));
 }
 
-// Appends the pairs of triangle t with the triangles of the packet that starts at `other`.
+// Appends the pairs of triangle t with the triangles of the packet that starts at `other`; within its own packet, with
+// later ones.
 [[gnu::always_inline]] inline std::size_t pair_up(const TriangleRows& rows, std::size_t t, std::size_t other,
                                                   TrianglePair* pairs) {
     const Xyz low = broadcast_xyz(rows.low, t), high = broadcast_xyz(rows.high, t);
     std::size_t count = 0;
     for (std::size_t at = other; at < other + kPacket; at += lanes::kCount) {
         unsigned found = lanes::bits(overlap(rows.low, rows.high, at, low, high));
-        if (at <= t) found &= t - at + 1 >= lanes::kCount ? 0U : ~0U << (t - at + 1);
+        if (other == t / kPacket * kPacket && at <= t) {
+            found &= t - at + 1 >= lanes::kCount ? 0U : ~0U << (t - at + 1);
+        }
         if (found != 0) found &= ~lanes::bits(are_apart(rows, t, at));
         for (; found != 0; found &= found - 1) {
             const std::size_t second = at + static_cast<std::size_t>(__builtin_ctz(found));
@@ -137,13 +141,16 @@ void bound_triangles(const TriangleRows& rows, const float* points, const Sweep&
     return count;
 }
 
-std::size_t find_pairs(const TriangleRows& rows, std::size_t packet, TrianglePair* pairs) {
+std::size_t find_pairs(const TriangleRows& rows, std::size_t packet, const std::uint32_t* asked, TrianglePair* pairs) {
     std::size_t count = 0;
     const std::size_t packets = rows.padded / kPacket, first = packet * kPacket;
     const Xyz low = broadcast_xyz(rows.packet_low, packet), high = broadcast_xyz(rows.packet_high, packet);
-    for (std::size_t row = packet / kPacket * kPacket; row < packets; row += kPacket) {
+    for (std::size_t row = 0; row < packets; row += kPacket) {
         unsigned near = overlapping(rows.packet_low, rows.packet_high, row, low, high);
-        if (row < packet) near &= ~0U << (packet - row);
+        if (row < packet) {
+            const unsigned later = packet - row < kPacket ? ~0U << (packet - row) : 0U;
+            near &= later | ~asked[row / kPacket];
+        }
         for (; near != 0; near &= near - 1) {
             const std::size_t other = row + static_cast<std::size_t>(__builtin_ctz(near));
             unsigned mine = overlapping(rows.low, rows.high, first, broadcast_xyz(rows.packet_low, other),
@@ -155,6 +162,51 @@ std::size_t find_pairs(const TriangleRows& rows, std::size_t packet, TrianglePai
         }
     }
     return count;
+}
+
+struct Triangles {
+    Xyz p[3];
+};
+[[gnu::always_inline]] inline Xyz low_corner(const Triangles& t) {
+    return lower(t.p[0], lower(t.p[1], t.p[2]));
+}
+[[gnu::always_inline]] inline Xyz high_corner(const Triangles& t) {
+    return upper(t.p[0], upper(t.p[1], t.p[2]));
+}
+
+// Whether the other triangles are on one side of the planes of these, by more than rounding.
+[[gnu::always_inline]] inline Ints is_on_one_side(const Triangles& planes, const Triangles& others) {
+    constexpr float kRounding = 1e-6F;  // m
+    const Xyz normal = cross(minus(planes.p[1], planes.p[0]), minus(planes.p[2], planes.p[0]));
+    const Floats off = lanes::sqrt(dot(normal, normal)) * kRounding;
+    const Floats a = dot(normal, minus(others.p[0], planes.p[0])), b = dot(normal, minus(others.p[1], planes.p[0])),
+                 c = dot(normal, minus(others.p[2], planes.p[0]));
+    return (lanes::min(a, lanes::min(b, c)) > off) | (lanes::max(a, lanes::max(b, c)) < -off);
+}
+
+[[gnu::always_inline]] inline unsigned piercing_lanes(const TriangleRows& rows, const TrianglePair* pairs,
+                                                      const float* points) {
+    Triangles first, second;
+    for (int k = 0; k < 3; ++k) {
+        std::uint32_t mine[lanes::kCount], theirs[lanes::kCount];
+        for (std::size_t i = 0; i < lanes::kCount; ++i) {
+            mine[i] = rows.corner[k][pairs[i].first];
+            theirs[i] = rows.corner[k][pairs[i].second];
+        }
+        first.p[k] = points_at(points, mine);
+        second.p[k] = points_at(points, theirs);
+    }
+    const Xyz low = low_corner(first), high = high_corner(first), bottom = low_corner(second),
+              top = high_corner(second);
+    const Ints meets = (low.x <= top.x) & (high.x >= bottom.x) & (low.y <= top.y) & (high.y >= bottom.y) &
+                       (low.z <= top.z) & (high.z >= bottom.z);
+    return lanes::bits(meets & ~is_on_one_side(first, second) & ~is_on_one_side(second, first));
+}
+
+unsigned find_piercing(const TriangleRows& rows, const TrianglePair* pairs, const float* points) {
+    unsigned found = 0;
+    for (std::size_t i = 0; i < kPacket; i += lanes::kCount) found |= piercing_lanes(rows, pairs + i, points) << i;
+    return found;
 }
 
 }  // namespace

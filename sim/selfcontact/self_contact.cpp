@@ -1,6 +1,7 @@
 #include "sim/selfcontact/self_contact.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -8,6 +9,8 @@
 
 namespace selvedge::sim {
 namespace {
+
+constexpr int kTestInterval = 96;  // sub-steps: no plane vouches for pairs that were not found in time
 
 const SelfContactKernels& loops() {
     return self_contact_kernels(simd_level());
@@ -55,15 +58,16 @@ void SelfContact::begin_step(const MovingPoints& points, const SelfContactOption
 
 void SelfContact::substep(const MovingPoints& points, const SelfContactOptions& options) {
     ++since_detection_;
+    ++since_test_;
     if (since_detection_ % options.refresh_interval == 0) {
-        const float off = largest_deviation(points), radius = thickest(options);
+        const float off = paths_.measure(points, static_cast<float>(options.refresh_interval));
         // Two vertices may leave their paths towards each other.
-        if (off > 0.5F * options.margin + 0.25F * radius) {
-            is_doubtful_ = is_doubtful_ || off > 0.5F * (options.margin + radius);
-            certify(points, options);
-            detect(points, options);
-        } else {
+        const float limit = 0.5F * options.margin + 0.25F * thickest(options);
+        if (off <= limit) {
             refresh(points, options);
+        } else {
+            certify(points, options);
+            is_clean_ ? detect_where_off_path(points, limit, options) : detect(points, options);
         }
     }
     counts_.acted +=
@@ -80,13 +84,37 @@ void SelfContact::end_step(const MovingPoints& points, const SelfContactOptions&
 
 void SelfContact::detect(const MovingPoints& points, const SelfContactOptions& options) {
     ++counts_.detections;
-    options_ = options;
-    expect_motion(points);
-    const Sweep sweep{.moves = moves_.front().data(), .substeps = 1.2F * static_cast<float>(options.horizon)};
+    paths_.start(used_, points);
+    search_.select_all();
+    const Sweep sweep = paths_.sweep(points);
     search_.find_triangles(loops(), surface_, points.now, sweep, reach(options));
-    counts_.triangle_pairs += static_cast<long>(search_.triangle_pairs().size());
     look_for_crossings(points, options);
+    list_pairs(sweep, points, options);
+}
+
+// Asks only packets of triangles with a vertex that is off its path by more than the limit (m). The others keep their
+// paths and the pairs among them.
+void SelfContact::detect_where_off_path(const MovingPoints& points, float limit, const SelfContactOptions& options) {
+    ++counts_.local_detections;
+    is_off_.assign(points.count, 0);
+    for (const std::uint32_t v : used_) is_off_[v] = paths_.squared_deviation(v) > limit * limit ? 1 : 0;
+    search_.select(surface_, is_off_);
+    paths_.restart(search_.stays(), points);
+    const Sweep sweep = paths_.sweep(points);
+    search_.find_triangles(loops(), surface_, points.now, sweep, reach(options));
+    if (has_new_crossing(points, options)) {
+        is_doubtful_ = true;
+        return detect(points, options);
+    }
+    list_pairs(sweep, points, options);
+}
+
+void SelfContact::list_pairs(const Sweep& sweep, const MovingPoints& points, const SelfContactOptions& options) {
+    counts_.asked += search_.share_asked();
+    counts_.triangle_pairs += static_cast<long>(search_.new_triangle_pairs().size());
+    start_.resize(points.count, Vec4f::Zero());
     for (const std::uint32_t v : used_) start_[v] = with_zero_w(points.at(v));
+    start_frame_ = paths_.frame(points);
     search_.find_elements(loops(), surface_, points.now, sweep,
                           {.margin = options.margin, .least = has_layers_ && !is_clean_ ? reach(options) : 0},
                           options.thickness_scale, pairs_);
@@ -99,8 +127,7 @@ void SelfContact::detect(const MovingPoints& points, const SelfContactOptions& o
 
 // Unless the planes vouch for all pairs, an exact test does. A crossing that is new goes back.
 void SelfContact::look_for_crossings(const MovingPoints& points, const SelfContactOptions& options) {
-    constexpr int kTestInterval = 8;  // detections: no plane vouches for pairs that were not found in time
-    if (is_clean_ && !is_doubtful_ && ++since_test_ < kTestInterval) return;
+    if (is_clean_ && !is_doubtful_ && since_test_ < kTestInterval) return;
     test_exactly(points);
     for (int round = 0; !clean_.empty() && !is_clean_ && round < options.untangling_rounds; ++round) {
         ++counts_.untangling_rounds;
@@ -110,10 +137,37 @@ void SelfContact::look_for_crossings(const MovingPoints& points, const SelfConta
     if (is_clean_) keep_clean_state(points);
 }
 
+// Tests the new pairs of triangles with a vertex so far off its path that the pairs of before do not cover it; from
+// time to time, all.
+bool SelfContact::has_new_crossing(const MovingPoints& points, const SelfContactOptions& options) {
+    if (since_test_ >= kTestInterval) {
+        test_exactly(points);
+        if (is_clean_) keep_clean_state(points);
+        return !is_clean_;
+    }
+    const float covered = 0.5F * (options.margin + thickest(options));
+    const auto is_uncovered = [&](std::uint32_t triangle) {
+        return std::ranges::any_of(surface_.triangles[triangle].vertices,
+                                   [&](std::uint32_t v) { return paths_.squared_deviation(v) > covered * covered; });
+    };
+    std::vector<TrianglePair> doubtful;
+    std::ranges::copy_if(search_.new_triangle_pairs(), std::back_inserter(doubtful),
+                         [&](TrianglePair pair) { return is_uncovered(pair.first) || is_uncovered(pair.second); });
+    if (doubtful.empty()) return false;
+    ++counts_.local_tests;
+    if (!crossings_of(doubtful, points).empty()) return true;
+    keep_clean_state(points);
+    return false;
+}
+
+std::vector<Crossing> SelfContact::crossings_of(std::span<const TrianglePair> pairs, const MovingPoints& points) {
+    return find_crossings(surface_, search_, search_.piercing(loops(), pairs, points.now), points.now);
+}
+
 void SelfContact::test_exactly(const MovingPoints& points) {
     ++counts_.exact_tests;
     since_test_ = 0;
-    crossings_ = find_crossings(surface_, search_, points.now);
+    crossings_ = crossings_of(search_.triangle_pairs(), points);
     is_clean_ = crossings_.empty();
     is_doubtful_ = false;
 }
@@ -244,7 +298,7 @@ void SelfContact::list_contacts(PairList& pairs, const MovingPoints& points, con
 void SelfContact::certify(const MovingPoints& points, const SelfContactOptions& options) {
     if (!options.certifies || !has_detected_) return;
     const CertificateReport report =
-        dividers_.certify(loops(), pairs_, start_, mean_displacement(points), mean_move_, points);
+        dividers_.certify(loops(), pairs_, start_, {paths_.frame(points) - start_frame_, paths_.mean_move()}, points);
     counts_.parted += report.parted;
     counts_.truncated += report.truncated;
 }
@@ -260,48 +314,6 @@ void SelfContact::untangle(const MovingPoints& points, const SelfContactOptions&
     if (!is_clean_) return certify(points, options);
     keep_clean_state(points);
     detect(points, options);
-}
-
-void SelfContact::expect_motion(const MovingPoints& points) {
-    start_.resize(points.count, Vec4f::Zero());
-    moves_.assign(points.count + 1, Vec4f::Zero());
-    Vec3f sum = Vec3f::Zero();
-    for (const std::uint32_t v : used_) {
-        const Vec3f move = points.at(v) - Eigen::Map<const Vec3f>(points.before + 4 * static_cast<std::size_t>(v));
-        moves_[v] = with_zero_w(move);
-        sum += move;
-    }
-    mean_move_ = used_.empty() ? Vec3f::Zero() : Vec3f(sum / static_cast<float>(used_.size()));
-    for (const std::uint32_t v : used_) moves_[v] -= with_zero_w(mean_move_);
-}
-
-Vec3f SelfContact::mean_displacement(const MovingPoints& points) const {
-    Vec3f sum = Vec3f::Zero();
-    for (const std::uint32_t v : used_) sum += points.at(v) - start_[v].head<3>();
-    return used_.empty() ? Vec3f::Zero() : Vec3f(sum / static_cast<float>(used_.size()));
-}
-
-// The largest distance by which a vertex will have left its expected path at the next refresh, m. Motion in common with
-// all vertices does not count.
-float SelfContact::largest_deviation(const MovingPoints& points) const {
-    const auto ahead = static_cast<float>(options_.refresh_interval);
-    const auto moved = [&](std::uint32_t v) -> Vec3f {
-        const Vec3f now = points.at(v), was = Eigen::Map<const Vec3f>(points.before + 4 * static_cast<std::size_t>(v));
-        return now + (now - was) * ahead - start_[v].head<3>();
-    };
-    Vec3f mean = Vec3f::Zero();
-    for (const std::uint32_t v : used_) mean += moved(v);
-    mean /= static_cast<float>(std::max<std::size_t>(1, used_.size()));
-    float largest = 0;
-    for (const std::uint32_t v : used_) largest = std::max(largest, off_path(v, moved(v) - mean));
-    return std::sqrt(largest);
-}
-
-// The squared distance of a displacement since the last detection from the vertex' expected path, m^2.
-float SelfContact::off_path(std::uint32_t v, const Vec3f& moved) const {
-    const Vec3f move = moves_[v].head<3>();
-    const float along = moved.dot(move) / std::max(1e-20F, move.squaredNorm());
-    return (moved - move * std::clamp(along, 0.0F, static_cast<float>(options_.horizon))).squaredNorm();
 }
 
 std::vector<float> SelfContact::clearances(const MovingPoints& points) const {

@@ -4,16 +4,18 @@
 //
 // A detection finds all pairs that can touch while the vertices move as they do now. In each sub-step their contact
 // planes are solved, after the constraints of the cloth and the body. The next detection waits until a vertex has left
-// its expected path so far that an unknown pair could touch; so cloth at rest needs none. Dividing planes then certify
-// that no known pair went through each other. Where an unknown one did, the crossing is found by an exact test, and
-// goes back along the way that it came. Cloth that crosses itself from the start is untangled by shortening the
-// contours of intersection.
+// its expected path so far that an unknown pair could touch, and asks only the parts of the cloth that have such
+// vertices; so cloth at rest needs none. Dividing planes then certify that no known pair went through each other. Where
+// an unknown one did, the crossing is found by an exact test, and goes back along the way that it came. Cloth that
+// crosses itself from the start is untangled by shortening the contours of intersection.
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "sim/selfcontact/crossings.h"
 #include "sim/selfcontact/dividing_planes.h"
+#include "sim/selfcontact/expected_paths.h"
+#include "sim/selfcontact/moving_points.h"
 #include "sim/selfcontact/options.h"
 #include "sim/selfcontact/pair_search.h"
 #include "sim/selfcontact/surface.h"
@@ -23,8 +25,11 @@ namespace selvedge::sim {
 
 struct SelfContactCounts {
     long steps = 0;
-    long detections = 0;
-    long exact_tests = 0;
+    long detections = 0;        // of the whole surface
+    long local_detections = 0;  // of parts of it
+    double asked = 0;           // share of the surface, sum over all detections
+    long exact_tests = 0;       // of all pairs of triangles
+    long local_tests = 0;
     long triangle_pairs = 0;  // sums over the detections
     long pairs = 0;
     long contacts = 0;  // sum over the refreshes
@@ -67,7 +72,11 @@ class SelfContact {
 
  private:
     void detect(const MovingPoints& points, const SelfContactOptions& options);
+    void detect_where_off_path(const MovingPoints& points, float limit, const SelfContactOptions& options);
+    void list_pairs(const Sweep& sweep, const MovingPoints& points, const SelfContactOptions& options);
     void look_for_crossings(const MovingPoints& points, const SelfContactOptions& options);
+    bool has_new_crossing(const MovingPoints& points, const SelfContactOptions& options);
+    std::vector<Crossing> crossings_of(std::span<const TrianglePair> pairs, const MovingPoints& points);
     void test_exactly(const MovingPoints& points);
     void judge_sides();
     void judge_sides(PairList& pairs, const std::vector<bool>& is_tangled, const std::vector<Vec3f>& normals);
@@ -79,11 +88,7 @@ class SelfContact {
     void list_contacts(PairList& pairs, const MovingPoints& points, const SelfContactOptions& options);
     void certify(const MovingPoints& points, const SelfContactOptions& options);
     void untangle(const MovingPoints& points, const SelfContactOptions& options);
-    void expect_motion(const MovingPoints& points);
     void limit_clearances(const PairList& pairs, const MovingPoints& points, std::vector<float>& clearances) const;
-    Vec3f mean_displacement(const MovingPoints& points) const;
-    float largest_deviation(const MovingPoints& points) const;
-    float off_path(std::uint32_t vertex, const Vec3f& moved) const;
     float thickest(const SelfContactOptions& options) const;
     void keep_clean_state(const MovingPoints& points);
 
@@ -99,13 +104,13 @@ class SelfContact {
     std::vector<int> layers_;             // by vertex, of its sheet
     bool has_layers_ = false;             // whether they differ
     std::vector<std::uint16_t> swapped_;  // by vertex: pairs on the wrong side
-    std::vector<Vec4f> start_;            // by vertex: position at the last detection
-    std::vector<Vec4f> moves_;            // by vertex: expected displacement per sub-step, without the mean
-    std::vector<Vec4f> clean_;            // by vertex: positions at the last clean exact test; empty: none yet
-    SelfContactOptions options_;          // of the last detection
-    Vec3f mean_move_ = Vec3f::Zero();     // m per sub-step, at the last detection
-    int since_detection_ = 0;             // sub-steps
-    int since_test_ = 0;                  // detections since the last exact test
+    ExpectedPaths paths_;
+    std::vector<Vec4f> start_;           // by vertex: position at the last detection
+    Vec3f start_frame_ = Vec3f::Zero();  // the origin of the paths' frame then, m
+    std::vector<Vec4f> clean_;           // by vertex: positions at the last clean exact test; empty: none yet
+    std::vector<std::uint8_t> is_off_;   // by vertex: off its path
+    int since_detection_ = 0;            // sub-steps
+    int since_test_ = 0;                 // sub-steps since the last exact test of all
     bool has_detected_ = false;
     bool is_clean_ = false;
     bool is_doubtful_ = true;  // something moved farther than the known pairs cover

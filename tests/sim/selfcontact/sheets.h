@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "sim/core/math.h"
+#include "sim/selfcontact/moving_points.h"
 #include "sim/selfcontact/surface.h"
-#include "sim/selfcontact/untangle.h"
 
 namespace selvedge::sim::test {
 
