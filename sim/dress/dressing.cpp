@@ -97,7 +97,10 @@ void Dressing::sew() {
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
     std::vector<std::string> notes = anchored_->notes;
     std::ranges::move(make_sewable(unsewn, collider()), std::back_inserter(notes));
-    SewingRun sewing(std::move(unsewn), fabrics(), {});
+    SewingOptions sewing_options;
+    if (options_.self_collision) sewing_options.self_contact.emplace();
+    for (const Panel& panel : anchored().panels) sewing_options.layers.push_back(panel.layer);
+    SewingRun sewing(std::move(unsewn), fabrics(), sewing_options);
     clear();
     sewing_.emplace(std::move(sewing));
     std::ranges::move(notes, std::back_inserter(notes_));

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "sim/cloth/contact_surface.h"
 #include "sim/cloth/step.h"
 #include "sim/mesh/sew.h"
 
@@ -64,6 +65,9 @@ SewingRun::SewingRun(GarmentMesh unsewn, const std::vector<Fabric>& fabrics, con
       start_gap_(widest_gap(cloth_, links_)),
       limit_(start_gap_ / options.closing_speed + options.extra_pull_time) {
     refresh_contacts(cloth_, options.contact);
+    const std::vector<int> as_sewn = representatives_of_links(mesh_.x.size(), links_);
+    cloth_.solver.self_contact->sewn.assign(as_sewn.begin(), as_sewn.end());
+    cloth_.material.layers = options.layers;
 }
 
 bool SewingRun::advance(const Collider& body) {
@@ -71,6 +75,11 @@ bool SewingRun::advance(const Collider& body) {
     seconds_ += step_seconds(cloth_, stepping);
     stepping.seam_gap = std::max(0.0F, start_gap_ - options_.closing_speed * seconds_);
     stepping.seam_gap_rate = stepping.seam_gap > 0 ? options_.closing_speed * cloth_.substep : 0;
+    stepping.self_contact = options_.self_contact;
+    // Cloth grows thick while the seams close, so that what crosses is taken apart while it is small.
+    if (stepping.self_contact && start_gap_ > 0) {
+        stepping.self_contact->thickness_scale *= 1 - stepping.seam_gap / start_gap_;
+    }
     step(cloth_, body, stepping);
     bad_vertex_ = find_bad_vertex(cloth_);
     if (bad_vertex_) return false;

@@ -17,7 +17,9 @@ struct SewingOptions {
     float closing_speed = 0.6F;    // m/s, rate at which the allowed gap shrinks
     float closed_gap = 0.006F;     // m, a shorter link is closed: two contact offsets may lie between its ends
     float extra_pull_time = 1.5F;  // s of further pulling after the allowed gap has reached zero
-    ContactOptions contact;
+    ContactOptions contact{};
+    std::optional<SelfContactOptions> self_contact{};  // none: panels pass through each other
+    std::vector<int> layers{};                         // of the panels (Panel::layer); empty: none has one
 };
 
 struct OpenSeam {

@@ -146,16 +146,16 @@ void DisjointSets::join(int a, int b) {
     parent_[static_cast<std::size_t>(std::max(root_a, root_b))] = std::min(root_a, root_b);
 }
 
-std::vector<int> representatives_of_links(const GarmentMesh& mesh) {
-    DisjointSets sets(mesh.x.size());
-    for (const SeamLink& link : mesh.links) sets.join(link.a, link.b);
-    std::vector<int> leads(mesh.x.size());
+std::vector<int> representatives_of_links(std::size_t vertices, std::span<const SeamLink> links) {
+    DisjointSets sets(vertices);
+    for (const SeamLink& link : links) sets.join(link.a, link.b);
+    std::vector<int> leads(vertices);
     for (std::size_t i = 0; i < leads.size(); ++i) leads[i] = sets.find(static_cast<int>(i));
     return leads;
 }
 
 std::vector<int> merge_seams(GarmentMesh& mesh) {
-    const std::vector<int> representatives = representatives_of_links(mesh);
+    const std::vector<int> representatives = representatives_of_links(mesh.x.size(), mesh.links);
     std::vector<int> sewn_vertex(mesh.x.size());
     std::vector<int> members;  // per vertex of the sewn mesh; its index is never larger than theirs
     for (std::size_t i = 0; i < mesh.x.size(); ++i) {
@@ -211,7 +211,7 @@ std::map<EdgeEnds, int> count_triangles_at_edges(const GarmentMesh& mesh) {
 
 // The interior edges that would coincide with another edge after sewing, or whose ends would be merged.
 std::vector<EdgeEnds> find_coinciding(const GarmentMesh& unsewn) {
-    const std::vector<int> representatives = representatives_of_links(unsewn);
+    const std::vector<int> representatives = representatives_of_links(unsewn.x.size(), unsewn.links);
     const auto representative_of = [&](int vertex) { return representatives[static_cast<std::size_t>(vertex)]; };
     const std::map<EdgeEnds, int> uses = count_triangles_at_edges(unsewn);
     std::map<EdgeEnds, int> sewn;  // number of unsewn edges that become this edge

@@ -3,6 +3,7 @@
 // 3D and links them along the seams; merge_seams() merges linked vertices. Also prevents degenerate triangles at seams,
 // and computes lengths at and across seams, where material coordinates are discontinuous (thesis 4.3).
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "sim/core/math.h"
@@ -23,9 +24,9 @@ class DisjointSets {
     std::vector<int> parent_;
 };
 
-// Per vertex, the lowest vertex that it is connected to by a chain of links (itself if it has no links).
-// Pre: links are in range.
-std::vector<int> representatives_of_links(const GarmentMesh& mesh);
+// For each of that many vertices, the lowest vertex that it is connected to by a chain of links (itself if it has no
+// links). Pre: links are in range.
+std::vector<int> representatives_of_links(std::size_t vertices, std::span<const SeamLink> links);
 
 // Sews the mesh in place: merges each group of linked vertices into one vertex at the mean of their positions, also
 // where several seams meet. Triangles keep their order and their corners' material coordinates. Vertices keep the order

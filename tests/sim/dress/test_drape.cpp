@@ -5,12 +5,14 @@
 #include <limits>
 
 #include "bench/support/measured_mesh.h"
+#include "sim/cloth/contact_surface.h"
 #include "sim/collide/body_collider.h"
 #include "sim/collide/collider.h"
 #include "sim/dress/drape.h"
 #include "sim/dress/sewing.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/mesh/sew.h"
+#include "sim/selfcontact/crossings.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/sim/mesh/shapes.h"
 #include "tests/support/bodies.h"
@@ -99,6 +101,24 @@ TEST_F(SewOnABox, closes_two_panels_into_a_tube_that_is_long_enough) {
     EXPECT_EQ(topology.euler, 0);
     EXPECT_GT(deepest(result.sewn), -0.0005);
     EXPECT_GT(result.simulated_seconds, 0);
+}
+
+// A third panel cuts through the front one, at an angle of 0.5 radians.
+TEST_F(SewOnABox, panels_that_cross_come_apart_while_seams_close) {
+    Pattern pattern = tube(0.40, 0.3, 0.8, 0.15);
+    Panel across = rectangle("across", {.width = 0.2, .height = 0.2, .y = 0.85, .z = 0.12});
+    across.rotation = Eigen::AngleAxisd(0.5, Vec3d::UnitX()).toRotationMatrix();
+    pattern.panels.push_back(across);
+    const GarmentMesh unsewn = assemble(pattern);
+    const std::vector<Fabric> fabrics(3, find_fabric("cotton_shirting"));
+    const auto crossings_when_sewn = [&](const SewingOptions& options) {
+        SewingRun run(unsewn, fabrics, options);
+        while (run.advance(collider_)) continue;
+        const Cloth sewn = make_cloth(std::move(run).result().sewn, fabrics, {.max_level = 0});
+        return find_crossing_triangles(contact_surface(sewn), sewn.x.front().data()).size();
+    };
+    EXPECT_GT(crossings_when_sewn({}), 0U);
+    EXPECT_EQ(crossings_when_sewn({.self_contact = SelfContactOptions{}}), 0U);
 }
 
 TEST_F(SewOnABox, leaves_the_body_inside_the_tube) {
