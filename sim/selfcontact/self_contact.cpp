@@ -131,10 +131,37 @@ void SelfContact::look_for_crossings(const MovingPoints& points, const SelfConta
     test_exactly(points);
     for (int round = 0; !clean_.empty() && !is_clean_ && round < options.untangling_rounds; ++round) {
         ++counts_.untangling_rounds;
+        find_suspects(points);
         untangler_.separate(surface_, crossings_, clean_, points);
-        test_exactly(points);
+        test_suspects(points);
     }
     if (is_clean_) keep_clean_state(points);
+}
+
+// Untangling moves only vertices of crossings, so only pairs of triangles with such vertices can begin or cease to
+// cross.
+void SelfContact::find_suspects(const MovingPoints& points) {
+    bool is_new = false;
+    is_suspect_.resize(points.count, 0);
+    const auto suspect = [&](std::uint32_t v) { is_new |= std::exchange(is_suspect_[v], std::uint8_t{1}) == 0; };
+    for (const Crossing& crossing : crossings_) {
+        for (const std::uint32_t v : surface_.edges[crossing.edge].ends) suspect(v);
+        for (const std::uint32_t v : surface_.triangles[crossing.triangle].vertices) suspect(v);
+    }
+    if (!is_new) return;
+    suspects_.clear();
+    const auto has_suspect = [&](std::uint32_t triangle) {
+        return std::ranges::any_of(surface_.triangles[triangle].vertices,
+                                   [&](std::uint32_t v) { return is_suspect_[v] != 0; });
+    };
+    std::ranges::copy_if(search_.triangle_pairs(), std::back_inserter(suspects_),
+                         [&](TrianglePair pair) { return has_suspect(pair.first) || has_suspect(pair.second); });
+}
+
+void SelfContact::test_suspects(const MovingPoints& points) {
+    ++counts_.local_tests;
+    crossings_ = crossings_of(suspects_, points);
+    is_clean_ = crossings_.empty();
 }
 
 // Tests the new pairs of triangles with a vertex so far off its path that the pairs of before do not cover it; from
@@ -168,6 +195,7 @@ void SelfContact::test_exactly(const MovingPoints& points) {
     ++counts_.exact_tests;
     since_test_ = 0;
     crossings_ = crossings_of(search_.triangle_pairs(), points);
+    is_suspect_.assign(points.count, 0);
     is_clean_ = crossings_.empty();
     is_doubtful_ = false;
 }
@@ -307,9 +335,10 @@ void SelfContact::certify(const MovingPoints& points, const SelfContactOptions& 
 void SelfContact::untangle(const MovingPoints& points, const SelfContactOptions& options) {
     for (int round = 0; !is_clean_ && round < options.untangling_rounds; ++round) {
         ++counts_.untangling_rounds;
+        if (round > 0) find_suspects(points);
         untangler_.separate(surface_, crossings_, clean_, points);
         if (clean_.empty() || 2 * round >= options.untangling_rounds) untangler_.smooth(surface_, crossings_, points);
-        test_exactly(points);
+        round == 0 ? test_exactly(points) : test_suspects(points);
     }
     if (!is_clean_) return certify(points, options);
     keep_clean_state(points);

@@ -82,6 +82,8 @@ class SelfContact {
     bool has_new_crossing(const MovingPoints& points, const SelfContactOptions& options);
     std::vector<Crossing> crossings_of(std::span<const TrianglePair> pairs, const MovingPoints& points);
     void test_exactly(const MovingPoints& points);
+    void find_suspects(const MovingPoints& points);
+    void test_suspects(const MovingPoints& points);
     void judge_sides();
     void judge_sides(PairList& pairs, const std::vector<bool>& is_tangled, const std::vector<Vec3f>& normals);
     float facing(const PairBlock& block, std::size_t at, PairKind kind, const std::vector<Vec3f>& normals) const;
@@ -104,6 +106,8 @@ class SelfContact {
     DividingPlanes dividers_;
     Untangler untangler_;
     std::vector<Crossing> crossings_;
+    std::vector<std::uint8_t> is_suspect_;  // by vertex: untangling has moved it since the last exact test
+    std::vector<TrianglePair> suspects_;    // with such vertices
 
     std::vector<std::uint32_t> used_;     // vertices of the surface, ascending
     std::vector<int> layers_;             // by vertex, of its sheet
