@@ -80,6 +80,7 @@ Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const 
     cloth.material.fabrics = std::move(fabrics);
     for (const double angle : garment.panel_grain_angles)
         cloth.material.grain_angles.push_back(static_cast<float>(angle));
+    cloth.material.layers = garment.panel_layers;
     for (const Vec2d& offset : garment.panel_sett_offsets) cloth.material.sett_offsets.push_back(offset.cast<float>());
     cloth.substep = options.substep;
     size_state(cloth, cloth.mesh.vertex_capacity());

@@ -56,6 +56,8 @@ void check_indices(const GarmentMesh& mesh, Faults& faults) {
     if (!mesh.panel_sett_offsets.empty() && mesh.panel_sett_offsets.size() != mesh.panel_names.size()) {
         faults.push_back("panels: not one sett offset each");
     }
+    if (!mesh.panel_layers.empty() && mesh.panel_layers.size() != mesh.panel_names.size())
+        faults.push_back("panels: not one layer each");
 }
 
 void check_shapes(const GarmentMesh& mesh, Faults& faults) {

@@ -46,6 +46,7 @@ struct GarmentMesh {
     std::vector<std::string> panel_names;
     std::vector<double> panel_grain_angles;   // rad, see Panel::grain_angle
     std::vector<Vec2d> panel_sett_offsets{};  // m, see Panel::sett_offset; empty: all zero
+    std::vector<int> panel_layers{};          // see Panel::layer; empty: all zero
 };
 
 // All faults of the mesh, each with its location ("triangle 12 (front): ..."); empty for a valid mesh. A valid mesh has

@@ -84,6 +84,7 @@ void add_panel(GarmentMesh& garment, const Panel& panel, const PanelMesh& mesh) 
     garment.panel_names.push_back(panel.name);
     garment.panel_grain_angles.push_back(panel.grain_angle);
     garment.panel_sett_offsets.push_back(panel.sett_offset);
+    garment.panel_layers.push_back(panel.layer);
 }
 
 // The garment mesh vertex at sample i of an outline edge, 0 <= i <= number of segments of the edge.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string_view>
 
@@ -66,12 +68,63 @@ bool is_clear(const PlacedPanel& panel, double move, const BodyCollider& body) {
     });
 }
 
-// The smallest move that clears the panel; nullopt when even the longest does not.
-std::optional<double> clearing_move(const PlacedPanel& panel, const BodyCollider& body) {
-    for (double move = 0; move <= kLongestMove; move += kMoveStep) {
+// The smallest move, from `least` on, that clears the panel; nullopt when even the longest does not.
+std::optional<double> clearing_move(const PlacedPanel& panel, double least, const BodyCollider& body) {
+    for (double move = least; move <= kLongestMove; move += kMoveStep) {
         if (is_clear(panel, move, body)) return move;
     }
     return std::nullopt;
+}
+
+// Where the line from `from` along the unit direction meets the triangle, m from there; nullopt if it misses it.
+// (Moeller and Trumbore 1997)
+std::optional<double> distance_along(const Vec3d& from, const Vec3d& along, const std::array<Vec3d, 3>& x) {
+    const Vec3d a = x[1] - x[0], b = x[2] - x[0], to = from - x[0];
+    const Vec3d across = along.cross(b), up = to.cross(a);
+    const double area = a.dot(across);
+    if (area == 0) return std::nullopt;
+    const double s = to.dot(across) / area, t = along.dot(up) / area;
+    if (!(s >= 0 && t >= 0 && s + t <= 1)) return std::nullopt;
+    return b.dot(up) / area;
+}
+
+// Whether cloth at x lies on the side of the body that looks along `along`.
+bool is_before(const Vec3d& x, const Vec3d& along, const BodyCollider& body) {
+    const auto nearest = body.surface().closest(x.cast<float>(), std::numeric_limits<float>::infinity());
+    return !nearest || nearest->normal.cast<double>().dot(along) > 0;
+}
+
+using Triangles = std::vector<std::array<Vec3d, 3>>;  // positions of the corners, m
+
+// How far the panel must move outward to be outside of this cloth, m: 0 if it is.
+double move_outside(const PlacedPanel& panel, const Triangles& cloth, const BodyCollider& body) {
+    double move = 0;
+    for (const Vec3d& from : panel.points) {
+        for (const std::array<Vec3d, 3>& x : cloth) {
+            const auto distance = distance_along(from, panel.normal, x);
+            if (!distance || *distance + kClearance <= move || *distance > kLongestMove) continue;
+            if (is_before(from + *distance * panel.normal, panel.normal, body)) move = *distance + kClearance;
+        }
+    }
+    return move;
+}
+
+void add_triangles(Triangles& all, const GarmentMesh& mesh, const std::function<bool(const GarmentTriangle&)>& wanted) {
+    for (const GarmentTriangle& t : mesh.triangles) {
+        if (!wanted(t)) continue;
+        std::array<Vec3d, 3> x;
+        for (std::size_t k = 0; k < 3; ++k) x[k] = mesh.x[static_cast<std::size_t>(t.vertices[k])];
+        all.push_back(x);
+    }
+}
+
+// The panels, from the lowest layer to the highest.
+std::vector<std::size_t> by_layer(const GarmentMesh& mesh) {
+    std::vector<std::size_t> panels(mesh.panel_names.size());
+    std::iota(panels.begin(), panels.end(), 0U);
+    if (!mesh.panel_layers.empty())
+        std::ranges::stable_sort(panels, {}, [&](std::size_t p) { return mesh.panel_layers[p]; });
+    return panels;
 }
 
 void move_panel(GarmentMesh& unsewn, std::size_t panel, const Vec3d& shift) {
@@ -150,22 +203,33 @@ Stature anchor_panels(Pattern& pattern, const Body& from, const Body& onto) {
     return b;
 }
 
-std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& body) {
+std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn) {
     std::vector<std::string> notes;
     const std::vector<PlacedPanel> panels = placed_panels(unsewn);
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-        const std::optional<double> move = clearing_move(panels[i], body);
+    const auto layer_of = [&](std::size_t p) { return unsewn.panel_layers.empty() ? 0 : unsewn.panel_layers[p]; };
+    Triangles inside;
+    add_triangles(inside, worn, [](const GarmentTriangle&) { return true; });
+    std::optional<int> added;  // the layer up to which panels are in `inside`
+    for (const std::size_t i : by_layer(unsewn)) {
+        add_triangles(inside, unsewn, [&](const GarmentTriangle& t) {
+            const int layer = layer_of(static_cast<std::size_t>(t.panel));
+            return layer < layer_of(i) && (!added || layer >= *added);
+        });
+        added = layer_of(i);
+        const double outside = move_outside(panels[i], inside, body);
+        const std::optional<double> move = clearing_move(panels[i], outside, body);
         const std::string name = "panel '" + unsewn.panel_names[i] + "'";
         if (!move) notes.push_back(name + " stands in the body, and nowhere near is clear of it");
         if (!move || *move == 0) continue;
         move_panel(unsewn, i, panels[i].normal * *move);
         const long millimetres = std::lround(*move * 1000);
-        notes.push_back(name + " moved " + std::to_string(millimetres) + " mm outward, clear of the body");
+        notes.push_back(name + " moved " + std::to_string(millimetres) + " mm outward, clear of the body" +
+                        (outside > 0 ? " and of what is worn under it" : ""));
     }
     return notes;
 }
 
-std::vector<std::string> make_sewable(GarmentMesh& unsewn, const BodyCollider& body) {
+std::vector<std::string> make_sewable(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn) {
     std::vector<std::string> notes;
     const double lift = seam_clearing_lift(unsewn, body);
     for (Vec3d& x : unsewn.x) x.y() += lift;
@@ -174,7 +238,7 @@ std::vector<std::string> make_sewable(GarmentMesh& unsewn, const BodyCollider& b
         notes.push_back("all panels moved " + millimetres + (lift > 0 ? " mm up" : " mm down") +
                         ", so that the seams can close round the body");
     }
-    for (std::string& note : clear_panels(unsewn, body)) notes.push_back(std::move(note));
+    for (std::string& note : clear_panels(unsewn, body, worn)) notes.push_back(std::move(note));
     return notes;
 }
 

@@ -18,17 +18,19 @@ class BodyCollider;
 // not change the pattern when both bodies are equal. Returns the stature that `onto` was taken to have.
 Stature anchor_panels(Pattern& pattern, const Body& from, const Body& onto);
 
-// Moves each panel that intersects the body outward along its front normal until it is clear, by at most 40 cm. Returns
-// one note per moved or stuck panel.
-std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& body);
+// Moves each panel that intersects the body outward along its front normal until it is clear, by at most 40 cm; also
+// until it is outside of the cloth that is worn and of all panels of lower layers. Returns one note per moved or stuck
+// panel.
+std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn = {});
 
 // The vertical shift of the whole unsewn garment (m, negative: down) with which its seams can close. The body blocks a
 // shoulder seam that is too low or an underarm seam that is too high. The shift minimises how deep the straight lines
 // between linked vertices run through the body.
 double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body);
 
-// Applies seam_clearing_lift() and then clear_panels(). Returns notes on what was changed.
-std::vector<std::string> make_sewable(GarmentMesh& unsewn, const BodyCollider& body);
+// Applies seam_clearing_lift() and then clear_panels(). Returns notes on what was changed. `worn`: cloth under the
+// garment, where it is.
+std::vector<std::string> make_sewable(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn = {});
 
 // Arrangement points: positions around a body at which a panel can be placed, wrapped on a cylinder about the torso or
 // limb. They are computed from plane sections of the body and, where it has one, its skeleton (arms, legs).

@@ -160,6 +160,35 @@ TEST(ClearPanels, moves_only_the_panel_that_stands_in_the_body) {
     }
 }
 
+TEST(ClearPanels, moves_a_panel_outside_of_the_cloth_that_is_worn_and_says_so) {
+    const Body body = column(1.7);
+    const BodyCollider collider(body, kCoarse);
+    const GarmentMesh worn = assemble(tube(0.5, 0.4, 0.9, 0.25));
+    GarmentMesh after = assemble(tube(0.6, 0.2, 1.0, 0.2));
+    const std::vector<std::string> notes = clear_panels(after, collider, worn);
+    ASSERT_EQ(notes.size(), 2U);
+    EXPECT_NE(notes[0].find("of what is worn under it"), std::string::npos) << notes[0];
+    for (const Vec3d& x : after.x) EXPECT_NEAR(std::abs(x.z()), 0.26, 1e-6);
+    const GarmentMesh again = after;
+    EXPECT_TRUE(clear_panels(after, collider, worn).empty());
+    EXPECT_EQ(after.x, again.x);
+}
+
+TEST(ClearPanels, moves_a_panel_outside_of_those_of_lower_layers) {
+    const Body body = column(1.7);
+    const BodyCollider collider(body, kCoarse);
+    Pattern pattern;
+    for (const char* name : {"outer", "inner", "middle"}) pattern.panels.push_back(rectangle(name, {.z = 0.2}));
+    pattern.panels[0].layer = 7;
+    pattern.panels[2].layer = 1;
+    GarmentMesh mesh = assemble(pattern);
+    EXPECT_EQ(clear_panels(mesh, collider).size(), 2U);
+    for (const GarmentTriangle& t : mesh.triangles) {
+        const double expected = t.panel == 0 ? 0.22 : t.panel == 1 ? 0.20 : 0.21;
+        for (const int v : t.vertices) EXPECT_NEAR(mesh.x[std::size_t(v)].z(), expected, 1e-6);
+    }
+}
+
 TEST(ClearPanels, leaves_clear_panels_alone_and_says_nothing) {
     const Body body = column(1.7);
     const BodyCollider collider(body, kCoarse);
