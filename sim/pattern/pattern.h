@@ -59,6 +59,7 @@ struct Panel {
                                         // panel point rotated into the yarn directions + sett_offset
     std::string fabric;                 // empty: the pattern's fabric
     int layer = 0;                      // higher: farther from the body, where panels lie on each other
+    std::string garment = {};           // of which this panel is a part; empty: of the one named Pattern::name
     std::vector<int> pins;              // indices of outline vertices that are pinned
     std::vector<InternalLine> internal_lines;
     std::vector<Notch> notches = {};
@@ -108,6 +109,7 @@ struct MatchedSett {
     bool operator==(const MatchedSett&) const = default;
 };
 
+inline constexpr int kHighestLayer = 1000;                        // of Panel::layer; the lowest is -kHighestLayer
 inline constexpr double kSmallestSett = 0.001, kLargestSett = 5;  // m, accepted range of Pattern::sett_size
 
 struct Pattern {

@@ -361,6 +361,7 @@ class Writer {
         }
         set_unless_default(own, "fabric", panel.fabric, std::string());
         set_number_unless_zero(own, "layer", panel.layer);
+        set_unless_default(own, "garment", panel.garment, std::string());
         if (own.find("pins") || !panel.pins.empty()) write_pins(own["pins"], panel);
         if (own.find("internal_lines") || !panel.internal_lines.empty()) {
             write_internal_lines(own["internal_lines"], panel);

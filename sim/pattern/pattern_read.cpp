@@ -97,12 +97,13 @@ class Reader : private FaultReader {
         if (const Node fabric = node.member("fabric")) panel.fabric = read_fabric_name(fabric);
         if (const Node layer = node.member("layer")) {
             const auto value = number(layer);
-            if (value && (*value != std::floor(*value) || std::abs(*value) > 1000)) {
+            if (value && (*value != std::floor(*value) || std::abs(*value) > kHighestLayer)) {
                 error(layer, "a layer is a whole number from -1000 to 1000");
             } else {
                 panel.layer = static_cast<int>(value.value_or(0));
             }
         }
+        if (const Node garment = node.member("garment")) panel.garment = text(garment).value_or("");
         if (const Node pins = node.member("pins"); pins && expect(pins, Json::Kind::Array)) {
             for (std::size_t i = 0; i < pins.size(); ++i) {
                 if (const auto pin = index(pins.element(i), panel.vertices.size(), "vertex"))
