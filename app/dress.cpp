@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,8 +21,10 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/parallel.h"
+#include "sim/dress/anchor.h"
 #include "sim/dress/report.h"
 #include "sim/exchange/mesh_file.h"
+#include "sim/pattern/garments.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/tartan/match.h"
 #include "sim/tartan/tartan_file.h"
@@ -35,6 +38,7 @@ constexpr int kFinestLevel = 8;  // with --shortest-edge 0.1: 1 mm
 
 struct DressArguments {
     Path garment;
+    std::vector<Path> over;  // garments that are worn over it, from the inside out
     BodyOptions body;
     std::string fabric;
     sim::DressOptions dress;
@@ -103,6 +107,7 @@ void check_outputs(const DressArguments& arguments) {
     for (const Path& file : arguments.garment_files) check_output(file, sim::mesh_extensions());
     for (const Path& file : arguments.body_files) check_output(file, sim::mesh_extensions());
     std::vector<Path> inputs{arguments.garment};
+    inputs.insert(inputs.end(), arguments.over.begin(), arguments.over.end());
     if (arguments.body.is_file()) inputs.emplace_back(arguments.body.source);
     check_distinct(all_outputs(arguments), inputs);
 }
@@ -205,9 +210,21 @@ void print_faults(const sim::DressReport& report) {
     }
 }
 
+// The garment with those over it.
+sim::Pattern load_garments(const DressArguments& arguments, std::vector<std::string>& notes) {
+    sim::Pattern pattern = sim::load_pattern(arguments.garment).pattern;
+    for (const Path& over : arguments.over) {
+        const sim::Pattern outer = moved_to_body_of(pattern, sim::load_pattern(over).pattern, notes);
+        std::ranges::move(put_over(pattern, outer), std::back_inserter(notes));
+        pattern.name += " + " + outer.name;
+    }
+    return pattern;
+}
+
 int run(DressArguments arguments) {
     check_outputs(arguments);
-    const sim::Pattern pattern = sim::load_pattern(arguments.garment).pattern;
+    std::vector<std::string> notes;
+    const sim::Pattern pattern = load_garments(arguments, notes);
     fill_in(arguments, pattern);
     if (draws(arguments)) check_can_draw(arguments.picture);
 
@@ -218,7 +235,8 @@ int run(DressArguments arguments) {
     sim::DressedGarment dressed = dress(pattern, wearer.body, arguments.dress, bar.progress());
     bar.finish();
     sim::DressReport& report = dressed.report;
-    report.notes.insert(report.notes.begin(), wearer.notes.begin(), wearer.notes.end());
+    std::ranges::copy(wearer.notes, std::back_inserter(notes));
+    report.notes.insert(report.notes.begin(), notes.begin(), notes.end());
 
     arguments.picture.material =
         render::material_of(sim::find_fabric(arguments.fabric.empty() ? pattern.fabric : arguments.fabric));
@@ -238,6 +256,10 @@ void add_garment_options(CLI::App& command, DressArguments& arguments) {
     command.add_option("GARMENT", arguments.garment, "Garment file (patterns/FORMAT.md)")
         ->required()
         ->type_name("FILE");
+    command
+        .add_option("--over", arguments.over, "A garment that is worn over it; may be repeated, from the inside out")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
     command.add_option("--fabric", arguments.fabric, "A shipped fabric or a fabric file (default: the pattern's)")
         ->type_name("NAME|FILE");
     add_number<double>(command, "--edge-length", {0.5, 50},
@@ -305,6 +327,7 @@ void add_dress_command(CLI::App& app, int& exit_code) {
         "  selvedge dress patterns/tshirt.json --render tshirt.png\n"
         "  selvedge dress patterns/skirt.json --body mannequin:waist=68,hip=96 --tartan 'Black Watch' \\\n"
         "      --render skirt.png --view three-quarter --export skirt.glb --export-body body.glb\n"
+        "  selvedge dress patterns/tshirt.json --over patterns/vest.json --render layers.png\n"
         "  selvedge dress patterns/tshirt.json --show hierarchy --render levels.png --turntable levels.mp4\n"
         "  selvedge dress patterns/tshirt.json --body scan.obj --body-unit cm --fabric silk --report tshirt.json");
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -110,6 +111,18 @@ AnchoredPattern PatternAnchor::anchor(const Pattern& pattern, const Body& onto) 
     anchored.designed_for = &named(text, named_by);
     note_stature(anchor_panels(anchored.pattern, *anchored.designed_for, onto), notes);
     return anchored;
+}
+
+Pattern moved_to_body_of(const Pattern& pattern, const Pattern& outer, std::vector<std::string>& notes) {
+    const bool is_low = is_placed_below_floor(pattern);
+    if (outer.body == pattern.body && outer.body_height == pattern.body_height &&
+        is_placed_below_floor(outer) == is_low) {
+        return outer;
+    }
+    AnchoredPattern moved = PatternAnchor().anchor(outer, placed_for(pattern));
+    std::ranges::move(moved.notes, std::back_inserter(notes));
+    if (is_low) raise_panels(moved.pattern, -kChestOrigin);
+    return std::move(moved.pattern);
 }
 
 }  // namespace selvedge::sim

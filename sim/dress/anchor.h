@@ -39,6 +39,10 @@ class PatternAnchor {
     std::optional<NamedBody> named_;
 };
 
+// `outer` with its panels moved from the body that it names to the one that `pattern` names, so that it can be put over
+// that (put_over). Appends one note per assumption. Throws InputError as placed_for() does for `pattern`.
+Pattern moved_to_body_of(const Pattern& pattern, const Pattern& outer, std::vector<std::string>& notes);
+
 // Whether the panels lie too low for a body that stands on the floor: some below the floor, and none above its knees
 // and hips. Garment-Pattern-Generator places panels so, for bodies whose origin is at the chest.
 bool is_placed_below_floor(const Pattern& pattern);

@@ -10,6 +10,7 @@
 #include "sim/collide/collider.h"
 #include "sim/core/assert.h"
 #include "sim/mesh/sew.h"
+#include "sim/pattern/garments.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
@@ -31,6 +32,10 @@ bool has_same_panels(const Pattern& a, const Pattern& b) {
         if (a.panels[p].name != b.panels[p].name) ++renamed;
     }
     return renamed <= 1;
+}
+
+bool is_worn_in_same_order(const Pattern& a, const Pattern& b) {
+    return std::ranges::equal(garments_of(a), garments_of(b), {}, &Garment::panels, &Garment::panels);
 }
 
 template <class Get>
@@ -109,13 +114,16 @@ void place_vertices(Cloth& cloth, const DrapedPanels& draped, const std::vector<
 
 PatternChange compare(const Pattern& before, const Pattern& after) {
     if (!has_same_panels(before, after) || !has_same_joins(before, after)) return PatternChange::Kind;
+    if (!is_worn_in_same_order(before, after)) return PatternChange::Kind;
     const auto outline = [](const Panel& panel) {
         std::vector<OutlineEdge> edges = panel.edges;
         for (OutlineEdge& edge : edges) edge.label.clear();
         return std::tuple(panel.vertices, edges, panel.pins);
     };
     if (before.edge_length != after.edge_length || differ(before, after, outline)) return PatternChange::Outlines;
-    const auto cloth = [](const Panel& panel) { return std::pair(panel.fabric, panel.grain_angle); };
+    const auto cloth = [](const Panel& panel) {
+        return std::pair(panel.fabric, panel.grain_angle);
+    };
     if (before.fabric != after.fabric || differ(before, after, cloth)) return PatternChange::Fabrics;
     const auto shown = [](const Panel& panel) { return std::pair(panel.sett_offset, panel.name); };
     return differ(before, after, shown) ? PatternChange::Setts : PatternChange::None;
@@ -137,7 +145,9 @@ std::string restart_reason(const Pattern& before, const Pattern& after) {
     }
     if (before.seams.size() != after.seams.size())
         return "there is " + count_of(before.seams.size(), after.seams.size(), "seam") + whole;
-    return has_same_joins(before, after) ? "the panels have another order" + whole : "seams join other edges" + whole;
+    if (!has_same_joins(before, after)) return "seams join other edges" + whole;
+    if (has_same_panels(before, after)) return "garments are worn in another order" + whole;
+    return "the panels have another order" + whole;
 }
 
 TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, GarmentMesh mesh,

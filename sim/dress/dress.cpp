@@ -2,7 +2,9 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 
 #include "sim/core/math.h"
 #include "sim/dress/session_frame.h"
@@ -73,6 +75,7 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     DressReport& report = dressed.report;
     PhaseTimer timer(report.timing);
     report.garment = pattern.name;
+    report.garments = garment_names(pattern);
     report.body = body.name;
     Dressing dressing;
     dressing.set_options(options);
@@ -89,6 +92,7 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
 
     finish_stage(dressing, DressingStage::Sew, "sewing", progress);
     selvedge::sim::report(progress, "sewing", 1);
+    std::ranges::move(dressing.take_notes(), std::back_inserter(report.notes));
     record_mesh(report, pattern, dressing.sewn_mesh());
     timer.done("sewing");
 

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "sim/cloth/contact_surface.h"
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 #include "sim/dress/carry_over.h"
@@ -94,20 +95,32 @@ bool Dressing::advance() {
 
 void Dressing::sew() {
     if (!body_) throw InputError("", "", "there is no body to put it on");
+    check_layers();
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
-    std::vector<std::string> notes = anchored_->notes;
-    std::ranges::move(make_sewable(unsewn, collider()), std::back_inserter(notes));
-    SewingOptions sewing_options;
-    if (options_.self_collision) sewing_options.self_contact.emplace();
-    for (const Panel& panel : anchored().panels) sewing_options.layers.push_back(panel.layer);
-    SewingRun sewing(std::move(unsewn), fabrics(), sewing_options);
+    SewingOptions options;
+    if (options_.self_collision) options.self_contact.emplace();
+    for (const Panel& panel : anchored().panels) options.layers.push_back(panel.layer);
+    GarmentSewing sewing(std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options));
     clear();
     sewing_.emplace(std::move(sewing));
-    std::ranges::move(notes, std::back_inserter(notes_));
+    std::ranges::copy(anchored_->notes, std::back_inserter(notes_));
+    std::ranges::move(sewing_->take_notes(), std::back_inserter(notes_));
     past_seconds_ = 0;
 }
 
+// Contact keeps layers in order.
+void Dressing::check_layers() const {
+    if (options_.self_collision) return;
+    if (garments_of(pattern_).size() > 1)
+        throw InputError("", "", "garments that are worn over each other need contact of the cloth with itself");
+    for (const Panel& panel : pattern_.panels) {
+        if (panel.layer != pattern_.panels.front().layer)
+            throw InputError("", "", "layers ('" + panel.name + "') need contact of the cloth with itself");
+    }
+}
+
 void Dressing::end_sewing() {
+    std::ranges::move(sewing_->take_notes(), std::back_inserter(notes_));
     SewingResult sewing = std::move(*sewing_).result();
     sewing_.reset();
     past_seconds_ = sewing.simulated_seconds;
@@ -294,8 +307,13 @@ void Dressing::change_cloth(const Pattern& pattern) {
         compare(drape_->pattern, pattern) == PatternChange::Fabrics || fabrics != cloth.material.fabrics;
     cloth.material.fabrics = std::move(fabrics);
     cloth.material.sett_offsets.clear();
-    cloth.material.layers.clear();
-    for (const Panel& panel : pattern.panels) cloth.material.layers.push_back(panel.layer);
+    std::vector<int> layers;
+    for (const Panel& panel : pattern.panels) layers.push_back(panel.layer);
+    if (layers != cloth.material.layers) {
+        cloth.material.layers = std::move(layers);
+        cloth.solver.self_contact->has_surface = false;
+        reactivate();
+    }
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
         cloth.material.grain_angles[p] = static_cast<float>(pattern.panels[p].grain_angle);
         cloth.material.sett_offsets.push_back(pattern.panels[p].sett_offset.cast<float>());

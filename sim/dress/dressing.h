@@ -20,6 +20,7 @@
 #include "sim/dress/anchor.h"
 #include "sim/dress/drag_constraint.h"
 #include "sim/dress/drape.h"
+#include "sim/dress/garment_sewing.h"
 #include "sim/dress/sewing.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/mesh/sew.h"
@@ -134,6 +135,7 @@ class Dressing {
         BodyCollider collider;
     };
 
+    void check_layers() const;
     void end_sewing();
     void hang(Drape drape, double relax_time);
     void apply_options();
@@ -164,7 +166,7 @@ class Dressing {
 
     PanelMeshCache quick_meshes_, meshes_;
     GarmentMesh placed_;
-    std::optional<SewingRun> sewing_;
+    std::optional<GarmentSewing> sewing_;
     std::optional<Drape> drape_;
     DragConstraint drag_constraint_;
     std::optional<TriangleBudget> budget_;

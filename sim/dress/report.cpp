@@ -15,6 +15,7 @@
 #include "sim/collide/penetration.h"
 #include "sim/core/json.h"
 #include "sim/core/math.h"
+#include "sim/dress/layer_order.h"
 #include "sim/place/fit.h"
 #include "sim/place/limbs.h"
 
@@ -68,6 +69,8 @@ Json contact_json(const ContactCounts& contact) {
     json[report_key::kSelfCrossings] = contact.self_crossings;
     json[report_key::kSelfCrossingM] = contact.self_crossing_m;
     json[report_key::kSelfCrossingAt] = contact.self_crossing_at;
+    json[report_key::kOnLowerLayer] = contact.on_lower_layer;
+    json[report_key::kWrongLayerOrder] = contact.wrong_layer_order;
     return json;
 }
 
@@ -106,6 +109,9 @@ std::string_view name_of(FaultClass fault_class) {
 std::string to_json(const DressReport& report) {
     Json json = Json::object();
     json[report_key::kGarment] = report.garment;
+    Json garments = Json::array();
+    for (const std::string& garment : report.garments) garments.push_back(garment);
+    json[report_key::kGarments] = std::move(garments);
     json[report_key::kBody] = report.body;
     json[report_key::kSettled] = report.settled;
     json[report_key::kStoppedBecause] = report.stopped_because;
@@ -254,6 +260,18 @@ void validate_crossings(const Cloth& cloth, const Pattern& pattern, const FaultL
               contact.self_crossing_m);
 }
 
+// Panels of a higher layer that lie inside of those of a lower one.
+void validate_layers(const Cloth& cloth, const Pattern& pattern, DressReport& report) {
+    const LayerOrder order = measure_layer_order(cloth);
+    report.contact.on_lower_layer = order.judged;
+    report.contact.wrong_layer_order = order.wrong;
+    if (order.wrong == 0) return;
+    add_fault(report, "wrong_layer_order",
+              std::to_string(order.wrong) + " vertices lie inside of a lower layer, one at " +
+                  describe_place(cloth, pattern, *order.wrong_vertex),
+              order.wrong);
+}
+
 // For example "too small at the waist (y 1.02 m) by 36.5 cm".
 std::string describe_too_small(const TightLevel& level, const std::string& part) {
     char where[96];
@@ -333,6 +351,7 @@ void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& patte
     } else {
         validate_contact(cloth, body, pattern, limits, report);
         validate_crossings(cloth, pattern, limits, report);
+        validate_layers(cloth, pattern, report);
         validate_stretch(cloth, body.body(), pattern, limits, report);
     }
     validate_rest(draped, report);

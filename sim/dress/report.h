@@ -20,6 +20,7 @@ class BodyCollider;
 
 namespace report_key {
 inline constexpr std::string_view kGarment = "garment";
+inline constexpr std::string_view kGarments = "garments";
 inline constexpr std::string_view kBody = "body";
 inline constexpr std::string_view kSettled = "settled";
 inline constexpr std::string_view kStoppedBecause = "stopped_because";
@@ -57,6 +58,8 @@ inline constexpr std::string_view kDeepestFaceAt = "deepest_face_at";
 inline constexpr std::string_view kSelfCrossings = "self_crossings";
 inline constexpr std::string_view kSelfCrossingM = "self_crossing_m";
 inline constexpr std::string_view kSelfCrossingAt = "self_crossing_at";
+inline constexpr std::string_view kOnLowerLayer = "on_lower_layer";
+inline constexpr std::string_view kWrongLayerOrder = "wrong_layer_order";
 
 inline constexpr std::string_view kStretch = "stretch";
 inline constexpr std::string_view kWarpWeftP50 = "warp_weft_p50";
@@ -74,8 +77,8 @@ inline constexpr std::string_view kPeakMemoryMb = "peak_memory_mb";
 }  // namespace report_key
 
 // A fault of a dressed garment, and where it is. Kinds: "not_settled", "open_seam", "inside_body", "through_body",
-// "self_crossing", "limb_missed", "displaced", "on_floor", "overstretched", "not_finite", "broken_mesh",
-// "does_not_fit".
+// "self_crossing", "wrong_layer_order", "limb_missed", "displaced", "on_floor", "overstretched", "not_finite",
+// "broken_mesh", "does_not_fit".
 struct DressFault {
     std::string kind;
     std::string place;  // a seam, panel, opening or point that the user can find
@@ -116,6 +119,8 @@ struct ContactCounts {
     int self_crossings = 0;          // pairs of leaf triangles without a common vertex that cross each other
     double self_crossing_m = 0;      // total length of the contours of these, m
     std::string self_crossing_at{};  // the place of one of them, empty when there are none
+    int on_lower_layer = 0;          // leaf vertices that lie flat on a panel of a lower layer (layer_order.h)
+    int wrong_layer_order = 0;       // of these, those that lie inside of it
 };
 
 // Statistics over the leaf triangles: strain along warp and weft (deformed length - 1), and the angle between them - 90
@@ -138,6 +143,7 @@ struct DressTiming {
 
 struct DressReport {
     std::string garment;
+    std::vector<std::string> garments;  // from the innermost to the outermost
     std::string body;
     bool settled = false;
     std::string stopped_because;  // "settled", "time limit" or "bad number"

@@ -324,6 +324,7 @@ void SessionState::advance_dressing() {
 }
 
 void SessionState::report_open_seams() {
+    for (std::string& note : dressing_.take_notes()) say(std::move(note));
     const Pattern& pattern = dressing_.pattern();
     for (const OpenSeam& open : dressing_.open_seams()) {
         say("seam '" + seam_name(pattern, pattern.seams[static_cast<std::size_t>(open.seam)]) +

@@ -50,6 +50,7 @@ StepOptions stepping_for(const SewingOptions& options, const std::vector<SeamPul
     stepping.contact.friction_scale = 0;
     stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // the seams pull harder than any load
     stepping.limit_iterations = 0;
+    stepping.self_contact = options.self_contact;
     stepping.seams = pulls;
     return stepping;
 }

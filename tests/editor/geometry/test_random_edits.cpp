@@ -220,7 +220,8 @@ TEST_P(RandomDrafts, are_sound_or_refused) {
     RecordProperty("refused", refused);
 }
 
-INSTANTIATE_TEST_SUITE_P(, RandomDrafts, ::testing::Values("tshirt", "tshirt_thesis", "skirt", "poncho", "two_squares"),
+INSTANTIATE_TEST_SUITE_P(, RandomDrafts,
+                         ::testing::Values("tshirt", "tshirt_thesis", "skirt", "poncho", "two_squares", "vest"),
                          [](const auto& garment) { return std::string(garment.param); });
 
 }  // namespace

@@ -59,15 +59,15 @@ Json parsed(const DressReport& report) {
 
 TEST(Report, has_the_keys_that_were_promised_and_no_others) {
     const Json json = parsed(full_report());
-    EXPECT_EQ(keys_of(json), (Keys{"garment", "body", "settled", "stopped_because", "simulated_seconds", "faults",
-                                   "notes", "mesh", "seams", "contact", "stretch", "timing"}));
+    EXPECT_EQ(keys_of(json), (Keys{"garment", "garments", "body", "settled", "stopped_because", "simulated_seconds",
+                                   "faults", "notes", "mesh", "seams", "contact", "stretch", "timing"}));
     EXPECT_EQ(keys_of(json.find("faults")->elements().at(0)), (Keys{"kind", "class", "place", "value"}));
     EXPECT_EQ(keys_of(*json.find("mesh")), (Keys{"base_triangles", "leaf_triangles", "leaf_vertices", "by_level",
                                                  "min_angle_deg", "splits", "rejoins", "transitions"}));
     EXPECT_EQ(keys_of(*json.find("seams")), (Keys{"count", "open", "worst_length_mismatch"}));
     EXPECT_EQ(keys_of(*json.find("contact")),
               (Keys{"inside", "deepest_m", "faces_in_body", "edges_in_body", "deepest_face_m", "deepest_face_at",
-                    "self_crossings", "self_crossing_m", "self_crossing_at"}));
+                    "self_crossings", "self_crossing_m", "self_crossing_at", "on_lower_layer", "wrong_layer_order"}));
     EXPECT_EQ(keys_of(*json.find("stretch")),
               (Keys{"warp_weft_p50", "warp_weft_p99", "warp_weft_max", "shear_deg_p99"}));
     EXPECT_EQ(keys_of(*json.find("timing")),

@@ -1,0 +1,170 @@
+#include "sim/dress/garment_sewing.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "sim/collide/body_collider.h"
+#include "sim/core/assert.h"
+#include "sim/dress/drape.h"
+#include "sim/mesh/sew.h"
+#include "sim/place/placement.h"
+
+namespace selvedge::sim {
+namespace {
+
+constexpr float kRelaxDamping = 12;  // 1/s, as while a garment relaxes after it was sewn
+
+// Some panels of a mesh, and its vertex for each vertex of theirs. Order is kept.
+struct MeshPart {
+    GarmentMesh mesh;
+    std::vector<int> vertices;
+};
+
+MeshPart part_of(const GarmentMesh& whole, const std::vector<bool>& has_panel) {
+    MeshPart part{.mesh = whole, .vertices = {}};
+    GarmentMesh& mesh = part.mesh;
+    std::erase_if(mesh.triangles,
+                  [&](const GarmentTriangle& t) { return !has_panel[static_cast<std::size_t>(t.panel)]; });
+    std::vector<int> in_part(whole.x.size(), -1);
+    for (const GarmentTriangle& t : mesh.triangles) {
+        for (const int v : t.vertices) in_part[static_cast<std::size_t>(v)] = 0;
+    }
+    mesh.x.clear();
+    for (std::size_t v = 0; v < whole.x.size(); ++v) {
+        if (in_part[v] < 0) continue;
+        in_part[v] = static_cast<int>(mesh.x.size());
+        mesh.x.push_back(whole.x[v]);
+        part.vertices.push_back(static_cast<int>(v));
+    }
+    const auto rename = [&](int& vertex) { vertex = in_part[static_cast<std::size_t>(vertex)]; };
+    for (GarmentTriangle& t : mesh.triangles) std::ranges::for_each(t.vertices, rename);
+    for (SeamLink& link : mesh.links) {
+        rename(link.a);
+        rename(link.b);
+    }
+    std::erase_if(mesh.links, [](const SeamLink& link) { return link.a < 0 || link.b < 0; });
+    std::ranges::for_each(mesh.pins, rename);
+    std::erase(mesh.pins, -1);
+    return part;
+}
+
+std::vector<bool> panels_of(const Garment& garment, std::size_t panels) {
+    std::vector<bool> has(panels, false);
+    for (const int p : garment.panels) has[static_cast<std::size_t>(p)] = true;
+    return has;
+}
+
+}  // namespace
+
+GarmentSewing::GarmentSewing(GarmentMesh unsewn, std::vector<Garment> garments, std::vector<Fabric> fabrics,
+                             const BodyCollider& body, SewingOptions options)
+    : unsewn_(std::move(unsewn)),
+      garments_(std::move(garments)),
+      fabrics_(std::move(fabrics)),
+      options_(std::move(options)),
+      is_worn_(unsewn_.panel_names.size(), false),
+      sewn_vertex_(unsewn_.x.size(), -1) {
+    SELVEDGE_ASSERT(!garments_.empty());
+    if (garments_.size() > 1 && !options_.self_contact) options_.self_contact.emplace();
+    place_next(body);
+    start_next();
+}
+
+// Outside of what is worn.
+void GarmentSewing::place_next(const BodyCollider& body) {
+    MeshPart next = part_of(unsewn_, panels_of(garments_[next_], is_worn_.size()));
+    const GarmentMesh worn = part_of(unsewn_, is_worn_).mesh;
+    std::ranges::move(make_sewable(next.mesh, body, worn), std::back_inserter(notes_));
+    for (std::size_t v = 0; v < next.vertices.size(); ++v)
+        unsewn_.x[static_cast<std::size_t>(next.vertices[v])] = next.mesh.x[v];
+}
+
+// What is worn stays sewn where its seams closed. Seams between garments are closed with the outer one.
+void GarmentSewing::start_next() {
+    const std::vector<bool> was_worn = is_worn_;
+    for (const int p : garments_[next_].panels) is_worn_[static_cast<std::size_t>(p)] = true;
+    MeshPart all = part_of(unsewn_, is_worn_);
+    if (next_ > 0) {
+        const auto worn_as = [&](int v) {
+            return sewn_vertex_[static_cast<std::size_t>(all.vertices[static_cast<std::size_t>(v)])];
+        };
+        std::vector<SeamLink> to_close;
+        std::erase_if(all.mesh.links, [&](const SeamLink& link) {
+            const int a = worn_as(link.a), b = worn_as(link.b);
+            if (a < 0 || b < 0) to_close.push_back(link);
+            return a < 0 || a != b;  // stays open
+        });
+        const std::vector<int> merged = merge_seams(all.mesh);
+        for (SeamLink& link : to_close) {
+            link.a = merged[static_cast<std::size_t>(link.a)];
+            link.b = merged[static_cast<std::size_t>(link.b)];
+        }
+        all.mesh.links = std::move(to_close);
+    }
+    ++next_;
+    run_.emplace(std::move(all.mesh), fabrics_, options_);
+}
+
+bool GarmentSewing::advance(const BodyCollider& body) {
+    if (relaxing_) {
+        relax(body);
+        return true;
+    }
+    if (run_->advance(body)) return true;
+    wear();
+    if (is_last() || done_.bad_vertex) return false;
+    relaxing_ = make_cloth(done_.sewn, fabrics_, {.max_level = 0});
+    relaxing_->material.layers = options_.layers;
+    refresh_contacts(*relaxing_);
+    relaxed_ = 0;
+    return true;
+}
+
+// Takes over what was sewn.
+void GarmentSewing::wear() {
+    SewingResult result = std::move(*run_).result();
+    result.simulated_seconds += done_.simulated_seconds + relaxed_;
+    result.open.insert(result.open.begin(), done_.open.begin(), done_.open.end());
+    std::ranges::sort(result.open, {}, &OpenSeam::seam);
+    done_ = std::move(result);
+    std::size_t sewn = 0;
+    for (const GarmentTriangle& t : unsewn_.triangles) {
+        if (!is_worn_[static_cast<std::size_t>(t.panel)]) continue;
+        for (std::size_t k = 0; k < 3; ++k)
+            sewn_vertex_[static_cast<std::size_t>(t.vertices[k])] = done_.sewn.triangles[sewn].vertices[k];
+        ++sewn;
+    }
+}
+
+// Without gravity and friction, the tension of the seams relaxes. Then the next garment is placed.
+void GarmentSewing::relax(const BodyCollider& body) {
+    StepOptions stepping{.gravity = Vec3f::Zero(), .extra_damping = kRelaxDamping};
+    stepping.contact.friction_scale = 0;
+    stepping.self_contact = options_.self_contact;
+    step(*relaxing_, body, stepping);
+    relaxed_ += static_cast<double>(step_seconds(*relaxing_, stepping));
+    if (relaxed_ < DrapeOptions{}.relax_time) return;
+    for (std::size_t v = 0; v < sewn_vertex_.size(); ++v) {
+        if (sewn_vertex_[v] < 0) continue;
+        unsewn_.x[v] = relaxing_->x[static_cast<std::size_t>(sewn_vertex_[v])].head<3>().cast<double>();
+    }
+    place_next(body);
+    start_next();
+    relaxing_.reset();
+}
+
+double GarmentSewing::fraction() const {
+    const double garments = static_cast<double>(garments_.size());
+    const double now = relaxing_ ? 1 : run_->fraction();
+    return (static_cast<double>(next_) - 1 + now) / garments;
+}
+
+std::span<const SeamLink> GarmentSewing::links() const {
+    return relaxing_ ? std::span<const SeamLink>() : run_->links();
+}
+
+SewingResult GarmentSewing::result() && {
+    return std::move(done_);
+}
+
+}  // namespace selvedge::sim

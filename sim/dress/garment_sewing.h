@@ -1,0 +1,58 @@
+#pragma once
+// Sews the garments of a pattern onto the body one after the other, from the innermost to the outermost. Each is worn
+// before the next one is placed round it: its seams are closed, and their tension has relaxed. What is worn stays cloth
+// while the next one is sewn, and contact keeps that one outside.
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/cloth/cloth.h"
+#include "sim/dress/sewing.h"
+#include "sim/mesh/garment_mesh.h"
+#include "sim/pattern/fabric.h"
+#include "sim/pattern/garments.h"
+
+namespace selvedge::sim {
+
+class BodyCollider;
+
+class GarmentSewing {
+ public:
+    // `unsewn`: all panels of the garments, where they are placed. Moves panels to where they can be sewn
+    // (make_sewable). Several garments are always kept apart, whatever the options say.
+    GarmentSewing(GarmentMesh unsewn, std::vector<Garment> garments, std::vector<Fabric> fabrics,
+                  const BodyCollider& body, SewingOptions options);
+
+    // One step. Returns false when all garments are sewn, or a value is not finite. Pre: no call returned false.
+    bool advance(const BodyCollider& body);
+
+    double fraction() const;
+    const Cloth& cloth() const { return relaxing_ ? *relaxing_ : run_->cloth(); }  // of the garments so far
+    std::span<const SeamLink> links() const;                                       // that are closing, of the cloth
+    std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }    // panels that were moved
+    SewingResult result() &&;                                                      // of all garments
+
+ private:
+    void place_next(const BodyCollider& body);
+    void start_next();
+    void wear();
+    void relax(const BodyCollider& body);
+    bool is_last() const { return next_ == garments_.size(); }
+
+    GarmentMesh unsewn_;  // where its panels are now, also those that are worn
+    std::vector<Garment> garments_;
+    std::vector<Fabric> fabrics_;
+    SewingOptions options_;
+    std::vector<bool> is_worn_;      // per panel
+    std::size_t next_ = 0;           // garment
+    std::vector<int> sewn_vertex_;   // per vertex of unsewn_ that is worn: its vertex in the cloth; others -1
+    std::optional<SewingRun> run_;   // of the garment before next_
+    std::optional<Cloth> relaxing_;  // the garments so far, when it is done
+    double relaxed_ = 0;             // s
+    SewingResult done_;              // of the garments so far
+    std::vector<std::string> notes_;
+};
+
+}  // namespace selvedge::sim
