@@ -122,7 +122,7 @@ PatternChange compare(const Pattern& before, const Pattern& after) {
     };
     if (before.edge_length != after.edge_length || differ(before, after, outline)) return PatternChange::Outlines;
     const auto cloth = [](const Panel& panel) {
-        return std::pair(panel.fabric, panel.grain_angle);
+        return std::tuple(panel.fabric, panel.interlinings, panel.grain_angle);
     };
     if (before.fabric != after.fabric || differ(before, after, cloth)) return PatternChange::Fabrics;
     const auto shown = [](const Panel& panel) { return std::pair(panel.sett_offset, panel.name); };

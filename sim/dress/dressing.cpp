@@ -30,10 +30,14 @@ bool is_placed_otherwise(const Pattern& a, const Pattern& b) {
 
 }  // namespace
 
-std::vector<Fabric> fabrics_of(const Pattern& pattern) {
+std::vector<Fabric> fabrics_of(const Pattern& pattern, const std::optional<Fabric>& shell) {
     std::vector<Fabric> fabrics;
-    for (const Panel& panel : pattern.panels)
-        fabrics.push_back(find_fabric(panel.fabric.empty() ? pattern.fabric : panel.fabric));
+    for (const Panel& panel : pattern.panels) {
+        std::vector<Fabric> interlinings;
+        for (const std::string& name : panel.interlinings) interlinings.push_back(find_fabric(name));
+        const Fabric own = shell ? *shell : find_fabric(panel.fabric.empty() ? pattern.fabric : panel.fabric);
+        fabrics.push_back(bonded(own, interlinings));
+    }
     return fabrics;
 }
 
@@ -258,7 +262,7 @@ MeshOptions Dressing::meshing() const {
 }
 
 std::vector<Fabric> Dressing::fabrics() const {
-    return options_.fabric ? std::vector(pattern_.panels.size(), *options_.fabric) : fabrics_of(pattern_);
+    return fabrics_of(pattern_, options_.fabric);
 }
 
 GarmentMesh Dressing::designed() {

@@ -176,7 +176,8 @@ class Dressing {
 
 inline constexpr int kSewingSteps = 4;  // per frame, as many as per adaptation
 
-// One fabric per panel: the panel's own or else the pattern's. Throws InputError for an unknown fabric.
-std::vector<Fabric> fabrics_of(const Pattern& pattern);
+// One fabric per panel: `shell`, the panel's own or else the pattern's, with the panel's interlinings. Throws
+// InputError for an unknown fabric.
+std::vector<Fabric> fabrics_of(const Pattern& pattern, const std::optional<Fabric>& shell = {});
 
 }  // namespace selvedge::sim

@@ -80,6 +80,19 @@ Fabric find_fabric(std::string_view name_or_file) {
                      "no fabric '" + name + "': known are " + joined(fabric_names()) + ", or name a .json file");
 }
 
+Fabric bonded(Fabric shell, std::span<const Fabric> interlinings) {
+    for (const Fabric& interlining : interlinings) {
+        for (double Fabric::*value : {&Fabric::area_density, &Fabric::stretch_warp, &Fabric::stretch_weft,
+                                      &Fabric::shear, &Fabric::bending_warp, &Fabric::bending_weft,
+                                      &Fabric::bending_hysteresis, &Fabric::shear_hysteresis, &Fabric::thickness}) {
+            shell.*value += interlining.*value;
+        }
+        shell.strain_limit = std::min(shell.strain_limit, interlining.strain_limit);
+        shell.name += " + " + interlining.name;
+    }
+    return shell;
+}
+
 std::vector<std::string> fabric_names() {
     std::vector<std::string> names;
     for (const EmbeddedFile& file : embedded_fabrics()) names.push_back(shipped_name(file));

@@ -54,13 +54,14 @@ struct Panel {
     Vec3d translation = Vec3d::Zero();  // m
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  // world = rotation * local + translation
     bool is_mirrored = false;                                // local = (-x, y, 0) instead of (x, y, 0)
-    double grain_angle = 0;             // rad, from the panel's +y to the warp direction, counter-clockwise
-    Vec2d sett_offset = Vec2d::Zero();  // m, (weft, warp), seen from the right side: position in the sett =
-                                        // panel point rotated into the yarn directions + sett_offset
-    std::string fabric;                 // empty: the pattern's fabric
-    int layer = 0;                      // higher: farther from the body, where panels lie on each other
-    std::string garment = {};           // of which this panel is a part; empty: of the one named Pattern::name
-    std::vector<int> pins;              // indices of outline vertices that are pinned
+    double grain_angle = 0;                      // rad, from the panel's +y to the warp direction, counter-clockwise
+    Vec2d sett_offset = Vec2d::Zero();           // m, (weft, warp), seen from the right side: position in the sett =
+                                                 // panel point rotated into the yarn directions + sett_offset
+    std::string fabric;                          // empty: the pattern's fabric
+    std::vector<std::string> interlinings = {};  // fabrics that are fused to it, with the same grain
+    int layer = 0;                               // higher: farther from the body, where panels lie on each other
+    std::string garment = {};                    // of which this panel is a part; empty: of the one named Pattern::name
+    std::vector<int> pins;                       // indices of outline vertices that are pinned
     std::vector<InternalLine> internal_lines;
     std::vector<Notch> notches = {};
     double wrap_radius = 0;  // m; 0: the panel starts flat. Otherwise it starts bent to a cylinder of this radius, with

@@ -360,6 +360,10 @@ class Writer {
             set_numbers(own["sett_offset"], {units_ * panel.sett_offset.x(), units_ * panel.sett_offset.y()});
         }
         set_unless_default(own, "fabric", panel.fabric, std::string());
+        if (own.find("interlinings") || !panel.interlinings.empty()) {
+            own["interlinings"] = Json::array();
+            for (const std::string& fabric : panel.interlinings) own["interlinings"].push_back(fabric);
+        }
         set_number_unless_zero(own, "layer", panel.layer);
         set_unless_default(own, "garment", panel.garment, std::string());
         if (own.find("pins") || !panel.pins.empty()) write_pins(own["pins"], panel);

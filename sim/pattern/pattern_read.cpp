@@ -95,6 +95,12 @@ class Reader : private FaultReader {
         if (const Node grain = node.member("grainline")) panel.grain_angle = number(grain).value_or(0) * kDegree;
         if (const Node offset = node.member("sett_offset")) panel.sett_offset = point(offset).value_or(Vec2d::Zero());
         if (const Node fabric = node.member("fabric")) panel.fabric = read_fabric_name(fabric);
+        if (const Node bonded = node.member("interlinings"); bonded && expect(bonded, Json::Kind::Array)) {
+            for (std::size_t i = 0; i < bonded.size(); ++i) {
+                panel.interlinings.push_back(read_fabric_name(bonded.element(i)));
+                if (panel.interlinings.back().empty()) error(bonded.element(i), "an interlining names a fabric");
+            }
+        }
         if (const Node layer = node.member("layer")) {
             const auto value = number(layer);
             if (value && (*value != std::floor(*value) || std::abs(*value) > kHighestLayer)) {
