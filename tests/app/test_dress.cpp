@@ -1,6 +1,7 @@
 // selvedge dress and render, as black boxes: their output files, identical output for any thread count, exit codes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -224,6 +225,30 @@ TEST(DressOnAFile, takes_the_body_that_the_garment_names_and_raises_both_to_the_
     const ProgramResult over =
         run_selvedge("dress '" + folder / "anna.json" + "' --export-body '" + folder / "anna.obj" + "'");
     EXPECT_EQ(over.exit_code, 2) << over.out;
+}
+
+TEST(DressOver, names_the_garments_from_the_inside_out_and_what_is_assumed) {
+    const ScratchFolder folder;
+    const ProgramResult result =
+        run_selvedge("dress " + shipped("tshirt.json") + " --over " + shipped("vest.json") +
+                     " --body mannequin:resolution=1 --max-level 1 --report '" + folder / "report.json" + "'");
+    EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+    EXPECT_NE(result.out.find("tshirt + vest on"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("note: 'vest' names another tartan than 'tshirt'"), std::string::npos) << result.out;
+    const sim::Json report = sim::read_json(folder / "report.json");
+    const std::vector<sim::Json>& garments = report.find("garments")->elements();
+    ASSERT_EQ(garments.size(), 2U);
+    EXPECT_EQ(garments[0].string(), "tshirt");
+    EXPECT_EQ(garments[1].string(), "vest");
+}
+
+TEST(DressOver, refuses_a_garment_that_cannot_be_worn_over_it_on_one_line) {
+    for (const std::string& wrong : {std::string("--over nothing.json"), "--over " + shipped("fabrics/denim.json"),
+                                     "--over " + shipped("vest.json") + " --no-self-collision"}) {
+        const ProgramResult result = run_selvedge("dress " + shipped("tshirt.json") + " " + wrong);
+        EXPECT_EQ(result.exit_code, 2) << wrong;
+        EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+    }
 }
 
 }  // namespace
