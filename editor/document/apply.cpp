@@ -11,7 +11,9 @@
 #include "editor/geometry/seam_edit.h"
 #include "sim/core/error.h"
 #include "sim/pattern/fabric.h"
+#include "sim/pattern/garments.h"
 #include "sim/pattern/pattern.h"
+#include "sim/pattern/pattern_file.h"
 #include "sim/tartan/match.h"
 #include "sim/tartan/offset_graph.h"
 #include "sim/tartan/tartan_file.h"
@@ -73,6 +75,20 @@ Selection only(const std::string& panel) {
 }
 
 // --- commands on the pattern
+
+Outcome run(sim::Pattern& pattern, const PutOver& command) {
+    const std::size_t before = pattern.panels.size();
+    as_geometry_error([&] { put_over(pattern, sim::parse_pattern(command.text, command.file).pattern); });
+    Outcome outcome{.selection = Selection{}};
+    for (std::size_t p = before; p < pattern.panels.size(); ++p)
+        outcome.selection->panels.insert(pattern.panels[p].name);
+    return outcome;
+}
+
+Outcome run(sim::Pattern& pattern, const TakeOff& command) {
+    if (!take_off(pattern, command.garment)) throw GeometryError("There is no garment '" + command.garment + "'");
+    return {};
+}
 
 Outcome run(sim::Pattern& pattern, const RenamePattern& command) {
     pattern.name = command.to;

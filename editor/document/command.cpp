@@ -15,6 +15,12 @@ std::string counted(const std::string& verb, std::size_t count, const std::strin
     return verb + " " + std::to_string(count) + " " + (one.ends_with("ch") ? one + "es" : one + "s");
 }
 
+std::string label(const PutOver&) {
+    return "Wear over";
+}
+std::string label(const TakeOff& command) {
+    return "Take off '" + command.garment + "'";
+}
 std::string label(const RenamePattern&) {
     return "Rename the garment";
 }
@@ -224,7 +230,9 @@ void visit_fields(sim::Panel& panel, Visitor&& visit) {
     visit("grain_angle", panel.grain_angle);
     visit("sett_offset", panel.sett_offset);
     visit("fabric", panel.fabric);
+    visit("interlinings", panel.interlinings);
     visit("layer", panel.layer);
+    visit("garment", panel.garment);
     visit("pins", panel.pins);
     visit("internal_lines", panel.internal_lines);
     visit("notches", panel.notches);

@@ -12,12 +12,12 @@
 
 namespace selvedge::editor {
 
-using Command =
-    std::variant<RenamePattern, SetFabric, SetTartan, SetBody, SetEdgeLength, MatchSetts, TranslateAll, RemoveParts,
-                 AddPanels, RenamePanel, DuplicatePanel, SymmetricCopy, UnlinkPanel, MovePanels, TransformPanels,
-                 PlacePanel, PlacePanels, SetGrain, SetSettOffset, SetPins, SetLayer, CutPanel, MergePanels,
-                 UnfoldPanel, MoveVertices, TransformVertices, SetCurve, AddVertex, AddDart, AddInternalLine,
-                 SetInternalLine, AddNotch, MoveNotch, SewEdges, SewRuns, ReverseSeam, NameSeam, AcceptEase, EvenSeam>;
+using Command = std::variant<RenamePattern, SetFabric, SetTartan, SetBody, SetEdgeLength, MatchSetts, TranslateAll,
+                             RemoveParts, AddPanels, RenamePanel, DuplicatePanel, SymmetricCopy, UnlinkPanel,
+                             MovePanels, TransformPanels, PlacePanel, PlacePanels, SetGrain, SetSettOffset, SetPins,
+                             SetLayer, CutPanel, MergePanels, UnfoldPanel, MoveVertices, TransformVertices, SetCurve,
+                             AddVertex, AddDart, AddInternalLine, SetInternalLine, AddNotch, MoveNotch, SewEdges,
+                             SewRuns, ReverseSeam, NameSeam, AcceptEase, EvenSeam, PutOver, TakeOff>;
 
 // The label in the history: "Move 3 points".
 std::string label_of(const Command& command);

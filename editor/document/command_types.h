@@ -383,6 +383,31 @@ struct UnfoldPanel {
 
 // Commands that change the pattern as a whole.
 
+// Puts the garments of a file over those of the pattern (sim/pattern/garments.h). `text` is the file's, with the panels
+// placed for the pattern's body.
+struct PutOver {
+    static constexpr const char* name = "put_over";
+    std::string file{};
+    std::string text{};
+
+    template <class Visitor>
+    void fields(Visitor&& visit) {
+        visit("file", file);
+        visit("text", text);
+    }
+};
+
+// Removes a garment with its panels and all seams to them.
+struct TakeOff {
+    static constexpr const char* name = "take_off";
+    std::string garment{};
+
+    template <class Visitor>
+    void fields(Visitor&& visit) {
+        visit("garment", garment);
+    }
+};
+
 // Sets the pattern's name.
 struct RenamePattern {
     static constexpr const char* name = "rename_pattern";

@@ -14,6 +14,7 @@
 #include "editor/inspectors/number_box.h"
 #include "editor/inspectors/pattern_measures.h"
 #include "sim/pattern/fabric.h"
+#include "sim/pattern/garments.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern.h"
 
@@ -603,6 +604,8 @@ void draw_properties(InspectorContext& context) {
     }
     draw_selected(context, selected);
     if (folding("Garment", Fold::Open)) draw_pattern_section(context);
+    const bool has_several = garments_of(context.pattern()).size() > 1;
+    if (has_several && folding("Worn over each other", Fold::Open)) draw_garments_section(context);
 }
 
 }  // namespace selvedge::editor

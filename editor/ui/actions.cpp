@@ -25,6 +25,13 @@ void add_file_actions(std::vector<Action>& actions) {
                        .tip = "A garment file; files can be dropped on the window, too",
                        .chords = {ctrl('O')},
                        .run = browse_to_open});
+    actions.push_back(
+        {.id = "file.wear_over",
+         .menu = "File",
+         .title = "Wear over...",
+         .tip = "Another garment file, worn over this one as the outermost",
+         .run = browse_to_wear_over,
+         .can = [](const AppState& state) { return !state.workspace.document->pattern().panels.empty(); }});
     actions.push_back({.id = "file.save",
                        .menu = "File",
                        .title = "Save",

@@ -98,6 +98,11 @@ void open_file(AppState& state, const std::string& file) {
     });
 }
 
+void wear_over(AppState& state, const std::string& file) {
+    state.workspace.document->commit();
+    try_to(state, [&] { state.workspace.wear_over(state.services.load(file)); });
+}
+
 void open_example(AppState& state, const Example& example) {
     after_asking(state, [example](AppState& current) {
         try_to(current, [&] { show_document(current, sim::parse_pattern(example.text, example.title), ""); });
@@ -166,6 +171,14 @@ void browse_to_open(AppState& state) {
                         .verb = "Open",
                         .endings = {".json"},
                         .choose = [](AppState& current, const std::string& file) { open_file(current, file); }},
+                       state.services);
+}
+
+void browse_to_wear_over(AppState& state) {
+    state.browser.open({.title = "Wear a garment over this one",
+                        .verb = "Wear",
+                        .endings = {".json"},
+                        .choose = [](AppState& current, const std::string& file) { wear_over(current, file); }},
                        state.services);
 }
 

@@ -15,6 +15,7 @@ void new_document(AppState& state);
 void open_loaded(AppState& state, sim::PatternDocument source, const std::string& file);
 void open_file(AppState& state, const std::string& file);
 void open_example(AppState& state, const Example& example);
+void wear_over(AppState& state, const std::string& file);  // puts another garment over the document's
 void recover_journal(AppState& state, const OrphanedJournal& journal);
 
 // Opens a garment file or puts on a body file; reports any other file as unknown.
@@ -27,6 +28,7 @@ void close(AppState& state);
 
 // These open the file browser for a purpose.
 void browse_to_open(AppState& state);
+void browse_to_wear_over(AppState& state);
 void browse_to_save(AppState& state);
 void browse_to_export(AppState& state, const std::string& ending);
 void browse_for_body(AppState& state);

@@ -1,10 +1,12 @@
 #include "editor/viewport3d/viewport_scene.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "sim/core/error.h"
+#include "sim/pattern/garments.h"
 #include "sim/tartan/tartan_file.h"
 
 namespace selvedge::editor {
@@ -28,6 +30,20 @@ sim::DrawMesh part_of(const sim::DrawMesh& mesh, const std::vector<std::string>&
     std::vector<std::size_t> kept;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         if (fabrics[panel_of(mesh, t)] == fabric) kept.push_back(t);
+    }
+    return with_triangles(mesh, kept);
+}
+
+// Without the panels of these garments.
+sim::DrawMesh without(const sim::DrawMesh& mesh, const sim::Pattern& pattern, const std::set<std::string>& garments) {
+    std::set<std::string> hidden;
+    for (const sim::Panel& panel : pattern.panels) {
+        if (garments.contains(garment_of(pattern, panel))) hidden.insert(panel.name);
+    }
+    std::vector<std::size_t> kept;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const std::size_t panel = panel_of(mesh, t);
+        if (panel >= mesh.panel_names.size() || !hidden.contains(mesh.panel_names[panel])) kept.push_back(t);
     }
     return with_triangles(mesh, kept);
 }
@@ -76,7 +92,10 @@ void ViewportScene::update_sett(const sim::Pattern& pattern) {
 
 void ViewportScene::update_cloth(const ViewportSceneInput& input) {
     cloths_.clear();
-    const sim::DrawMesh& mesh = input.curved ? *input.curved : input.garment.mesh();
+    const sim::DrawMesh& all = input.curved ? *input.curved : input.garment.mesh();
+    std::optional<sim::DrawMesh> visible;
+    if (!input.look.hidden_garments.empty()) visible = without(all, input.pattern, input.look.hidden_garments);
+    const sim::DrawMesh& mesh = visible ? *visible : all;
     if (!is_sound(mesh)) return;
     update_sett(input.pattern);
     const std::vector<std::string> names = fabrics_of(mesh, input.pattern);
@@ -110,6 +129,7 @@ std::shared_ptr<const render::Scene> ViewportScene::update(const ViewportSceneIn
                          .revision = input.revision,
                          .show = input.look.show,
                          .has_edges = input.look.has_edges,
+                         .hidden = input.look.hidden_garments,
                          .curved = input.curved};
     const bool is_cloth_new = !(key == key_);
     const bool is_body_new = input.current_body.body != body_ || input.look.has_body != has_body_;

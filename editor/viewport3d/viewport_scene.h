@@ -3,6 +3,7 @@
 // the renderer can cache what it derives from the scene.
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,7 @@ class ViewportScene {
         std::uint64_t revision = 0;
         render::ShowMode show = render::ShowMode::Tartan;
         bool has_edges = false;
+        std::set<std::string> hidden;
         std::shared_ptr<const sim::DrawMesh> curved;
 
         bool operator==(const ContentKey&) const = default;

@@ -3,7 +3,10 @@
 #include <chrono>
 
 #include "sim/core/error.h"
+#include "sim/dress/anchor.h"
 #include "sim/dress/dress.h"
+#include "sim/pattern/garments.h"
+#include "sim/pattern/pattern_file.h"
 
 namespace selvedge::editor {
 bool Workspace::run(const Command& command) {
@@ -104,6 +107,16 @@ void Drape::update(const Document& document, Messages& messages) {
     const std::vector<std::string> reported = session_.frame()->messages;
     reported_messages_ = std::min(reported_messages_, reported.size());
     for (; reported_messages_ < reported.size(); ++reported_messages_) messages.note(reported[reported_messages_]);
+}
+
+bool Workspace::wear_over(const sim::PatternDocument& outer) {
+    std::vector<std::string> notes;
+    const sim::PatternDocument moved{moved_to_body_of(document->pattern(), outer.pattern, notes), outer.json};
+    sim::Pattern worn = document->pattern();
+    for (std::string& note : put_over(worn, moved.pattern)) notes.push_back(std::move(note));
+    if (!run(PutOver{.file = outer.pattern.name + ".json", .text = write_pattern(moved)})) return false;
+    for (const std::string& note : notes) messages.note(note);
+    return true;
 }
 
 }  // namespace selvedge::editor

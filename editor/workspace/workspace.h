@@ -6,6 +6,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -122,12 +123,13 @@ class Drape {
 struct ViewOptions {
     render::ShowMode show = render::ShowMode::Tartan;
     bool has_body = true;
-    bool has_points = true;      // arrangement points, while selected panels can be placed
-    bool has_seam_lines = true;  // connecting lines of open seams
-    bool has_edges = false;      // triangle edges, over plain cloth
-    bool is_curved = true;       // at rest, the curved surface over the cloth instead of its triangles
-    bool as_placed = false;      // shows panels at their placement, even if the garment is sewn
-    bool own_axes = false;       // gizmo for a single panel uses its own axes, not the world axes
+    bool has_points = true;                   // arrangement points, while selected panels can be placed
+    bool has_seam_lines = true;               // connecting lines of open seams
+    bool has_edges = false;                   // triangle edges, over plain cloth
+    bool is_curved = true;                    // at rest, the curved surface over the cloth instead of its triangles
+    bool as_placed = false;                   // shows panels at their placement, even if the garment is sewn
+    std::set<std::string> hidden_garments{};  // not drawn
+    bool own_axes = false;                    // gizmo for a single panel uses its own axes, not the world axes
 
     bool operator==(const ViewOptions&) const = default;
 };
@@ -142,6 +144,10 @@ struct Workspace {
     Hover hover{};
     Messages messages{};
     ViewOptions look{};
+
+    // Puts the garments of a file over the document's, moved to the body that this one names. Assumptions become notes.
+    // Throws InputError if the document's body cannot be made.
+    bool wear_over(const sim::PatternDocument& outer);
 
     // Applies a command; a GeometryError becomes a message. Returns whether the command was applied.
     bool run(const Command& command);

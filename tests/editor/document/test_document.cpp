@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "editor/document/document.h"
 #include "editor/document/journal.h"
 #include "editor/geometry/draft.h"
+#include "sim/pattern/garments.h"
 #include "tests/editor/document/random_commands.h"
 
 namespace selvedge::editor {
@@ -37,6 +39,24 @@ TEST(Document, a_command_is_undone_and_redone_byte_for_byte) {
     document.redo();
     EXPECT_EQ(document.text(), second);
     EXPECT_FALSE(document.can_redo());
+}
+
+TEST(Document, a_garment_is_put_over_taken_off_and_both_are_undone) {
+    Document document(shipped("tshirt.json"));
+    const std::string alone = document.text();
+    document.run(PutOver{.file = "skirt.json", .text = write_pattern(shipped("skirt.json"))});
+    EXPECT_EQ(garment_names(document.pattern()), (std::vector<std::string>{"tshirt", "skirt"}));
+    EXPECT_EQ(document.selection().panels, (std::set<std::string>{"skirt_front", "skirt_back"}));
+    const std::string both = document.text();
+    document.run(TakeOff{.garment = "tshirt"});
+    EXPECT_EQ(garment_names(document.pattern()), std::vector<std::string>{"skirt"});
+    document.undo();
+    EXPECT_EQ(document.text(), both);
+    document.undo();
+    EXPECT_EQ(document.text(), alone);
+    EXPECT_THROW(document.run(TakeOff{.garment = "skirt"}), GeometryError);
+    EXPECT_THROW(document.run(PutOver{.file = "f.json", .text = "{}"}), GeometryError);
+    EXPECT_EQ(document.text(), alone);
 }
 
 TEST(Document, a_failed_command_changes_nothing) {
@@ -203,7 +223,8 @@ int run_commands(Document& document, unsigned seed, int count) {
 
 TEST(RandomCommands, undone_give_the_first_document_byte_for_byte) {
     int done = 0;
-    for (const char* name : {"tshirt.json", "skirt.json", "poncho.json", "two_squares.json", "tshirt_thesis.json"}) {
+    for (const char* name :
+         {"tshirt.json", "skirt.json", "poncho.json", "two_squares.json", "tshirt_thesis.json", "vest.json"}) {
         Document document(shipped(name));
         const std::string first = document.text();
         for (int round = 0; round < 20; ++round) {  // continues with the garment of the previous round

@@ -39,6 +39,18 @@ TEST(Journal, gives_back_all_that_was_done) {
     EXPECT_EQ(recovery->text, document.text());
 }
 
+TEST(Journal, gives_back_garments_that_were_put_on_and_taken_off) {
+    Journaled journaled("tshirt.json");
+    const std::string skirt =
+        write_pattern(sim::load_pattern(std::string(SELVEDGE_SOURCE_DIR) + "/patterns/skirt.json"));
+    for (int i = 0; i < 2; ++i) journaled.document.run(PutOver{.file = "skirt.json", .text = skirt});
+    journaled.document.run(TakeOff{.garment = "skirt"});
+    const auto recovery = recover(journaled.text);
+    ASSERT_TRUE(recovery);
+    EXPECT_EQ(recovery->text, journaled.document.text());
+    EXPECT_NE(recovery->text.find("skirt_2"), std::string::npos);
+}
+
 TEST(Journal, gives_back_a_drag_that_was_under_way) {
     Journaled journaled("tshirt.json");
     journaled.document.preview(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.01, 0)});

@@ -88,6 +88,37 @@ TEST(Inspectors, show_an_empty_pattern) {
     EXPECT_TRUE(inspector.document().history().empty());
 }
 
+TEST(GarmentInspector, lists_garments_that_are_worn_over_each_other_hides_and_removes_them) {
+    InspectorFixture inspector(shipped_pattern("tshirt.json"), draw_properties);
+    inspector.frame();
+    EXPECT_FALSE(inspector.widgets.contains("garment.show.tshirt")) << "one alone";
+    EXPECT_TRUE(inspector.workspace.wear_over(shipped_pattern("skirt.json")));
+    inspector.document().select({});
+    inspector.click("garment.show.skirt");
+    EXPECT_EQ(inspector.workspace.look.hidden_garments, std::set<std::string>{"skirt"});
+    inspector.click("garment.show.skirt");
+    EXPECT_TRUE(inspector.workspace.look.hidden_garments.empty());
+    inspector.click("garment.select.skirt");
+    EXPECT_EQ(inspector.document().selection().panels.size(), 2U);
+    inspector.document().select({});
+    inspector.click("garment.remove.skirt");
+    EXPECT_EQ(inspector.document().pattern().panels.size(), 6U);
+    inspector.document().undo();
+    EXPECT_EQ(inspector.document().pattern().panels.size(), 8U);
+}
+
+TEST(Workspace, tells_what_it_assumes_about_a_garment_that_is_worn_over_another) {
+    Workspace workspace(shipped_pattern("tshirt.json"), sim::SessionDrive::Caller, make_mannequin_body);
+    sim::PatternDocument skirt = shipped_pattern("skirt.json");
+    skirt.pattern.tartan = "gingham";
+    EXPECT_TRUE(workspace.wear_over(skirt));
+    ASSERT_EQ(workspace.messages.count(), 1U);
+    EXPECT_NE(workspace.messages.all().back().text.find("another tartan"), std::string::npos);
+    EXPECT_EQ(workspace.document->pattern().tartan, "royal_stewart");
+    workspace.document->undo();
+    EXPECT_EQ(workspace.document->pattern(), shipped_pattern("tshirt.json").pattern);
+}
+
 TEST(SeamInspector, a_click_selects_a_seam_and_the_buttons_change_it) {
     InspectorFixture inspector(shipped_pattern("tshirt.json"), draw_seams);
     inspector.click("seams.2");

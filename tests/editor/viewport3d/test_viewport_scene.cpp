@@ -98,6 +98,21 @@ TEST_F(ViewportSceneTest, panels_of_other_fabrics_are_cloths_of_their_own) {
     EXPECT_FALSE(made->cloths[0].material == made->cloths[1].material);
 }
 
+TEST_F(ViewportSceneTest, garments_that_are_hidden_are_not_drawn) {
+    sim::Panel other = viewport.panel();
+    other.name = "other";
+    other.translation.x() += 0.5;
+    other.garment = "coat";
+    viewport.workspace().run(AddPanels{.panels = {other}});
+    viewport.rest();
+    viewport.workspace().drape.session().advance(0);
+    const std::size_t all = update()->cloths.at(0).mesh.triangles.size();
+    viewport.workspace().look.hidden_garments = {"coat"};
+    EXPECT_EQ(update()->cloths.at(0).mesh.triangles.size(), all / 2);
+    viewport.workspace().look.hidden_garments = {"nothing of that name"};
+    EXPECT_EQ(update()->cloths.at(0).mesh.triangles.size(), all);
+}
+
 TEST_F(ViewportSceneTest, an_unknown_tartan_or_panel_does_not_stop_it) {
     marks.wrong = {{.panel = "nowhere", .edge = 3}, {.panel = "square", .edge = 77}, {.panel = "square", .vertex = -5}};
     marks.selection.vertices.insert({"square", 99});
