@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/cloth/strain_projection.h"
+
 namespace selvedge::sim {
 namespace {
 
@@ -121,7 +123,7 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
 
 // Single triangles where much cloth meets, as under an arm, stay stretched by up to 20 % however long the fall lasts:
 // one solver iteration per sub-step cannot move what many other constraints hold. Finer sub-steps leave 10 %. The
-// movement that they cause gets some time to come to rest.
+// movement that they cause gets some time to come to rest. What is then beyond the fabric's strain limit is projected.
 void DrapeRun::finish_frame(Cloth& cloth, const Collider& body) {
     StepOptions stepping{.gravity = options_.gravity, .extra_damping = kFinishDamping, .contact = options_.contact};
     stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // updates would set it in motion
@@ -129,6 +131,9 @@ void DrapeRun::finish_frame(Cloth& cloth, const Collider& body) {
     const std::size_t usual_steps = result_.step_ms.size();
     run_steps(cloth, body, stepping);
     result_.step_ms.resize(usual_steps);  // the statistics cover steps of usual length only
+    if (finishes() || result_.bad_vertex) return;
+    stepping.self_contact = options_.self_contact;
+    project_strain(cloth, body, stepping);
 }
 
 bool DrapeRun::finishes() const {
