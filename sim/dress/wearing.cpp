@@ -191,6 +191,7 @@ struct PanelShift {
     double moved = 0;              // m, upward, of the middle
     Vec3d middle = Vec3d::Zero();  // m, draped
     bool is_displaced = false;
+    bool is_at_place = false;  // so that seams may have drawn other panels to it
 };
 
 // A panel is displaced if it has left more than half of the heights over which it was placed: what is gone lies where
@@ -211,6 +212,7 @@ PanelShift measure_shift(const WornGarment& garment, const std::vector<std::size
     const double reach = std::max(0.0, (to[2] - to[1] - placed.length()) / 2);
     const double covered = std::min(placed.high, draped.high + reach) - std::max(placed.low, draped.low - reach);
     shift.is_displaced = covered < kLeastCovered * placed.length();
+    shift.is_at_place = !shift.is_displaced && std::abs(shift.moved) <= (to[2] - to[1]) / 2;
     return shift;
 }
 
@@ -232,8 +234,10 @@ std::vector<std::size_t> garment_parts(const WornGarment& garment, const PanelVe
 }
 
 // Panels that seams join are displaced together: where one is at its place, the others are as near to theirs as their
-// seams let them, and were placed loosely, as GarmentCode does with long skirts. Panels round an arm are left out: they
-// cannot leave it unless their openings miss it.
+// seams let them, and were placed loosely, as GarmentCode does with long skirts. A panel is at its place if it moved by
+// at most half of the height from the hips to the waist; a long skirt may have fallen with its bodice by more, and
+// still cover half of its heights. Panels round an arm are left out: they cannot leave it unless their openings miss
+// it.
 void validate_panels(const WornGarment& garment, const PanelVertices& panels, const BodyLimbs& meant_for,
                      const BodyLimbs& worn_by, DressReport& report) {
     const Heights from = heights_of(meant_for), to = heights_of(worn_by);
@@ -244,10 +248,10 @@ void validate_panels(const WornGarment& garment, const PanelVertices& panels, co
     for (std::size_t p = 0; p < panels.size(); ++p) {
         if (panels[p].empty() || arm_of(panels[p], garment.panels.x, meant_for)) continue;
         shifts[p] = measure_shift(garment, panels[p], from, to);
-        if (!shifts[p]->is_displaced) is_at_place[parts[p]] = true;
+        if (shifts[p]->is_at_place) is_at_place[parts[p]] = true;
     }
     for (std::size_t p = 0; p < panels.size(); ++p) {
-        if (!shifts[p] || is_at_place[parts[p]]) continue;
+        if (!shifts[p] || !shifts[p]->is_displaced || is_at_place[parts[p]]) continue;
         const double moved = shifts[p]->moved;
         report.faults.push_back({.kind = "displaced",
                                  .place = "'" + garment.panels.panel_names[p] + "' lies " +

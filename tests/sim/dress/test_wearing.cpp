@@ -106,6 +106,18 @@ TEST(Wearing, lets_seams_pull_a_panel_to_its_neighbour) {
     EXPECT_NE(list(report_on(pattern, fallen, mannequin())).find("displaced: 'bodice' lies"), std::string::npos);
 }
 
+// A long skirt still covers half of its heights, but it is no place to which the bodice was drawn.
+TEST(Wearing, finds_a_bodice_that_fell_with_its_long_skirt) {
+    Pattern pattern = tube(0.5, 0.7, 0.2, 0.2);
+    pattern.panels.push_back(rectangle("bodice", {.width = 0.5, .height = 0.3, .y = 0.9, .z = 0.2}));
+    pattern.seams.push_back({.first = {0, 2}, .second = {2, 0}});
+    const auto fallen = [](const Vec3d& x) { return Vec3d(x - Vec3d(0, 0.19, 0)); };
+    const DressReport report = report_on(pattern, fallen, mannequin());
+    ASSERT_EQ(report.faults.size(), 1U) << list(report);
+    EXPECT_EQ(report.faults[0].kind, "displaced");
+    EXPECT_NE(report.faults[0].place.find("'bodice' lies 19 cm lower"), std::string::npos) << list(report);
+}
+
 TEST(Wearing, finds_a_skirt_on_the_floor) {
     const DressReport report = report_on(
         skirt(), [](const Vec3d& x) { return Vec3d(x.x(), 0.004, x.z()); }, mannequin());
