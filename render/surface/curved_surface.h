@@ -130,7 +130,7 @@ CurvedSurface make_curved_surface(const sim::GarmentMesh& base, const SurfaceOpt
 struct MoveOptions {
     const sim::Collider* body =
         nullptr;               // the surface must not penetrate it: vertices are moved out to its offset surface
-    float offset = 0.003F;     // m, offset of that surface; the same as the cloth's contact offset
+    float offset = 0.0003F;    // m, offset of that surface; the same as the cloth's contact offset
     float max_step = 0.0002F;  // m, largest move of a vertex towards or from its edge's midpoint in one call
 };
 

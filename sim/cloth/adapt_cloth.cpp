@@ -78,6 +78,7 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
                                        .batch = cloth.solver.adapting.collision,
                                        .limits = limits,
                                        .offset = observer.contact.offset,
+                                       .standoff = cloth.solver.contacts.standoff,
                                        .spacing = observer.contact.sample_spacing};
     const CurvatureCriterion curvature(cloth.normals, scaled(options.curvature, scale));
     const LengthCriterion<Vec4f> length(cloth.x, scaled(options.length, scale));

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/adaptive/criteria.h"
+#include "sim/cloth/standoff.h"
 #include "sim/collide/collider.h"
 
 namespace selvedge::sim {
@@ -56,8 +57,9 @@ std::span<const EdgeId> CollisionCriterion::look(const AdaptiveMesh& mesh) const
     gather(mesh);
     put_points(mesh);
     // Points farther away than this reach neither depth threshold, so their exact distance is not needed.
-    body.contacts(batch.blocks, offset - std::min(split_depth, rejoin_depth));
-    for (std::size_t i = 0; i < batch.evaluated.size(); ++i) batch.depths[batch.evaluated[i].value] = depth(i);
+    const float most = standoff.empty() ? 0 : kMaxStandoff;
+    body.contacts(batch.blocks, offset + most - std::min(split_depth, rejoin_depth));
+    for (std::size_t i = 0; i < batch.evaluated.size(); ++i) batch.depths[batch.evaluated[i].value] = depth(mesh, i);
     return edges;
 }
 
@@ -93,12 +95,18 @@ bool CollisionCriterion::finer_edges_cut(const AdaptiveMesh& mesh, EdgeId e) con
 }
 
 // The maximum depth of the sample points of the i'th evaluated edge below the offset surface, m.
-float CollisionCriterion::depth(std::size_t i) const {
+float CollisionCriterion::depth(const AdaptiveMesh& mesh, std::size_t i) const {
     float least = std::numeric_limits<float>::max();
     for (std::size_t lane = batch.first[i]; lane < batch.first[i + 1]; ++lane) {
         least = std::min(least, batch.blocks[lane / kContactLanes].distance[lane % kContactLanes]);
     }
-    return offset - least;
+    return height(mesh, batch.evaluated[i]) - least;
+}
+
+// The distance from the body that the ends of an edge keep, m, on average.
+float CollisionCriterion::height(const AdaptiveMesh& mesh, EdgeId e) const {
+    if (standoff.empty()) return offset;
+    return offset + (standoff[mesh.end(e, 0).value] + standoff[mesh.end(e, 1).value]) / 2;
 }
 
 }  // namespace selvedge::sim

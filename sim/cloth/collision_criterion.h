@@ -33,9 +33,10 @@ struct CollisionCriterion {
     const std::vector<Vec4f>& x;
     const Collider& body;
     CollisionBatch& batch;
-    SplitLimits limits{};        // look-ahead considers only finer edges that these allow to be split
-    float offset = 0.003F;       // m, contact offset
-    float split_depth = 0.002F;  // m, of the chord below the offset surface
+    SplitLimits limits{};               // look-ahead considers only finer edges that these allow to be split
+    float offset = 0.003F;              // m, contact offset
+    std::span<const float> standoff{};  // by vertex, m beyond the offset (standoff.h); empty: none
+    float split_depth = 0.002F;         // m, of the chord below the offset surface
     float rejoin_depth = 0.0008F;
     float spacing = 0.025F;  // m, maximum distance between sample points of an edge; one is always in the middle
 
@@ -54,7 +55,8 @@ struct CollisionCriterion {
     bool finer_edges_cut(const AdaptiveMesh& mesh, EdgeId e) const;
     void gather(const AdaptiveMesh& mesh) const;
     void put_points(const AdaptiveMesh& mesh) const;
-    float depth(std::size_t i) const;
+    float depth(const AdaptiveMesh& mesh, std::size_t i) const;
+    float height(const AdaptiveMesh& mesh, EdgeId e) const;
 };
 
 }  // namespace selvedge::sim

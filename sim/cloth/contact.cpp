@@ -6,6 +6,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/solver_blocks.h"
+#include "sim/cloth/standoff.h"
 #include "sim/collide/collider.h"
 
 namespace selvedge::sim {
@@ -155,6 +156,7 @@ void size_contacts(Cloth& cloth, ContactState& contacts) {
     contacts.query_point.resize(cloth.x.size() + 1, nothing_known());
     contacts.plane.resize(cloth.x.size() + 1, Vec4f::Zero());
     contacts.friction.resize(cloth.x.size() + 1, 0.0F);
+    contacts.standoff.resize(cloth.x.size() + 1, 0.0F);
 }
 
 // Handles one block of samples: queries the collider if needed, and projects samples that touch. Blocks are processed
@@ -204,6 +206,7 @@ void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnC
     for (const VertexId v : changes.vertices_added) {
         contacts.query_point[v.value] = nothing_known();
         contacts.friction[v.value] = 0;
+        contacts.standoff[v.value] = 0;
     }
     for (const TriangleId t : changes.triangles_added) add_friction(cloth, contacts, t);
     SampleLists(cloth).change();
@@ -215,6 +218,23 @@ void forget_contacts(Cloth& cloth) {
     for (SampleBlock& block : cloth.solver.contacts.samples) {
         for (std::size_t at = 0; at < kBlock; ++at) {
             if (block.shares[0][at] > 0) block.slack[at] = ContactCacheArrays::kUnknown;
+        }
+    }
+}
+
+void set_contact_offset(Cloth& cloth, float offset) {
+    ContactState& contacts = cloth.solver.contacts;
+    const float lower = contacts.offset - offset;
+    contacts.offset = offset;
+    if (lower == 0) return;
+    for (std::size_t v = 0; v < contacts.query_point.size(); ++v) {
+        contacts.plane[v].w() += lower;
+        if (contacts.query_point[v].w() >= ContactCacheArrays::kInvalidBelow) contacts.query_point[v].w() += lower;
+    }
+    for (SampleBlock& block : contacts.samples) {
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            block.height[at] += lower;
+            if (block.slack[at] >= ContactCacheArrays::kInvalidBelow) block.slack[at] += lower;
         }
     }
 }
@@ -266,7 +286,10 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
     for (std::size_t i = 0; i < blocks.size() * kBlock; ++i) {
         blocks[i / kBlock].set_point(i % kBlock, solver.points[to_query[i] / 4].head<3>());
     }
-    body.contacts(blocks, limits.offset + kPlaneReach);
+    body.contacts(blocks, limits.offset + kMaxStandoff + kPlaneReach);
+    for (std::size_t i = 0; i < blocks.size() * kBlock; ++i) {
+        blocks[i / kBlock].distance[i % kBlock] -= contacts.standoff[to_query[i] / 4];
+    }
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         loops.store_query_and_project(blocks[i], &to_query[i * kBlock], contacts.friction.data(), limits,
                                       floats(solver.before), floats(solver.points), known);

@@ -70,7 +70,9 @@ struct ContactState {
     std::vector<Vec4f> query_point;  // by vertex, see ContactCacheArrays
     std::vector<Vec4f> plane;        // by vertex
     std::vector<float> friction;     // by vertex
+    std::vector<float> standoff;     // by vertex, m beyond the contact offset; see standoff.h
     std::vector<SampleBlock> samples;
+    float offset = 0;  // m, contact offset that the cached heights and slacks refer to
     struct Scratch {
         std::vector<std::uint32_t> to_query;
         std::vector<ContactBlock> blocks;
@@ -102,6 +104,9 @@ void forget_contacts(Cloth& cloth);
 // The number of samples; and the position of the sample in `slot` for vertex positions x, nullopt for a free slot.
 std::size_t sample_count(const ContactState& contacts);
 std::optional<Vec3f> sample_at(const ContactState& contacts, std::size_t slot, const std::vector<Vec4f>& x);
+
+// Makes the cached heights and slacks refer to this contact offset (m). Called by each step.
+void set_contact_offset(Cloth& cloth, float offset);
 
 // Moves the samples in Cloth::solver at least `offset` away from the collider. Friction reduces the tangential motion
 // since the last sub-step by up to the friction coefficient times the corrected depth.

@@ -51,6 +51,7 @@ struct Stepper {
 
 void Stepper::step() {
     load_points();
+    set_contact_offset(cloth, options.contact.offset);
     SelfContact& self_contact = cloth.solver.self_contact->contact;
     if (options.self_contact) {
         update_contact_surface(cloth);

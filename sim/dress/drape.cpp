@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/cloth/standoff.h"
 #include "sim/cloth/strain_projection.h"
 
 namespace selvedge::sim {
@@ -28,7 +29,8 @@ int finishing_substeps(float shortest_edge) {
 
 }  // namespace
 
-DrapeRun::DrapeRun(Cloth& cloth, const DrapeOptions& options) : options_(options), usual_substep_(cloth.substep) {
+DrapeRun::DrapeRun(Cloth& cloth, const DrapeOptions& options)
+    : options_(options), usual_substep_(cloth.substep), offset_(options.contact.offset) {
     refresh_contacts(cloth, options_.contact);
     result_.bad_vertex = find_bad_vertex(cloth);
     change_phase(cloth);
@@ -82,6 +84,7 @@ void DrapeRun::end_fall(Cloth& cloth) {
     if (!has_time) return end(cloth);
     phase_ = DrapePhase::Finish;
     phase_start_ = result_.simulated_seconds;
+    refresh_contacts(cloth, finishing_contact());
     set_substep(cloth, usual_substep_ / static_cast<float>(finishing_substeps(options_.adapt.shortest_edge)));
 }
 
@@ -94,25 +97,31 @@ void DrapeRun::end(Cloth& cloth) {
 
 // Without gravity and friction, seam tension relaxes and cloth that crumpled during sewing slides flat.
 void DrapeRun::relax_frame(Cloth& cloth, const Collider& body) {
-    StepOptions stepping{.gravity = Vec3f::Zero(), .extra_damping = kRelaxDamping, .contact = options_.contact};
-    stepping.contact.friction_scale = 0;
+    StepOptions stepping{.gravity = Vec3f::Zero(), .extra_damping = kRelaxDamping};
     AdaptClothOptions adapting = options_.adapt;
     if (relaxed_ < options_.coarse_time) adapting.shortest_edge = std::numeric_limits<float>::max();
     adapt_once(cloth, body, adapting);
+    shrink_offset(cloth, body, frame_seconds(cloth, stepping));
+    stepping.contact = contact_now();
+    stepping.contact.friction_scale = 0;
     run_steps(cloth, body, stepping);
     relaxed_ += frame_seconds(cloth, stepping);
 }
 
 void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     const float elapsed = static_cast<float>(result_.simulated_seconds - phase_start_);
-    StepOptions stepping{.gravity = options_.gravity, .contact = options_.contact, .may_rest = options_.may_rest};
+    StepOptions stepping{.gravity = options_.gravity, .contact = contact_now(), .may_rest = options_.may_rest};
     stepping.extra_damping = kFallDamping + options_.damping_growth * elapsed;
     // The update rates of the biases decrease as the garment comes to rest; otherwise they would keep it moving.
     stepping.stretch_bias_rate *= learning_rate_scale_;
     stepping.shear_bias_rate *= learning_rate_scale_;
     AdaptClothOptions adapting = options_.adapt;
     adapting.may_rejoin = may_rejoin_;
-    if (!options_.may_rest || !is_at_rest(cloth)) adapt_once(cloth, body, adapting);
+    if (!options_.may_rest || !is_at_rest(cloth)) {
+        adapt_once(cloth, body, adapting);
+        shrink_offset(cloth, body, frame_seconds(cloth, stepping));
+        stepping.contact = contact_now();
+    }
     run_steps(cloth, body, stepping);
     may_rejoin_ = result_.rms_speed >= options_.calm_speed;
     learning_rate_scale_ = std::min(1.0F, result_.rms_speed / options_.calm_speed);
@@ -125,9 +134,11 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
 // one solver iteration per sub-step cannot move what many other constraints hold. Finer sub-steps leave 10 %. The
 // movement that they cause gets some time to come to rest. What is then beyond the fabric's strain limit is projected.
 void DrapeRun::finish_frame(Cloth& cloth, const Collider& body) {
-    StepOptions stepping{.gravity = options_.gravity, .extra_damping = kFinishDamping, .contact = options_.contact};
+    StepOptions stepping{.gravity = options_.gravity, .extra_damping = kFinishDamping};
     stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // updates would set it in motion
     stepping.substeps *= static_cast<int>(std::lround(usual_substep_ / cloth.substep));
+    shrink_offset(cloth, body, frame_seconds(cloth, stepping));
+    stepping.contact = finishing_contact();
     const std::size_t usual_steps = result_.step_ms.size();
     run_steps(cloth, body, stepping);
     result_.step_ms.resize(usual_steps);  // the statistics cover steps of usual length only
@@ -144,7 +155,7 @@ bool DrapeRun::finishes() const {
 
 void DrapeRun::adapt_once(Cloth& cloth, const Collider& body, const AdaptClothOptions& adapting) {
     const auto start = Clock::now();
-    const AdaptReport adapted = adapt_cloth(cloth, body, adapting, options_.contact);
+    const AdaptReport adapted = adapt_cloth(cloth, body, adapting, contact_now());
     result_.adaptation_ms.push_back(ms_since(start));
     result_.splits += adapted.splits;
     result_.rejoins += adapted.rejoins;
@@ -164,6 +175,28 @@ void DrapeRun::run_steps(Cloth& cloth, const Collider& body, StepOptions steppin
     }
     result_.rms_speed = rms_speed(cloth, before, frame_seconds(cloth, stepping));
     result_.bad_vertex = find_bad_vertex(cloth);
+}
+
+ContactOptions DrapeRun::contact_now() const {
+    ContactOptions contact = options_.contact;
+    contact.offset = offset_;
+    return contact;
+}
+
+// The mesh stays as it is in the final phase, so edges cannot be split where they dip into the body: they have samples
+// where the adaptation would put vertices.
+ContactOptions DrapeRun::finishing_contact() const {
+    ContactOptions contact = contact_now();
+    contact.sample_spacing = std::min(contact.sample_spacing, options_.adapt.shortest_edge / 2);
+    return contact;
+}
+
+// The offset is large while the panels are sewn round the body and their edges are long. It would add 2 pi times its
+// size to every girth of the body.
+void DrapeRun::shrink_offset(Cloth& cloth, const Collider& body, double seconds) {
+    const float least = std::min(options_.rest_offset, options_.contact.offset);
+    offset_ = std::max(least, offset_ - options_.offset_speed * static_cast<float>(seconds));
+    update_standoffs(cloth, body);
 }
 
 double DrapeRun::frame_seconds(const Cloth& cloth, const StepOptions& stepping) const {

@@ -26,6 +26,8 @@ struct DrapeOptions {
     bool may_rest = false;                // whether steps skip a cloth at rest during the fall (sim/cloth/resting.h)
     AdaptClothOptions adapt{};
     ContactOptions contact{};
+    float rest_offset = 0.0003F;   // m, contact offset at rest; that of `contact` shrinks to it
+    float offset_speed = 0.0054F;  // m/s at which it does, so within relax_time: about half of rest_speed
     std::optional<SelfContactOptions> self_contact{};  // none: cloth passes through itself
 
     // Optional; called before each step with its duration (s). Returns the vertices that the user drags.
@@ -86,6 +88,9 @@ class DrapeRun {
     bool finishes() const;
     void adapt_once(Cloth& cloth, const Collider& body, const AdaptClothOptions& adapting);
     void run_steps(Cloth& cloth, const Collider& body, StepOptions stepping);
+    ContactOptions contact_now() const;
+    ContactOptions finishing_contact() const;
+    void shrink_offset(Cloth& cloth, const Collider& body, double seconds);
     double frame_seconds(const Cloth& cloth, const StepOptions& stepping) const;
 
     DrapeOptions options_;
@@ -98,6 +103,7 @@ class DrapeRun {
     bool may_rejoin_ = true;         // it still moves fast enough
     float learning_rate_scale_ = 1;  // of the biases of stretch and shear
     float usual_substep_ = 0;        // s
+    float offset_ = 0;               // m, present contact offset
 };
 
 }  // namespace selvedge::sim

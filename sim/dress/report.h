@@ -165,7 +165,7 @@ std::string to_json(const DressReport& report);
 // Limits above which a value is a fault.
 struct FaultLimits {
     double depth = 0.0005;          // m, depth of a vertex inside the body; of what counts as an edge or face in it
-    double face_depth = 0.003;      // m, of an edge or face: as much as its vertices keep from the body
+    double face_depth = 0.003;      // m, of an edge or face: more than the solver lets one dip as it moves
     double stretch_p99 = 0.02;      // warp or weft strain beyond the fabric's limit and what tightness explains
     double stretch_max = 0.12;      // the same
     bool may_cross_itself = false;  // whether cloth that passes through itself is no fault

@@ -12,11 +12,11 @@
 namespace selvedge::sim {
 
 struct FitOptions {
-    double step = 0.02;             // m between levels
-    double contact_offset = 0.003;  // m, that the simulation keeps between cloth and body
-    double thickness = 0.0003;      // m, half of the cloth's, which a tape on the body does not see
-    double tolerance = 0.005;       // relative to the body's girth: smaller differences are ignored
-    double reach = 0.05;            // m around a tight cut within which the cloth is stretched: one step plus 3 cm
+    double step = 0.02;              // m between levels
+    double contact_offset = 0.0003;  // m, that the simulation keeps between cloth and body
+    double thickness = 0.0003;       // m, half of the cloth's, which a tape on the body does not see
+    double tolerance = 0.005;        // relative to the body's girth: smaller differences are ignored
+    double reach = 0.05;             // m around a tight cut within which the cloth is stretched: one step plus 3 cm
     std::vector<double> strain_limits{};  // of the fabric, per panel; empty: 0
 };
 

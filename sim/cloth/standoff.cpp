@@ -1,0 +1,101 @@
+#include "sim/cloth/standoff.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "sim/cloth/cloth.h"
+#include "sim/collide/collider.h"
+
+namespace selvedge::sim {
+namespace {
+
+// What the middles of the elements at each vertex lack, m: the largest; negative where all have room.
+class Lacks {
+ public:
+    Lacks(const Cloth& cloth, const Collider& body) : cloth_(cloth), body_(body) {
+        by_vertex_.resize(cloth.x.size(), -kMaxStandoff);
+    }
+
+    std::vector<float> find() {
+        for (const LeafEdge& leaf : cloth_.mesh.leaf_edges()) {
+            const AdaptiveEdge& edge = cloth_.mesh.edge(leaf.edge);
+            add({edge.ends[0].value, edge.ends[1].value, edge.ends[1].value}, {0.5F, 0.25F, 0.25F});
+        }
+        constexpr float kThird = 1.0F / 3.0F;
+        for (const LeafTriangle& leaf : cloth_.mesh.leaf_triangles()) {
+            add({leaf.v[0].value, leaf.v[1].value, leaf.v[2].value}, {kThird, kThird, kThird});
+        }
+        query();
+        return std::move(by_vertex_);
+    }
+
+ private:
+    using Corners = std::array<std::uint32_t, 3>;
+
+    void add(const Corners& corners, const std::array<float, 3>& shares) {
+        Vec3f x = Vec3f::Zero();
+        for (std::size_t k = 0; k < 3; ++k) x += shares[k] * cloth_.x[corners[k]].head<3>();
+        block_.set_point(corners_.size(), x);
+        corners_.push_back(corners);
+        if (corners_.size() == kContactLanes) query();
+    }
+
+    void query() {
+        if (corners_.empty()) return;
+        for (std::size_t i = corners_.size(); i < kContactLanes; ++i) block_.set_point(i, block_.point(0));
+        body_.contacts({&block_, 1}, kChordClearance + kMaxStandoff);
+        for (std::size_t i = 0; i < corners_.size(); ++i) {
+            const float lack = kChordClearance - block_.distance[i];
+            for (const std::uint32_t v : corners_[i]) by_vertex_[v] = std::max(by_vertex_[v], lack);
+        }
+        corners_.clear();
+    }
+
+    const Cloth& cloth_;
+    const Collider& body_;
+    std::vector<float> by_vertex_;
+    std::vector<Corners> corners_;
+    ContactBlock block_;
+};
+
+// The height of a vertex above its offset surface, m, by the cached plane; nothing is known where it is far away.
+float height_of(const Cloth& cloth, std::size_t v) {
+    const ContactState& contacts = cloth.solver.contacts;
+    if (contacts.query_point[v].w() < ContactCacheArrays::kInvalidBelow) return std::numeric_limits<float>::max();
+    const Vec3f moved = (cloth.x[v] - contacts.query_point[v]).head<3>();
+    if (moved.squaredNorm() > kPlaneReach * kPlaneReach) return std::numeric_limits<float>::max();
+    return contacts.plane[v].w() + contacts.plane[v].head<3>().dot(moved);
+}
+
+void set_standoff(Cloth& cloth, std::size_t v, float standoff) {
+    ContactState& contacts = cloth.solver.contacts;
+    const float raise = standoff - contacts.standoff[v];
+    contacts.standoff[v] = standoff;
+    contacts.plane[v].w() -= raise;
+    if (contacts.query_point[v].w() >= ContactCacheArrays::kInvalidBelow) contacts.query_point[v].w() -= raise;
+    const float height = height_of(cloth, v);
+    if (height >= 0 || cloth.inverse_mass[v] <= 0) return;
+    const Vec4f out = with_zero_w(Vec3f(contacts.plane[v].head<3>() * std::min(-height, std::max(raise, 0.0F))));
+    cloth.x[v] += out;
+    cloth.x_prev[v] += out;
+}
+
+}  // namespace
+
+void update_standoffs(Cloth& cloth, const Collider& body) {
+    constexpr float kLowering = 0.5F;  // share of the room that is given back at once: neighbours give back theirs
+    const std::vector<float> lacks = Lacks(cloth, body).find();
+    std::vector<float>& standoff = cloth.solver.contacts.standoff;
+    standoff.resize(cloth.x.size() + 1, 0.0F);
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        const float lack = lacks[v.value];
+        const float next = std::clamp(standoff[v.value] + (lack > 0 ? lack : kLowering * lack), 0.0F, kMaxStandoff);
+        if (next != standoff[v.value]) set_standoff(cloth, v.value, next);
+    }
+}
+
+}  // namespace selvedge::sim
