@@ -96,7 +96,7 @@ TEST(GarmentSewing, closes_the_seams_of_the_outer_tube_outside_of_the_inner_one)
     const Body body = post(0.1, 1.7);
     const BodyCollider collider(body, kCoarse);
     const Pattern pattern = two_tubes();
-    GarmentSewing sewing(assemble(pattern), garments_of(pattern), fabrics_of(pattern), collider);
+    GarmentSewing sewing(assemble(pattern), garments_of(pattern), fabrics_of(pattern), collider, {});
     double fraction = 0;
     do {
         EXPECT_GE(sewing.fraction(), fraction - 1e-9);
@@ -130,7 +130,7 @@ TEST(GarmentSewing, of_one_garment_does_what_a_sewing_run_does) {
     SewingRun alone(assemble(pattern), fabrics_of(pattern), {});
     while (alone.advance(collider)) {
     }
-    GarmentSewing one(assemble(pattern), garments_of(pattern), fabrics_of(pattern), collider);
+    GarmentSewing one(assemble(pattern), garments_of(pattern), fabrics_of(pattern), collider, {});
     while (one.advance(collider)) {
     }
     EXPECT_EQ(std::move(one).result().sewn.x, std::move(alone).result().sewn.x);
@@ -141,7 +141,7 @@ TEST(GarmentSewing, closes_a_seam_between_two_garments_with_the_outer_one) {
     const BodyCollider collider(body, kCoarse);
     Pattern pattern = two_tubes();
     pattern.seams.push_back({.first = {0, 2}, .second = {2, 2}, .is_reversed = false});  // upper edges of the fronts
-    GarmentSewing sewing(assemble(pattern), garments_of(pattern), fabrics_of(pattern), collider);
+    GarmentSewing sewing(assemble(pattern), garments_of(pattern), fabrics_of(pattern), collider, {});
     while (sewing.advance(collider)) {
     }
     const SewingResult result = std::move(sewing).result();
