@@ -159,6 +159,36 @@ void size_contacts(Cloth& cloth, ContactState& contacts) {
     contacts.standoff.resize(cloth.x.size() + 1, 0.0F);
 }
 
+// The slots of samples between vertices of which one at least meets the trunk only.
+std::uint16_t trunk_only_slots(const SampleBlock& samples, const std::vector<bool>& is_trunk_only) {
+    unsigned slots = 0;
+    for (std::size_t at = 0; at < kBlock; ++at) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (samples.shares[k][at] > 0 && is_trunk_only[samples.vertices[k][at] / 4]) slots |= 1U << at;
+        }
+    }
+    return static_cast<std::uint16_t>(slots);
+}
+
+void query(SolverState& solver, const SampleBlock& samples, ContactBlock& block, const Collider& body, float reach) {
+    if (solver.contacts.is_trunk_only.empty()) return body.contacts({&block, 1}, reach);
+    const std::uint16_t trunk_only = trunk_only_slots(samples, solver.contacts.is_trunk_only);
+    body.contacts_apart({&block, 1}, {&trunk_only, 1}, reach);
+}
+
+// The same for vertices; to_query: their offsets in the arrays of points.
+void query(SolverState& solver, const Collider& body, float reach) {
+    ContactState& contacts = solver.contacts;
+    auto& [to_query, blocks, trunk_only] = contacts.scratch;
+    if (contacts.is_trunk_only.empty()) return body.contacts(blocks, reach);
+    trunk_only.assign(blocks.size(), 0);
+    for (std::size_t i = 0; i < blocks.size() * kBlock; ++i) {
+        const unsigned slot = contacts.is_trunk_only[to_query[i] / 4] ? 1U << i % kBlock : 0;
+        trunk_only[i / kBlock] = static_cast<std::uint16_t>(trunk_only[i / kBlock] | slot);
+    }
+    body.contacts_apart(blocks, trunk_only, reach);
+}
+
 // Handles one block of samples: queries the collider if needed, and projects samples that touch. Blocks are processed
 // in sequence, so each starts from the positions that the previous ones left.
 void meet_samples(SolverState& solver, SampleBlock& samples, const Kernels& loops, const Collider& body,
@@ -166,7 +196,7 @@ void meet_samples(SolverState& solver, SampleBlock& samples, const Kernels& loop
     ContactBlock block;
     const SampleState state = loops.locate_samples(samples, floats(solver.points), block);
     if (state.needs_query) {
-        body.contacts({&block, 1}, limits.offset + kPlaneReach);
+        query(solver, samples, block, body, limits.offset + kPlaneReach);
         loops.store_query(block, limits, samples);
     }
     if (state.needs_query || state.touches) {
@@ -275,7 +305,8 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
     ContactLimits limits = limits_for(body, options);
     limits.longest_move = longest_move;
     const ContactCacheArrays known{floats(contacts.query_point), floats(contacts.plane)};
-    auto& [to_query, blocks] = contacts.scratch;
+    std::vector<std::uint32_t>& to_query = contacts.scratch.to_query;
+    std::vector<ContactBlock>& blocks = contacts.scratch.blocks;
     to_query.resize(cloth.x.size() + kBlock);
     const std::size_t count = loops.project_vertices(floats(solver.points), floats(solver.before), known,
                                                      contacts.friction.data(), cloth.x.size(), limits, to_query.data());
@@ -286,7 +317,7 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
     for (std::size_t i = 0; i < blocks.size() * kBlock; ++i) {
         blocks[i / kBlock].set_point(i % kBlock, solver.points[to_query[i] / 4].head<3>());
     }
-    body.contacts(blocks, limits.offset + kMaxStandoff + kPlaneReach);
+    query(solver, body, limits.offset + kMaxStandoff + kPlaneReach);
     for (std::size_t i = 0; i < blocks.size() * kBlock; ++i) {
         blocks[i / kBlock].distance[i % kBlock] -= contacts.standoff[to_query[i] / 4];
     }

@@ -72,10 +72,12 @@ struct ContactState {
     std::vector<float> friction;     // by vertex
     std::vector<float> standoff;     // by vertex, m beyond the contact offset; see standoff.h
     std::vector<SampleBlock> samples;
-    float offset = 0;  // m, contact offset that the cached heights and slacks refer to
+    float offset = 0;                 // m, contact offset that the cached heights and slacks refer to
+    std::vector<bool> is_trunk_only;  // by vertex and of the dummy vertex: see contacts_apart(); empty: none
     struct Scratch {
         std::vector<std::uint32_t> to_query;
         std::vector<ContactBlock> blocks;
+        std::vector<std::uint16_t> trunk_only;
     } scratch;
 
     // The slots of the samples.

@@ -12,6 +12,11 @@ void Collider::contacts(std::span<ContactBlock> blocks, float /*reach*/) const {
         for (std::size_t i = 0; i < kContactLanes; ++i) block.set(i, contact(block.point(i)));
 }
 
+void Collider::contacts_apart(std::span<ContactBlock> blocks, std::span<const std::uint16_t> /*trunk_only*/,
+                              float reach) const {
+    contacts(blocks, reach);
+}
+
 namespace {
 
 constexpr float kNoDirection = 1e-12F;  // m, a shorter vector has no usable direction

@@ -3,6 +3,7 @@
 // the analytic colliders: sphere, cylinder, and none. (thesis 4.4)
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -55,6 +56,11 @@ class Collider {
     // distance of at least reach may be too small by any amount, and its normal is undefined. No distance is too large
     // by more than max_error(), so a point can move by distance - max_error() before it can touch the surface.
     virtual void contacts(std::span<ContactBlock> blocks, float reach) const;
+
+    // The same for colliders that have a body's limbs apart: the slots of trunk_only, a bit per slot and a mask per
+    // block, have no contact with the limbs. Other colliders have no such parts.
+    virtual void contacts_apart(std::span<ContactBlock> blocks, std::span<const std::uint16_t> trunk_only,
+                                float reach) const;
 
     // First intersection of the segment with the surface, from either side.
     virtual std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const = 0;

@@ -10,6 +10,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 #include "sim/dress/carry_over.h"
+#include "sim/dress/limbs_aside.h"
 #include "sim/place/placement.h"
 
 namespace selvedge::sim {
@@ -42,6 +43,8 @@ std::vector<Fabric> fabrics_of(const Pattern& pattern, const std::optional<Fabri
 }
 
 Dressing::Dressing(std::function<void()> interrupt) : interrupt_(std::move(interrupt)) {}
+
+Dressing::~Dressing() = default;
 
 DressingStage Dressing::stage() const {
     if (sewing_) return DressingStage::Sew;
@@ -103,8 +106,10 @@ void Dressing::sew() {
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
     SewingOptions options;
     if (options_.self_collision) options.self_contact.emplace();
-    for (const Panel& panel : anchored().panels) options.layers.push_back(panel.layer);
-    GarmentSewing sewing(std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options));
+    GarmentSewing sewing(std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),
+                         [this](const GarmentMesh& next, const GarmentMesh& all) {
+                             return LimbsAside::plan(next, all, anchored(), *body_);
+                         });
     clear();
     sewing_.emplace(std::move(sewing));
     std::ranges::copy(anchored_->notes, std::back_inserter(notes_));

@@ -57,11 +57,12 @@ std::vector<bool> panels_of(const Garment& garment, std::size_t panels) {
 }  // namespace
 
 GarmentSewing::GarmentSewing(GarmentMesh unsewn, std::vector<Garment> garments, std::vector<Fabric> fabrics,
-                             const BodyCollider& body, SewingOptions options)
+                             const BodyCollider& body, SewingOptions options, PlanLimbs plan_limbs)
     : unsewn_(std::move(unsewn)),
       garments_(std::move(garments)),
       fabrics_(std::move(fabrics)),
       options_(std::move(options)),
+      plan_limbs_(std::move(plan_limbs)),
       is_worn_(unsewn_.panel_names.size(), false),
       sewn_vertex_(unsewn_.x.size(), -1) {
     SELVEDGE_ASSERT(!garments_.empty());
@@ -101,6 +102,10 @@ void GarmentSewing::start_next() {
         }
         all.mesh.links = std::move(to_close);
     }
+    if (plan_limbs_) {
+        const MeshPart next = part_of(unsewn_, panels_of(garments_[next_], is_worn_.size()));
+        limbs_aside_ = plan_limbs_(next.mesh, all.mesh);
+    }
     ++next_;
     run_.emplace(std::move(all.mesh), fabrics_, options_);
 }
@@ -110,11 +115,11 @@ bool GarmentSewing::advance(const BodyCollider& body) {
         relax(body);
         return true;
     }
-    if (run_->advance(body)) return true;
+    if (limbs_aside_ ? limbs_aside_->advance(*run_) : run_->advance(body)) return true;
+    limbs_aside_.reset();
     wear();
     if (is_last() || done_.bad_vertex) return false;
     relaxing_ = make_cloth(done_.sewn, fabrics_, {.max_level = 0});
-    relaxing_->material.layers = options_.layers;
     refresh_contacts(*relaxing_);
     relaxed_ = 0;
     return true;

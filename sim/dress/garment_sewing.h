@@ -2,6 +2,8 @@
 // Sews the garments of a pattern onto the body one after the other, from the innermost to the outermost. Each is worn
 // before the next one is placed round it: its seams are closed, and their tension has relaxed. What is worn stays cloth
 // while the next one is sewn, and contact keeps that one outside.
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,6 +11,7 @@
 #include <vector>
 
 #include "sim/cloth/cloth.h"
+#include "sim/dress/limbs_aside.h"
 #include "sim/dress/sewing.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
@@ -20,10 +23,13 @@ class BodyCollider;
 
 class GarmentSewing {
  public:
+    // Plans what to do with arms in the way of panels (LimbsAside::plan).
+    using PlanLimbs = std::function<std::unique_ptr<LimbsAside>(const GarmentMesh& unsewn, const GarmentMesh& sewing)>;
+
     // `unsewn`: all panels of the garments, where they are placed. Moves panels to where they can be sewn
     // (make_sewable). Several garments are always kept apart, whatever the options say.
     GarmentSewing(GarmentMesh unsewn, std::vector<Garment> garments, std::vector<Fabric> fabrics,
-                  const BodyCollider& body, SewingOptions options);
+                  const BodyCollider& body, SewingOptions options, PlanLimbs plan_limbs = {});
 
     // One step. Returns false when all garments are sewn, or a value is not finite. Pre: no call returned false.
     bool advance(const BodyCollider& body);
@@ -45,13 +51,15 @@ class GarmentSewing {
     std::vector<Garment> garments_;
     std::vector<Fabric> fabrics_;
     SewingOptions options_;
-    std::vector<bool> is_worn_;      // per panel
-    std::size_t next_ = 0;           // garment
-    std::vector<int> sewn_vertex_;   // per vertex of unsewn_ that is worn: its vertex in the cloth; others -1
-    std::optional<SewingRun> run_;   // of the garment before next_
-    std::optional<Cloth> relaxing_;  // the garments so far, when it is done
-    double relaxed_ = 0;             // s
-    SewingResult done_;              // of the garments so far
+    PlanLimbs plan_limbs_;
+    std::vector<bool> is_worn_;     // per panel
+    std::size_t next_ = 0;          // garment
+    std::vector<int> sewn_vertex_;  // per vertex of unsewn_ that is worn: its vertex in the cloth; others -1
+    std::optional<SewingRun> run_;  // of the garment before next_
+    std::unique_ptr<LimbsAside> limbs_aside_{};  // during that run; none: no arm is in the way
+    std::optional<Cloth> relaxing_;              // the garments so far, when it is done
+    double relaxed_ = 0;                         // s
+    SewingResult done_;                          // of the garments so far
     std::vector<std::string> notes_;
 };
 

@@ -13,6 +13,7 @@ namespace selvedge::sim {
 namespace {
 
 constexpr float kSewingDamping = 12;  // 1/s: strong, so that panels do not swing
+constexpr float kFallDamping = 4;     // 1/s
 
 float gap_of(const Cloth& cloth, const SeamLink& link) {
     return (cloth.x[static_cast<std::size_t>(link.a)] - cloth.x[static_cast<std::size_t>(link.b)]).norm();
@@ -68,7 +69,6 @@ SewingRun::SewingRun(GarmentMesh unsewn, const std::vector<Fabric>& fabrics, con
     refresh_contacts(cloth_, options.contact);
     const std::vector<int> as_sewn = representatives_of_links(mesh_.x.size(), links_);
     cloth_.solver.self_contact->sewn.assign(as_sewn.begin(), as_sewn.end());
-    cloth_.material.layers = options.layers;
 }
 
 bool SewingRun::advance(const Collider& body) {
@@ -86,6 +86,27 @@ bool SewingRun::advance(const Collider& body) {
     if (bad_vertex_) return false;
     if (stepping.seam_gap <= 0 && widest_gap(cloth_, links_) < options_.closed_gap) return false;
     return seconds_ < limit_;
+}
+
+void SewingRun::fall(const Collider& body) {
+    const StepOptions usual;
+    StepOptions stepping = stepping_for(options_, pulls_);
+    stepping.gravity = usual.gravity;
+    stepping.extra_damping = kFallDamping;
+    stepping.contact.friction_scale = options_.contact.friction_scale;
+    stepping.limit_iterations = usual.limit_iterations;
+    stepping.self_contact = options_.self_contact;
+    const std::vector<Vec4f> before = cloth_.x;
+    const float seconds = step_seconds(cloth_, stepping);
+    step(cloth_, body, stepping);
+    seconds_ += seconds;
+    rms_speed_ = selvedge::sim::rms_speed(cloth_, before, static_cast<double>(seconds));
+    bad_vertex_ = find_bad_vertex(cloth_);
+}
+
+void SewingRun::meet_trunk_only(std::vector<bool> vertices) {
+    cloth_.solver.contacts.is_trunk_only = std::move(vertices);
+    selvedge::sim::forget_contacts(cloth_);
 }
 
 SewingResult SewingRun::result() && {

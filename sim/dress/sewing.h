@@ -19,7 +19,6 @@ struct SewingOptions {
     float extra_pull_time = 1.5F;  // s of further pulling after the allowed gap has reached zero
     ContactOptions contact{};
     std::optional<SelfContactOptions> self_contact{};  // none: panels pass through each other
-    std::vector<int> layers{};                         // of the panels (Panel::layer); empty: none has one
 };
 
 struct OpenSeam {
@@ -43,6 +42,16 @@ class SewingRun {
     // false.
     bool advance(const Collider& body);
 
+    // One step under gravity with the seams held closed, after advance() has returned false.
+    void fall(const Collider& body);
+    // Vertices that meet the trunk of a JointedCollider only (ContactState::is_trunk_only).
+    void meet_trunk_only(std::vector<bool> vertices);
+    // To be called when the collider has moved.
+    void forget_contacts() { selvedge::sim::forget_contacts(cloth_); }
+    float rms_speed() const { return rms_speed_; }  // m/s, in the last step of the fall
+    float seconds() const { return seconds_; }
+    bool has_bad_number() const { return bad_vertex_.has_value(); }
+
     double fraction() const { return std::min(1.0F, seconds_ / limit_); }
     const Cloth& cloth() const { return cloth_; }  // of the separate panels
     std::span<const SeamLink> links() const { return links_; }
@@ -56,6 +65,7 @@ class SewingRun {
     std::vector<SeamPull> pulls_;
     float start_gap_ = 0;  // m
     float limit_ = 0;      // s
+    float rms_speed_ = 0;  // m/s
     float seconds_ = 0;
     std::optional<VertexId> bad_vertex_;
 };

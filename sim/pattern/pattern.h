@@ -67,6 +67,7 @@ struct Panel {
     double wrap_radius = 0;  // m; 0: the panel starts flat. Otherwise it starts bent to a cylinder of this radius, with
                              // the axis parallel to the panel's y, behind x = 0 on the fabric's wrong side
     std::string mirror_of = {};                // this panel is kept a mirror image of that panel; empty: of none
+    std::string label = {};                    // GarmentCode's part of the body: "body", "leg", "arm"; or anything
     std::optional<Vec2d> sheet_position = {};  // m, of the panel's origin on the 2D sheet; none: automatic layout
 
     // The world position, m, of the panel point u (panel frame, m).

@@ -266,6 +266,8 @@ class Writer {
         write_rotation(json, panel);
         write_vertices(json["vertices"], panel);
         write_edges(json["edges"], panel);
+        if (const Json* label = json.find("label"); !label || label->is_string())
+            set_unless_default(json, "label", panel.label, std::string());
         write_panel_additions(json, panel);
     }
 

@@ -86,6 +86,8 @@ class Reader : private FaultReader {
         if (const Node rotation = node.member("rotation")) {
             if (const auto angles = triple(rotation)) panel.rotation = rotation_from_degrees(*angles);
         }
+        if (const Node label = node.member("label"); label && label.value->is_string())
+            panel.label = label.value->string();
         if (const Node own = node.member("selvedge")) read_panel_additions(own, panel);
         if (error_count() == before) convert_to_panel_frame(*this, node, panel);
     }

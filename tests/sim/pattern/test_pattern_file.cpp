@@ -240,6 +240,15 @@ TEST(PatternFile, writes_offsets_of_setts_names_of_seams_and_what_was_matched_sh
     EXPECT_EQ(write_pattern(document).find("right side"), std::string::npos);
 }
 
+TEST(PatternFile, reads_and_writes_the_labels_of_panels) {
+    PatternDocument document = parse_pattern(sample_text(), "");
+    EXPECT_EQ(document.pattern.panels[0].label, "");
+    document.pattern.panels[0].label = "leg";
+    const PatternDocument again = parse_pattern(write_pattern(document), "");
+    EXPECT_EQ(again.pattern.panels[0].label, "leg");
+    EXPECT_EQ(again.pattern.panels[1].label, "");
+}
+
 TEST(PatternFile, follows_panels_and_seams_that_come_and_go) {
     PatternDocument document = parse_pattern(sample_text(), "");
     Panel third = document.pattern.panels[1];
