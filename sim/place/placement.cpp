@@ -13,6 +13,7 @@
 #include "sim/collide/body_collider.h"
 #include "sim/collide/surface_bvh.h"
 #include "sim/pattern/outline.h"
+#include "sim/place/limb_pieces.h"
 #include "sim/place/limbs.h"
 
 namespace selvedge::sim {
@@ -191,14 +192,52 @@ double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body) {
     return best;
 }
 
+namespace {
+
+// The corners and the middles of the edges of a panel as it is placed, m.
+std::vector<Vec3d> outline_points(const Panel& panel) {
+    std::vector<Vec3d> points;
+    for (const OutlineEdge& edge : panel.edges) {
+        const Vec2d& start = panel.vertices[static_cast<std::size_t>(edge.start)];
+        const Vec2d& end = panel.vertices[static_cast<std::size_t>(edge.end)];
+        for (const double share : {0.0, 0.5}) points.push_back(panel.place(start + share * (end - start)));
+    }
+    return points;
+}
+
+// The turn from the direction of an arm to that on another body; none if they hang alike or one is not found.
+std::optional<Eigen::Quaterniond> turn_of_arm(const BodyLimbs& from, const BodyLimbs& onto, LimbKind arm) {
+    constexpr double kAlike = 0.17;  // rad, 10 degrees: a sleeve has room for that
+    if (!from[arm].is_found || !onto[arm].is_found) return std::nullopt;
+    const auto along = [&](const BodyLimbs& limbs) {
+        const std::vector<LimbJoint>& joints = limbs[arm].joints;
+        return Vec3d((joints[2].centre - joints[0].centre).normalized());  // from the shoulder to the wrist
+    };
+    const auto turn = Eigen::Quaterniond::FromTwoVectors(along(from), along(onto));
+    if (turn.angularDistance(Eigen::Quaterniond::Identity()) < kAlike) return std::nullopt;
+    return turn;
+}
+
+}  // namespace
+
 Stature anchor_panels(Pattern& pattern, const Body& from, const Body& onto) {
     const Stature a = find_stature(from);
     const Stature b = find_stature(onto);
     const double ratio = b.height() / a.height();
+    const auto shift = [&](const Vec3d& x) {
+        const double level = b.floor + (x.y() - a.floor) * ratio;
+        return Vec3d(torso_centre(onto, b, level) - torso_centre(from, a, x.y()));
+    };
+    const BodyLimbs from_limbs = find_limbs(from), onto_limbs = find_limbs(onto);
     for (Panel& panel : pattern.panels) {
-        const Vec3d centre = panel_centre(panel);
-        const double level = b.floor + (centre.y() - a.floor) * ratio;
-        panel.translation += torso_centre(onto, b, level) - torso_centre(from, a, centre.y());
+        const auto arm = arm_of_panel(panel.label, outline_points(panel), from_limbs);
+        panel.translation += shift(panel_centre(panel));
+        const auto turn = arm ? turn_of_arm(from_limbs, onto_limbs, *arm) : std::nullopt;
+        if (!turn) continue;
+        Vec3d shoulder = from_limbs[*arm].joints.front().centre;
+        shoulder += shift(shoulder);
+        panel.rotation = *turn * panel.rotation;
+        panel.translation = shoulder + *turn * (panel.translation - shoulder);
     }
     return b;
 }

@@ -14,7 +14,8 @@ namespace selvedge::sim {
 class BodyCollider;
 
 // Shifts each panel: its height scales with stature, also that of a body without head or legs (sim/body/landmarks.h),
-// and it moves with the centre of the torso's section at that height. `from` is the body that the pattern names. Does
+// and it moves with the centre of the torso's section at that height. A panel of a sleeve turns about the shoulder with
+// its arm, if that hangs at another angle (sim/place/limb_pieces.h). `from` is the body that the pattern names. Does
 // not change the pattern when both bodies are equal. Returns the stature that `onto` was taken to have.
 Stature anchor_panels(Pattern& pattern, const Body& from, const Body& onto);
 

@@ -11,9 +11,11 @@
 #include "sim/dress/dress.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/mesh/sew.h"
+#include "sim/place/limbs.h"
 #include "sim/place/placement.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
+#include "tests/support/posed_body.h"
 
 namespace selvedge::sim::test {
 namespace {
@@ -196,6 +198,28 @@ TEST(ClearPanels, leaves_clear_panels_alone_and_says_nothing) {
     GarmentMesh after = before;
     EXPECT_TRUE(clear_panels(after, collider).empty());
     EXPECT_EQ(after.x, before.x);
+}
+
+// Panels round the left arm of the mannequin turn to the arm that is level, and all others stay.
+TEST(AnchorPanels, turns_a_sleeve_with_its_arm) {
+    const Body from = make_mannequin({.subdivisions = 1}).body;
+    const Body onto = shapes::in_t_pose(from);
+    const std::vector<LimbJoint> arm = find_limbs(from)[LimbKind::LeftArm].joints;
+    const Vec3d up = arm[0].centre - arm[2].centre;
+    Pattern pattern = tube(0.4, 0.3, 1.0, 0.2);
+    pattern.panels.push_back(rectangle("sleeve", {.width = 0.1, .height = 0.2, .y = 0}));
+    pattern.panels.back().rotation = Eigen::AngleAxisd(std::atan2(-up.x(), up.y()), Vec3d::UnitZ()).toRotationMatrix();
+    pattern.panels.back().translation = (arm[0].centre + 3 * arm[2].centre) / 4 + Vec3d(0, 0, 0.08);
+    const Pattern before = pattern;
+    anchor_panels(pattern, from, onto);
+    for (const std::size_t p : {0U, 1U}) EXPECT_TRUE(pattern.panels[p].rotation.isApprox(before.panels[p].rotation));
+    const BodyLimbs level = find_limbs(onto);
+    const Vec3d along = pattern.panels.back().rotation * Vec3d::UnitY();
+    EXPECT_NEAR(
+        std::abs(along.dot(
+            (level[LimbKind::LeftArm].joints[2].centre - level[LimbKind::LeftArm].joints[0].centre).normalized())),
+        1, 0.02);
+    EXPECT_NEAR(pattern.panels.back().place(Vec2d(0, 0.1)).y(), level[LimbKind::LeftArm].joints[1].centre.y(), 0.05);
 }
 
 // Maximum depth (m) inside the body of the straight lines between linked vertices, with all vertices raised by `lift`.
