@@ -86,15 +86,32 @@ void set_standoff(Cloth& cloth, std::size_t v, float standoff) {
 
 }  // namespace
 
-void update_standoffs(Cloth& cloth, const Collider& body) {
-    constexpr float kLowering = 0.5F;  // share of the room that is given back at once: neighbours give back theirs
+void free_standoffs(Cloth& cloth, const StandoffOptions& options) {
+    cloth.solver.contacts.standoff.assign(cloth.x.size() + 1, options.free);
+    forget_contacts(cloth);
+}
+
+void update_standoffs(Cloth& cloth, const Collider& body, const StandoffOptions& options) {
+    constexpr float kLowering = 0.5F;    // share of the room that is given back at once: neighbours give back theirs
+    constexpr float kTouching = 0.001F;  // m, height above which a vertex does not touch
     const std::vector<float> lacks = Lacks(cloth, body).find();
     std::vector<float>& standoff = cloth.solver.contacts.standoff;
     standoff.resize(cloth.x.size() + 1, 0.0F);
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
-        const float lack = lacks[v.value];
-        const float next = std::clamp(standoff[v.value] + (lack > 0 ? lack : kLowering * lack), 0.0F, kMaxStandoff);
-        if (next != standoff[v.value]) set_standoff(cloth, v.value, next);
+        const float lack = lacks[v.value], now = standoff[v.value];
+        const float height = lack <= -kMaxStandoff ? kMaxStandoff + kTouching : height_of(cloth, v.value);
+        float next = now;
+        if (lack > 0) {
+            next = now + lack;
+        } else if (height <= kTouching || height == std::numeric_limits<float>::max()) {
+            next = std::max(0.0F, now - std::min(-kLowering * lack, options.lowering));
+        } else if (now < options.free) {
+            next = std::min(options.free, now + height - kTouching);  // into free room: pushes nothing
+        } else {
+            next = std::max(options.free, now - options.lowering);
+        }
+        next = std::min(next, kMaxStandoff);
+        if (next != now) set_standoff(cloth, v.value, next);
     }
 }
 

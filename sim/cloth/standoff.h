@@ -18,8 +18,19 @@ inline constexpr float kChordClearance = 0.0001F;
 // m, largest standoff: what the chords of cloth in motion need at the default offset
 inline constexpr float kMaxStandoff = 0.003F;
 
-// Raises the standoff of vertices round edges and triangles that are too near to the body, and lowers it where there
-// is room. Vertices are moved out without gaining velocity. Call it between two steps, regularly.
-void update_standoffs(Cloth& cloth, const Collider& body);
+struct StandoffOptions {
+    // m, standoff of vertices that do not touch the body: so that thin parts of it, such as fingers, stop cloth that
+    // falls on them
+    float free = 0;
+    float lowering = kMaxStandoff;  // m, by which a standoff is lowered at most, per call
+};
+
+// Gives all vertices the standoff of free ones.
+void free_standoffs(Cloth& cloth, const StandoffOptions& options);
+
+// Raises the standoff of vertices round edges and triangles that are too near to the body, and lowers it where cloth
+// that touches the body has room. Vertices are moved out without gaining velocity. Call it between two steps,
+// regularly.
+void update_standoffs(Cloth& cloth, const Collider& body, const StandoffOptions& options = {});
 
 }  // namespace selvedge::sim

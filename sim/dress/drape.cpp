@@ -29,9 +29,9 @@ int finishing_substeps(float shortest_edge) {
 
 }  // namespace
 
-DrapeRun::DrapeRun(Cloth& cloth, const DrapeOptions& options)
-    : options_(options), usual_substep_(cloth.substep), offset_(options.contact.offset) {
+DrapeRun::DrapeRun(Cloth& cloth, const DrapeOptions& options) : options_(options), usual_substep_(cloth.substep) {
     refresh_contacts(cloth, options_.contact);
+    free_standoffs(cloth, standoffs(0));
     result_.bad_vertex = find_bad_vertex(cloth);
     change_phase(cloth);
 }
@@ -101,7 +101,7 @@ void DrapeRun::relax_frame(Cloth& cloth, const Collider& body) {
     AdaptClothOptions adapting = options_.adapt;
     if (relaxed_ < options_.coarse_time) adapting.shortest_edge = std::numeric_limits<float>::max();
     adapt_once(cloth, body, adapting);
-    shrink_offset(cloth, body, frame_seconds(cloth, stepping));
+    update_standoffs(cloth, body, standoffs(frame_seconds(cloth, stepping)));
     stepping.contact = contact_now();
     stepping.contact.friction_scale = 0;
     run_steps(cloth, body, stepping);
@@ -119,7 +119,7 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     adapting.may_rejoin = may_rejoin_;
     if (!options_.may_rest || !is_at_rest(cloth)) {
         adapt_once(cloth, body, adapting);
-        shrink_offset(cloth, body, frame_seconds(cloth, stepping));
+        update_standoffs(cloth, body, standoffs(frame_seconds(cloth, stepping)));
         stepping.contact = contact_now();
     }
     run_steps(cloth, body, stepping);
@@ -137,7 +137,7 @@ void DrapeRun::finish_frame(Cloth& cloth, const Collider& body) {
     StepOptions stepping{.gravity = options_.gravity, .extra_damping = kFinishDamping};
     stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // updates would set it in motion
     stepping.substeps *= static_cast<int>(std::lround(usual_substep_ / cloth.substep));
-    shrink_offset(cloth, body, frame_seconds(cloth, stepping));
+    update_standoffs(cloth, body, standoffs(frame_seconds(cloth, stepping)));
     stepping.contact = finishing_contact();
     const std::size_t usual_steps = result_.step_ms.size();
     run_steps(cloth, body, stepping);
@@ -179,7 +179,7 @@ void DrapeRun::run_steps(Cloth& cloth, const Collider& body, StepOptions steppin
 
 ContactOptions DrapeRun::contact_now() const {
     ContactOptions contact = options_.contact;
-    contact.offset = offset_;
+    contact.offset = std::min(options_.rest_offset, options_.contact.offset);
     return contact;
 }
 
@@ -191,12 +191,11 @@ ContactOptions DrapeRun::finishing_contact() const {
     return contact;
 }
 
-// The offset is large while the panels are sewn round the body and their edges are long. It would add 2 pi times its
-// size to every girth of the body.
-void DrapeRun::shrink_offset(Cloth& cloth, const Collider& body, double seconds) {
-    const float least = std::min(options_.rest_offset, options_.contact.offset);
-    offset_ = std::max(least, offset_ - options_.offset_speed * static_cast<float>(seconds));
-    update_standoffs(cloth, body);
+// Cloth that does not touch the body is kept off it as far as while it was sewn. Where it touches, it comes nearer:
+// else that distance would add 2 pi times its size to every girth of the body.
+StandoffOptions DrapeRun::standoffs(double seconds) const {
+    return {.free = std::min(kMaxStandoff, options_.contact.offset - contact_now().offset),
+            .lowering = options_.offset_speed * static_cast<float>(seconds)};
 }
 
 double DrapeRun::frame_seconds(const Cloth& cloth, const StepOptions& stepping) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/standoff.h"
 #include "sim/cloth/step.h"
 
 namespace selvedge::sim {
@@ -26,8 +27,9 @@ struct DrapeOptions {
     bool may_rest = false;                // whether steps skip a cloth at rest during the fall (sim/cloth/resting.h)
     AdaptClothOptions adapt{};
     ContactOptions contact{};
-    float rest_offset = 0.0003F;   // m, contact offset at rest; that of `contact` shrinks to it
-    float offset_speed = 0.0054F;  // m/s at which it does, so within relax_time: about half of rest_speed
+    float rest_offset = 0.0003F;   // m, contact offset of cloth that touches the body; others keep that of `contact`
+    float offset_speed = 0.0054F;  // m/s at which cloth that touches comes nearer: within relax_time, about half of
+                                   // rest_speed
     std::optional<SelfContactOptions> self_contact{};  // none: cloth passes through itself
 
     // Optional; called before each step with its duration (s). Returns the vertices that the user drags.
@@ -90,7 +92,7 @@ class DrapeRun {
     void run_steps(Cloth& cloth, const Collider& body, StepOptions stepping);
     ContactOptions contact_now() const;
     ContactOptions finishing_contact() const;
-    void shrink_offset(Cloth& cloth, const Collider& body, double seconds);
+    StandoffOptions standoffs(double seconds) const;
     double frame_seconds(const Cloth& cloth, const StepOptions& stepping) const;
 
     DrapeOptions options_;
@@ -103,7 +105,6 @@ class DrapeRun {
     bool may_rejoin_ = true;         // it still moves fast enough
     float learning_rate_scale_ = 1;  // of the biases of stretch and shear
     float usual_substep_ = 0;        // s
-    float offset_ = 0;               // m, present contact offset
 };
 
 }  // namespace selvedge::sim

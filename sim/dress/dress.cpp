@@ -71,6 +71,7 @@ void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phas
 }  // namespace
 
 DressedGarment dress(const Pattern& pattern, const Body& body, const DressOptions& options, const Progress& progress) {
+    check_layers(pattern, options);
     DressedGarment dressed;
     DressReport& report = dressed.report;
     PhaseTimer timer(report.timing);

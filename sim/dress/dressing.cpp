@@ -100,9 +100,19 @@ bool Dressing::advance() {
     return stage() != DressingStage::Done;
 }
 
+void check_layers(const Pattern& pattern, const DressOptions& options) {
+    if (options.self_collision) return;
+    if (garments_of(pattern).size() > 1)
+        throw InputError("", "", "garments that are worn over each other need contact of the cloth with itself");
+    for (const Panel& panel : pattern.panels) {
+        if (panel.layer != pattern.panels.front().layer)
+            throw InputError("", "", "layers ('" + panel.name + "') need contact of the cloth with itself");
+    }
+}
+
 void Dressing::sew() {
     if (!body_) throw InputError("", "", "there is no body to put it on");
-    check_layers();
+    check_layers(pattern_, options_);
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
     SewingOptions options;
     if (options_.self_collision) options.self_contact.emplace();
@@ -115,17 +125,6 @@ void Dressing::sew() {
     std::ranges::copy(anchored_->notes, std::back_inserter(notes_));
     std::ranges::move(sewing_->take_notes(), std::back_inserter(notes_));
     past_seconds_ = 0;
-}
-
-// Contact keeps layers in order.
-void Dressing::check_layers() const {
-    if (options_.self_collision) return;
-    if (garments_of(pattern_).size() > 1)
-        throw InputError("", "", "garments that are worn over each other need contact of the cloth with itself");
-    for (const Panel& panel : pattern_.panels) {
-        if (panel.layer != pattern_.panels.front().layer)
-            throw InputError("", "", "layers ('" + panel.name + "') need contact of the cloth with itself");
-    }
 }
 
 void Dressing::end_sewing() {

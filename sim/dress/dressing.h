@@ -56,6 +56,9 @@ enum class DressingStage {
     Done    // at rest, out of time, or a value is not finite
 };
 
+// Throws InputError if the garment has layers and the options leave out the contact that keeps them in order.
+void check_layers(const Pattern& pattern, const DressOptions& options);
+
 class Dressing {
  public:
     // interrupt: called regularly during long operations; its exceptions propagate from any method here.
@@ -136,7 +139,6 @@ class Dressing {
         BodyCollider collider;
     };
 
-    void check_layers() const;
     void end_sewing();
     void hang(Drape drape, double relax_time);
     void apply_options();

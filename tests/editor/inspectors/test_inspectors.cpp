@@ -94,6 +94,7 @@ TEST(GarmentInspector, lists_garments_that_are_worn_over_each_other_hides_and_re
     EXPECT_FALSE(inspector.widgets.contains("garment.show.tshirt")) << "one alone";
     EXPECT_TRUE(inspector.workspace.wear_over(shipped_pattern("skirt.json")));
     inspector.document().select({});
+    inspector.frame();
     inspector.click("garment.show.skirt");
     EXPECT_EQ(inspector.workspace.look.hidden_garments, std::set<std::string>{"skirt"});
     inspector.click("garment.show.skirt");
@@ -101,6 +102,7 @@ TEST(GarmentInspector, lists_garments_that_are_worn_over_each_other_hides_and_re
     inspector.click("garment.select.skirt");
     EXPECT_EQ(inspector.document().selection().panels.size(), 2U);
     inspector.document().select({});
+    inspector.frame();
     inspector.click("garment.remove.skirt");
     EXPECT_EQ(inspector.document().pattern().panels.size(), 6U);
     inspector.document().undo();

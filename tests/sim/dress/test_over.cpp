@@ -196,7 +196,7 @@ TEST(DressOver, a_vest_sits_over_a_tshirt_everywhere) {
     EXPECT_EQ(list_faults(report), "");
     EXPECT_EQ(report.garments, (std::vector<std::string>{"tshirt", "vest"}));
     EXPECT_EQ(report.contact.self_crossings, 0);
-    EXPECT_GT(report.contact.on_lower_layer, 500);
+    EXPECT_GT(report.contact.on_lower_layer, 200);
     EXPECT_EQ(report.contact.wrong_layer_order, 0);
 }
 
