@@ -16,6 +16,9 @@
 namespace selvedge::render {
 namespace {
 
+// m, more than the chords of cloth that lies on a body pass through its curved parts (0.5 mm)
+constexpr float kBodyShrink = 0.001F;
+
 // Texture units.
 constexpr int kShadowMaskUnit = 0, kSettUnit = 1, kPaintUnit = 7;
 
@@ -180,7 +183,9 @@ struct Renderer::Impl {
         body_place.use();
         set_light(body_place, frame);
         if (buffers.ground) draw_surface(*buffers.ground);
+        body_place.set("shrink", kBodyShrink);
         for (const SurfaceBuffer& surface : buffers.bodies) draw_surface(surface);
+        body_place.set("shrink", 0.0F);
         for (const SolidBuffer& buffer : buffers.solids) draw_solid(buffer);
         cloth_place.use();
         set_light(cloth_place, frame);
@@ -210,6 +215,7 @@ struct Renderer::Impl {
     void draw_bodies(const Frame& frame, const SceneBuffers& buffers) const {
         body.use();
         set_light(body, frame);
+        body.set("shrink", kBodyShrink);
         for (const SurfaceBuffer& surface : buffers.bodies) {
             body.set("body_colour", surface.colour);
             set_material(body, surface.material);
