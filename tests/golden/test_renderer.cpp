@@ -74,6 +74,25 @@ TEST(Renderer, a_transparent_backdrop_leaves_corners_empty_and_cloth_whole) {
     EXPECT_EQ(image.at(64, 50)[3], 255);
 }
 
+// The surface of the cloth, moved outwards, as a body.
+render::BodyItem skin_over(const sim::DrawMesh& cloth, float by) {
+    render::BodyItem skin{.x = cloth.x, .normals = cloth.normals, .triangles = cloth.triangles};
+    for (std::size_t v = 0; v < skin.x.size(); ++v) skin.x[v] += by * skin.normals[v];
+    return skin;
+}
+
+TEST(Renderer, skin_does_not_show_through_cloth_that_lies_half_a_millimetre_in_it) {
+    const auto draw = [](float by) {
+        render::Scene scene = make_frozen_scene({.view = render::View::Front, .has_ball = false});
+        scene.cloths[0].show = render::ShowMode::Plain;
+        scene.cloths[0].colour = {0xC0, 0x10, 0x10};
+        scene.bodies = {skin_over(scene.cloths[0].mesh, by)};
+        return render::Renderer().draw(scene, {.width_px = 128, .height_px = 128}).at(64, 50);
+    };
+    EXPECT_GT(draw(0.0005F)[0], 2 * draw(0.0005F)[1]) << "red cloth";
+    EXPECT_LT(draw(0.003F)[0], 2 * draw(0.003F)[1]) << "skin";
+}
+
 // From afar every stripe is finer than a pixel: the cloth must have the sett's mean colour without a pattern.
 TEST(Renderer, from_afar_the_tartan_neither_shimmers_nor_shifts_its_colour) {
     render::Scene scene = make_frozen_scene({.view = render::View::Front});
