@@ -5,7 +5,6 @@
 #include "sim/adaptive/criteria.h"
 #include "sim/adaptive/surface_normals.h"
 #include "sim/cloth/contact_guard.h"
-#include "sim/cloth/contact_length_criterion.h"
 #include "sim/cloth/contact_surface.h"
 #include "sim/cloth/state_transfer.h"
 #include "sim/collide/collider.h"
@@ -91,16 +90,13 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     const MinimumLevelCriterion minimum{options.minimum_levels};
     const PinnedVertexCriterion kept{options.kept_vertices};
     const BackFaceCriterion back_face{options.visibility};
-    const std::vector<float> touching = cloth.solver.self_contact->contact.shortest_touching();
-    const ContactLengthCriterion contact_length{touching};
     const BudgetVeto veto{options.budget};
     const BudgetCriterion keep{options.budget};
     return adapt_choosing(
         choice, cloth.mesh, observer, {.max_level = options.max_level, .transitions = options.transitions},
         ShortestEdgeCriterion{options.shortest_edge}, RejoinSwitch{options.may_rejoin}, OptionalCriterion(counts, veto),
         OptionalCriterion(sees, back_face), OptionalCriterion(tests_shape, look_ahead),
-        OptionalCriterion(!options.minimum_levels.empty(), minimum),
-        OptionalCriterion(!touching.empty(), contact_length), OptionalCriterion(counts, keep),
+        OptionalCriterion(!options.minimum_levels.empty(), minimum), OptionalCriterion(counts, keep),
         OptionalCriterion(!options.kept_vertices.empty(), kept), OptionalCriterion(on.collision, collision));
 }
 

@@ -61,7 +61,6 @@ class PairSearch {
         return {normal_[0][triangle], normal_[1][triangle], normal_[2][triangle]};
     }
     bool is_flat(std::uint32_t vertex) const { return sharp_[vertex] == 0; }
-    float shortest_edge(std::uint32_t triangle) const { return shortest_edge_[triangle]; }  // m, at rest
     const std::array<std::uint32_t, 3>& owned_edges(std::uint32_t triangle) const { return owned_edges_[triangle]; }
 
  private:

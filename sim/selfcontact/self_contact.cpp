@@ -368,29 +368,6 @@ void SelfContact::limit_clearances(const PairList& pairs, const MovingPoints& po
     }
 }
 
-std::vector<float> SelfContact::shortest_touching() const {
-    if (!has_detected_) return {};
-    std::vector<float> touching(start_.size(), std::numeric_limits<float>::max());
-    note_touching(pairs_.vertex_triangle, touching);
-    note_touching(pairs_.edge_edge, touching);
-    return touching;
-}
-
-void SelfContact::note_touching(const PairList& pairs, std::vector<float>& touching) const {
-    constexpr float kNear = 0.001F;  // m, beyond the radius: pushed apart, cloth hardly gets nearer
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const PairBlock& block = pairs.blocks()[i / kBlock];
-        const std::size_t at = i % kBlock;
-        if (block.gap[at] > block.radius[at] + kNear) continue;
-        for (std::size_t side = 0; side < 2; ++side) {
-            const float shortest = search_.shortest_edge(block.triangles[1 - side][at]);
-            for (const std::uint32_t v : surface_.triangles[block.triangles[side][at]].vertices) {
-                touching[v] = std::min(touching[v], shortest);
-            }
-        }
-    }
-}
-
 float SelfContact::thickest(const SelfContactOptions& options) const {
     float thickest = 0;
     for (const ContactSheet& sheet : surface_.sheets) thickest = std::max(thickest, sheet.thickness);

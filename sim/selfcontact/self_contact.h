@@ -65,10 +65,6 @@ class SelfContact {
     // surfaces that both move by less do not meet. Empty if there was no detection.
     std::vector<float> clearances(const MovingPoints& points) const;
 
-    // The shortest edge of the triangles that nearly touch the vertex, or an element at it: by vertex, m; the largest
-    // float where there is none. Empty if there was no detection.
-    std::vector<float> shortest_touching() const;
-
     bool is_clean() const { return is_clean_; }  // whether the last exact test found no crossing
     const ContactSurface& surface() const { return surface_; }
     std::span<const Crossing> crossings() const { return crossings_; }
@@ -94,7 +90,6 @@ class SelfContact {
     void list_contacts(PairList& pairs, const MovingPoints& points, const SelfContactOptions& options);
     void certify(const MovingPoints& points, const SelfContactOptions& options);
     void untangle(const MovingPoints& points, const SelfContactOptions& options);
-    void note_touching(const PairList& pairs, std::vector<float>& touching) const;
     void limit_clearances(const PairList& pairs, const MovingPoints& points, std::vector<float>& clearances) const;
     float thickest(const SelfContactOptions& options) const;
     void keep_clean_state(const MovingPoints& points);

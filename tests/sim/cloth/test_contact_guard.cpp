@@ -3,11 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <vector>
 
 #include "sim/cloth/adapt_cloth.h"
-#include "sim/cloth/contact_length_criterion.h"
 #include "sim/cloth/contact_surface.h"
 #include "sim/cloth/step.h"
 #include "sim/collide/collider.h"
@@ -93,36 +91,6 @@ TEST(SelfContactOfCloth, a_pile_of_adaptive_cloth_does_not_cross_itself) {
         EXPECT_TRUE(find_crossing_triangles(surface, cloth.x.front().data()).empty()) << "frame " << frame;
     }
     EXPECT_GT(most_leaves, 2 * static_cast<int>(cloth.mesh.base_triangle_count()));
-}
-
-TEST(ContactLengthCriterion, splits_edges_more_than_two_levels_coarser_than_what_they_touch) {
-    Cloth cloth = make_patch(find_fabric("cotton_shirting"), {.side = 0.4, .quads = 4});  // edges of 0.1 m and more
-    const VertexId touched = cloth.mesh.leaf_vertices().front();
-    std::vector<float> touching(cloth.x.size(), std::numeric_limits<float>::max());
-    touching[touched.value] = 0.02F;
-    const ContactLengthCriterion criterion{touching};
-    int split = 0, kept = 0;
-    for (const EdgeId e : cloth.mesh.unsplit_edges(0)) {
-        const bool touches = cloth.mesh.end(e, 0) == touched || cloth.mesh.end(e, 1) == touched;
-        EXPECT_EQ(criterion.wants_split(cloth.mesh, e), touches);
-        ++(touches ? split : kept);
-    }
-    EXPECT_GT(split, 1);
-    EXPECT_GT(kept, 1);
-    touching[touched.value] = 0.04F;
-    for (const EdgeId e : cloth.mesh.unsplit_edges(0)) EXPECT_FALSE(criterion.wants_split(cloth.mesh, e));
-}
-
-TEST(ContactLengthCriterion, edges_that_touch_finer_cloth_do_not_rejoin) {
-    Cloth cloth = make_patch(find_fabric("cotton_shirting"), {.side = 0.4, .quads = 4});
-    refine(cloth, 1);
-    std::vector<float> touching(cloth.x.size(), std::numeric_limits<float>::max());
-    const ContactLengthCriterion criterion{touching};
-    for (const EdgeId e : cloth.mesh.split_edges(0)) {
-        EXPECT_TRUE(criterion.allows_rejoin(cloth.mesh, e));
-        touching[cloth.mesh.centre(e).value] = 0.02F;
-        EXPECT_FALSE(criterion.allows_rejoin(cloth.mesh, e));
-    }
 }
 
 TEST(ContactSurface, holds_every_leaf_and_edge_once) {

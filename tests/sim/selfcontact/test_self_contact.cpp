@@ -130,20 +130,6 @@ TEST(SelfContact, sheets_at_rest_need_no_further_detection) {
     EXPECT_EQ(contact.counts().detections, 1);
 }
 
-TEST(SelfContact, tells_how_fine_the_cloth_is_that_a_vertex_touches) {
-    Sheets sheets;
-    add_flat_sheet(sheets, 2, 0.1F, 0, 0);
-    const std::uint32_t fine = sheets.vertices();
-    add_flat_sheet(sheets, 4, 0.01F, 0, 0.0015F);  // above a corner of the coarse one
-    SelfContact contact;
-    contact.set_surface(sheets.surface, sheets.vertices());
-    contact.begin_step(sheets.points(), {});
-    const std::vector<float> touching = contact.shortest_touching();
-    EXPECT_NEAR(touching[0], 0.01F, 1e-5F);
-    EXPECT_EQ(touching[8], std::numeric_limits<float>::max());  // the opposite corner
-    EXPECT_NEAR(touching[fine], 0.1F, 1e-5F);
-}
-
 TEST(SelfContact, falling_together_needs_no_further_detection) {
     Sheets sheets;
     add_flat_sheet(sheets, 8, kEdge, 0, 0);
