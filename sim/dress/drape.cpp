@@ -97,12 +97,11 @@ void DrapeRun::end(Cloth& cloth) {
 
 // Without gravity and friction, seam tension relaxes and cloth that crumpled during sewing slides flat.
 void DrapeRun::relax_frame(Cloth& cloth, const Collider& body) {
-    StepOptions stepping{.gravity = Vec3f::Zero(), .extra_damping = kRelaxDamping};
+    StepOptions stepping{.gravity = Vec3f::Zero(), .extra_damping = kRelaxDamping, .contact = falling_contact()};
     AdaptClothOptions adapting = options_.adapt;
     if (relaxed_ < options_.coarse_time) adapting.shortest_edge = std::numeric_limits<float>::max();
     adapt_once(cloth, body, adapting);
     update_standoffs(cloth, body, standoffs(frame_seconds(cloth, stepping)));
-    stepping.contact = contact_now();
     stepping.contact.friction_scale = 0;
     run_steps(cloth, body, stepping);
     relaxed_ += frame_seconds(cloth, stepping);
@@ -110,7 +109,7 @@ void DrapeRun::relax_frame(Cloth& cloth, const Collider& body) {
 
 void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     const float elapsed = static_cast<float>(result_.simulated_seconds - phase_start_);
-    StepOptions stepping{.gravity = options_.gravity, .contact = contact_now(), .may_rest = options_.may_rest};
+    StepOptions stepping{.gravity = options_.gravity, .contact = falling_contact(), .may_rest = options_.may_rest};
     stepping.extra_damping = kFallDamping + options_.damping_growth * elapsed;
     // The update rates of the biases decrease as the garment comes to rest; otherwise they would keep it moving.
     stepping.stretch_bias_rate *= learning_rate_scale_;
@@ -120,7 +119,6 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     if (!options_.may_rest || !is_at_rest(cloth)) {
         adapt_once(cloth, body, adapting);
         update_standoffs(cloth, body, standoffs(frame_seconds(cloth, stepping)));
-        stepping.contact = contact_now();
     }
     run_steps(cloth, body, stepping);
     may_rejoin_ = result_.rms_speed >= options_.calm_speed;
@@ -134,11 +132,10 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
 // one solver iteration per sub-step cannot move what many other constraints hold. Finer sub-steps leave 10 %. The
 // movement that they cause gets some time to come to rest. What is then beyond the fabric's strain limit is projected.
 void DrapeRun::finish_frame(Cloth& cloth, const Collider& body) {
-    StepOptions stepping{.gravity = options_.gravity, .extra_damping = kFinishDamping};
+    StepOptions stepping{.gravity = options_.gravity, .extra_damping = kFinishDamping, .contact = finishing_contact()};
     stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // updates would set it in motion
     stepping.substeps *= static_cast<int>(std::lround(usual_substep_ / cloth.substep));
     update_standoffs(cloth, body, standoffs(frame_seconds(cloth, stepping)));
-    stepping.contact = finishing_contact();
     const std::size_t usual_steps = result_.step_ms.size();
     run_steps(cloth, body, stepping);
     result_.step_ms.resize(usual_steps);  // the statistics cover steps of usual length only
@@ -155,7 +152,7 @@ bool DrapeRun::finishes() const {
 
 void DrapeRun::adapt_once(Cloth& cloth, const Collider& body, const AdaptClothOptions& adapting) {
     const auto start = Clock::now();
-    const AdaptReport adapted = adapt_cloth(cloth, body, adapting, contact_now());
+    const AdaptReport adapted = adapt_cloth(cloth, body, adapting, falling_contact());
     result_.adaptation_ms.push_back(ms_since(start));
     result_.splits += adapted.splits;
     result_.rejoins += adapted.rejoins;
@@ -177,7 +174,7 @@ void DrapeRun::run_steps(Cloth& cloth, const Collider& body, StepOptions steppin
     result_.bad_vertex = find_bad_vertex(cloth);
 }
 
-ContactOptions DrapeRun::contact_now() const {
+ContactOptions DrapeRun::falling_contact() const {
     ContactOptions contact = options_.contact;
     contact.offset = std::min(options_.rest_offset, options_.contact.offset);
     return contact;
@@ -186,7 +183,7 @@ ContactOptions DrapeRun::contact_now() const {
 // The mesh stays as it is in the final phase, so edges cannot be split where they dip into the body: they have samples
 // where the adaptation would put vertices.
 ContactOptions DrapeRun::finishing_contact() const {
-    ContactOptions contact = contact_now();
+    ContactOptions contact = falling_contact();
     contact.sample_spacing = std::min(contact.sample_spacing, options_.adapt.shortest_edge / 2);
     return contact;
 }
@@ -194,7 +191,7 @@ ContactOptions DrapeRun::finishing_contact() const {
 // Cloth that does not touch the body is kept off it as far as while it was sewn. Where it touches, it comes nearer:
 // else that distance would add 2 pi times its size to every girth of the body.
 StandoffOptions DrapeRun::standoffs(double seconds) const {
-    return {.free = std::min(kMaxStandoff, options_.contact.offset - contact_now().offset),
+    return {.free = std::min(kMaxStandoff, options_.contact.offset - falling_contact().offset),
             .lowering = options_.offset_speed * static_cast<float>(seconds)};
 }
 

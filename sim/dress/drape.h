@@ -90,7 +90,7 @@ class DrapeRun {
     bool finishes() const;
     void adapt_once(Cloth& cloth, const Collider& body, const AdaptClothOptions& adapting);
     void run_steps(Cloth& cloth, const Collider& body, StepOptions stepping);
-    ContactOptions contact_now() const;
+    ContactOptions falling_contact() const;
     ContactOptions finishing_contact() const;
     StandoffOptions standoffs(double seconds) const;
     double frame_seconds(const Cloth& cloth, const StepOptions& stepping) const;

@@ -44,8 +44,6 @@ std::vector<Fabric> fabrics_of(const Pattern& pattern, const std::optional<Fabri
 
 Dressing::Dressing(std::function<void()> interrupt) : interrupt_(std::move(interrupt)) {}
 
-Dressing::~Dressing() = default;
-
 DressingStage Dressing::stage() const {
     if (sewing_) return DressingStage::Sew;
     if (!drape_) return DressingStage::Place;

@@ -63,7 +63,6 @@ class Dressing {
  public:
     // interrupt: called regularly during long operations; its exceptions propagate from any method here.
     explicit Dressing(std::function<void()> interrupt = {});
-    ~Dressing();
     Dressing(const Dressing&) = delete;
     Dressing& operator=(const Dressing&) = delete;
 

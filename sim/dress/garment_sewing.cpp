@@ -67,21 +67,22 @@ GarmentSewing::GarmentSewing(GarmentMesh unsewn, std::vector<Garment> garments, 
       sewn_vertex_(unsewn_.x.size(), -1) {
     SELVEDGE_ASSERT(!garments_.empty());
     if (garments_.size() > 1 && !options_.self_contact) options_.self_contact.emplace();
-    place_next(body);
-    start_next();
+    start_next(body);
 }
 
-// Outside of what is worn.
-void GarmentSewing::place_next(const BodyCollider& body) {
+// Outside of what is worn. Returns the next garment's panels.
+GarmentMesh GarmentSewing::place_next(const BodyCollider& body) {
     MeshPart next = part_of(unsewn_, panels_of(garments_[next_], is_worn_.size()));
     const GarmentMesh worn = part_of(unsewn_, is_worn_).mesh;
     std::ranges::move(make_sewable(next.mesh, body, worn), std::back_inserter(notes_));
     for (std::size_t v = 0; v < next.vertices.size(); ++v)
         unsewn_.x[static_cast<std::size_t>(next.vertices[v])] = next.mesh.x[v];
+    return std::move(next.mesh);
 }
 
 // What is worn stays sewn where its seams closed. Seams between garments are closed with the outer one.
-void GarmentSewing::start_next() {
+void GarmentSewing::start_next(const BodyCollider& body) {
+    const GarmentMesh next = place_next(body);
     const std::vector<bool> was_worn = is_worn_;
     for (const int p : garments_[next_].panels) is_worn_[static_cast<std::size_t>(p)] = true;
     MeshPart all = part_of(unsewn_, is_worn_);
@@ -102,10 +103,7 @@ void GarmentSewing::start_next() {
         }
         all.mesh.links = std::move(to_close);
     }
-    if (plan_limbs_) {
-        const MeshPart next = part_of(unsewn_, panels_of(garments_[next_], is_worn_.size()));
-        limbs_aside_ = plan_limbs_(next.mesh, all.mesh);
-    }
+    if (plan_limbs_) limbs_aside_ = plan_limbs_(next, all.mesh);
     ++next_;
     run_.emplace(std::move(all.mesh), fabrics_, options_);
 }
@@ -153,8 +151,7 @@ void GarmentSewing::relax(const BodyCollider& body) {
         if (sewn_vertex_[v] < 0) continue;
         unsewn_.x[v] = relaxing_->x[static_cast<std::size_t>(sewn_vertex_[v])].head<3>().cast<double>();
     }
-    place_next(body);
-    start_next();
+    start_next(body);
     relaxing_.reset();
 }
 

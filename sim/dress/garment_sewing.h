@@ -41,8 +41,8 @@ class GarmentSewing {
     SewingResult result() &&;                                                      // of all garments
 
  private:
-    void place_next(const BodyCollider& body);
-    void start_next();
+    GarmentMesh place_next(const BodyCollider& body);
+    void start_next(const BodyCollider& body);
     void wear();
     void relax(const BodyCollider& body);
     bool is_last() const { return next_ == garments_.size(); }

@@ -13,6 +13,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/math.h"
 #include "sim/mesh/sew.h"
+#include "sim/place/limb_pieces.h"
 #include "sim/place/limbs.h"
 #include "sim/place/openings.h"
 
@@ -69,14 +70,9 @@ Vec3d centre_of(const Opening& opening, const std::vector<Vec3d>& x) {
 // The arm to which most of the vertices are nearest.
 std::optional<LimbKind> arm_of(const std::vector<std::size_t>& vertices, const std::vector<Vec3d>& x,
                                const BodyLimbs& body) {
-    for (const LimbKind arm : {LimbKind::LeftArm, LimbKind::RightArm}) {
-        const auto is_there = [&](std::size_t v) {
-            const auto position = nearest_on_limbs(body, x[v]);
-            return position && position->limb == arm;
-        };
-        if (2 * std::ranges::count_if(vertices, is_there) > std::ssize(vertices)) return arm;
-    }
-    return std::nullopt;
+    std::vector<Vec3d> points;
+    for (const std::size_t v : vertices) points.push_back(x[v]);
+    return arm_nearest_to(points, body, 0.5);
 }
 
 // What a tailor calls an opening for these limbs, from its place on the body for which the garment was placed.
@@ -297,7 +293,7 @@ void validate_wearing(const Cloth& cloth, const GarmentMesh& sewn, const Designe
                       DressReport& report) {
     const WornGarment garment = compare_drape(cloth, sewn, designed.unsewn);
     const BodyLimbs meant_for = find_limbs(*designed.body);
-    const BodyLimbs worn_by = find_limbs(wearer);
+    const BodyLimbs worn_by = designed.body == &wearer ? meant_for : find_limbs(wearer);
     note_missing_limbs(worn_by, report);
     if (worn_by.torso.empty() || meant_for.torso.empty()) return;
     const PanelVertices panels = vertices_by_panel(garment.panels);

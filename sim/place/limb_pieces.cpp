@@ -188,17 +188,20 @@ bool is_over_chest(const Vec3d& x, const BodyLimbs& limbs) {
 
 }  // namespace
 
-std::optional<LimbKind> arm_of_panel(std::string_view label, const std::vector<Vec3d>& points, const BodyLimbs& limbs) {
-    constexpr double kMost = 0.8;
+std::optional<LimbKind> arm_nearest_to(const std::vector<Vec3d>& points, const BodyLimbs& limbs, double share) {
     std::array<std::size_t, kArms.size()> nearest{};
     for (const Vec3d& x : points) {
         const auto position = nearest_on_limbs(limbs, x);
         for (std::size_t i = 0; i < kArms.size(); ++i) nearest[i] += position && position->limb == kArms[i] ? 1 : 0;
     }
     const auto most = static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin());
-    const double least = label == "arm" ? 0 : kMost * static_cast<double>(points.size());
-    if (static_cast<double>(nearest[most]) <= least) return std::nullopt;
+    if (static_cast<double>(nearest[most]) <= share * static_cast<double>(points.size())) return std::nullopt;
     return kArms[most];
+}
+
+std::optional<LimbKind> arm_of_panel(std::string_view label, const std::vector<Vec3d>& points, const BodyLimbs& limbs) {
+    constexpr double kMost = 0.8;
+    return arm_nearest_to(points, limbs, label == "arm" ? 0 : kMost);
 }
 
 std::vector<bool> panels_without_arms(const GarmentMesh& unsewn, const Pattern& pattern, const BodyLimbs& limbs) {

@@ -25,6 +25,9 @@ struct BodyWithoutArms {
 // not found, or touches the rest of the body, so that it cannot be told from it.
 std::optional<BodyWithoutArms> cut_off_arms(const Body& body, const BodyLimbs& limbs);
 
+// The arm to which more than that share of the points are nearest.
+std::optional<LimbKind> arm_nearest_to(const std::vector<Vec3d>& points, const BodyLimbs& limbs, double share);
+
 // The arm round which a panel is placed, from GarmentCode's label and the panel's points: the one that is nearest to
 // most of them. A quarter of a wide skirt also has points that are nearest to an arm, but many others.
 std::optional<LimbKind> arm_of_panel(std::string_view label, const std::vector<Vec3d>& points, const BodyLimbs& limbs);

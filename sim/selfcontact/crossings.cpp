@@ -39,6 +39,12 @@ bool cross(const ContactSurface& surface, const float* points, std::uint32_t a, 
 
 }  // namespace
 
+std::array<std::uint32_t, 5> vertices_of(const Crossing& crossing, const ContactSurface& surface) {
+    const auto [p, q] = surface.edges[crossing.edge].ends;
+    const auto [a, b, c] = surface.triangles[crossing.triangle].vertices;
+    return {p, q, a, b, c};
+}
+
 std::optional<Crossing> find_crossing(const ContactSurface& surface, const float* points, std::uint32_t edge,
                                       std::uint32_t triangle) {
     const auto at = [&](std::uint32_t v) -> Vec3d { return point_at(points, v).cast<double>(); };

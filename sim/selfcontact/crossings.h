@@ -22,6 +22,9 @@ struct Crossing {
     std::array<float, 3> corners{};  // barycentric coordinates in the triangle
 };
 
+// The ends of the edge, then the corners of the triangle.
+std::array<std::uint32_t, 5> vertices_of(const Crossing& crossing, const ContactSurface& surface);
+
 // points: by vertex, four floats each. The edge and the triangle must not share a vertex.
 std::optional<Crossing> find_crossing(const ContactSurface& surface, const float* points, std::uint32_t edge,
                                       std::uint32_t triangle);

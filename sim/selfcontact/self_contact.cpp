@@ -16,6 +16,19 @@ const SelfContactKernels& loops() {
     return self_contact_kernels(simd_level());
 }
 
+// Those of the pairs that have a vertex for which `is_wanted` holds.
+template <class IsWanted>
+std::vector<TrianglePair> pairs_with(const ContactSurface& surface, std::span<const TrianglePair> pairs,
+                                     const IsWanted& is_wanted) {
+    const auto has = [&](std::uint32_t triangle) {
+        return std::ranges::any_of(surface.triangles[triangle].vertices, is_wanted);
+    };
+    std::vector<TrianglePair> wanted;
+    std::ranges::copy_if(pairs, std::back_inserter(wanted),
+                         [&](TrianglePair pair) { return has(pair.first) || has(pair.second); });
+    return wanted;
+}
+
 }  // namespace
 
 void SelfContact::set_surface(ContactSurface surface, std::size_t vertices) {
@@ -143,19 +156,11 @@ void SelfContact::look_for_crossings(const MovingPoints& points, const SelfConta
 void SelfContact::find_suspects(const MovingPoints& points) {
     bool is_new = false;
     is_suspect_.resize(points.count, 0);
-    const auto suspect = [&](std::uint32_t v) { is_new |= std::exchange(is_suspect_[v], std::uint8_t{1}) == 0; };
     for (const Crossing& crossing : crossings_) {
-        for (const std::uint32_t v : surface_.edges[crossing.edge].ends) suspect(v);
-        for (const std::uint32_t v : surface_.triangles[crossing.triangle].vertices) suspect(v);
+        for (const std::uint32_t v : vertices_of(crossing, surface_))
+            is_new |= std::exchange(is_suspect_[v], std::uint8_t{1}) == 0;
     }
-    if (!is_new) return;
-    suspects_.clear();
-    const auto has_suspect = [&](std::uint32_t triangle) {
-        return std::ranges::any_of(surface_.triangles[triangle].vertices,
-                                   [&](std::uint32_t v) { return is_suspect_[v] != 0; });
-    };
-    std::ranges::copy_if(search_.triangle_pairs(), std::back_inserter(suspects_),
-                         [&](TrianglePair pair) { return has_suspect(pair.first) || has_suspect(pair.second); });
+    if (is_new) suspects_ = pairs_with(surface_, search_.triangle_pairs(), [&](auto v) { return is_suspect_[v] != 0; });
 }
 
 void SelfContact::test_suspects(const MovingPoints& points) {
@@ -173,13 +178,9 @@ bool SelfContact::has_new_crossing(const MovingPoints& points, const SelfContact
         return !is_clean_;
     }
     const float covered = 0.5F * (options.margin + thickest(options));
-    const auto is_uncovered = [&](std::uint32_t triangle) {
-        return std::ranges::any_of(surface_.triangles[triangle].vertices,
-                                   [&](std::uint32_t v) { return paths_.squared_deviation(v) > covered * covered; });
-    };
-    std::vector<TrianglePair> doubtful;
-    std::ranges::copy_if(search_.new_triangle_pairs(), std::back_inserter(doubtful),
-                         [&](TrianglePair pair) { return is_uncovered(pair.first) || is_uncovered(pair.second); });
+    const std::vector<TrianglePair> doubtful = pairs_with(surface_, search_.new_triangle_pairs(), [&](auto v) {
+        return paths_.squared_deviation(v) > covered * covered;
+    });
     if (doubtful.empty()) return false;
     ++counts_.local_tests;
     if (!crossings_of(doubtful, points).empty()) return true;
@@ -213,8 +214,7 @@ void SelfContact::judge_sides() {
     if (is_clean_) return;
     std::vector<bool> is_tangled(layers_.size(), false);
     for (const Crossing& crossing : crossings_) {
-        for (const std::uint32_t v : surface_.edges[crossing.edge].ends) is_tangled[v] = true;
-        for (const std::uint32_t v : surface_.triangles[crossing.triangle].vertices) is_tangled[v] = true;
+        for (const std::uint32_t v : vertices_of(crossing, surface_)) is_tangled[v] = true;
     }
     std::vector<Vec3f> normals(layers_.size(), Vec3f::Zero());
     if (has_layers_) {

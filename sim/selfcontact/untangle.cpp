@@ -19,9 +19,7 @@ struct CrossingWeights {
 };
 
 CrossingWeights weights_of(const Crossing& crossing, const ContactSurface& surface) {
-    const std::array<std::uint32_t, 2>& ends = surface.edges[crossing.edge].ends;
-    const std::array<std::uint32_t, 3>& corners = surface.triangles[crossing.triangle].vertices;
-    return {{ends[0], ends[1], corners[0], corners[1], corners[2]},
+    return {vertices_of(crossing, surface),
             {1 - crossing.along, crossing.along, -crossing.corners[0], -crossing.corners[1], -crossing.corners[2]}};
 }
 
@@ -104,7 +102,7 @@ void Untangler::move_apart(const Crossing& crossing, const ContactSurface& surfa
 void Untangler::smooth(const ContactSurface& surface, std::span<const Crossing> crossings, const MovingPoints& points) {
     std::vector<bool> crumples(points.count, false);
     for (const Crossing& crossing : crossings) {
-        for (const std::uint32_t v : weights_of(crossing, surface).vertices) crumples[v] = true;
+        for (const std::uint32_t v : vertices_of(crossing, surface)) crumples[v] = true;
     }
     clear(points.count);
     for (const ContactEdge& edge : surface.edges) {

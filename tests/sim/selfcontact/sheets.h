@@ -1,14 +1,19 @@
 #pragma once
 // Square sheets of triangles as contact surfaces, with their positions as the kernels take them.
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <random>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "sim/core/math.h"
 #include "sim/selfcontact/moving_points.h"
+#include "sim/selfcontact/pairs.h"
 #include "sim/selfcontact/surface.h"
 
 namespace selvedge::sim::test {
@@ -79,6 +84,42 @@ inline void add_sheet(Sheets& sheets, int quads, float edge, int layer,
 // A horizontal sheet at that height, m; its material x runs along x and y along -z, so that its front faces up.
 inline void add_flat_sheet(Sheets& sheets, int quads, float edge, int layer, float height) {
     add_sheet(sheets, quads, edge, layer, [&](const Vec2f& u) { return Vec3f(u.x(), height, -u.y()); });
+}
+
+// Small sheets at random in a cube of that size (m), so that nothing between two of them is left out as flat cloth.
+inline Sheets random_sheets(int count, float cube, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> place(0, cube), size(-0.03F, 0.03F);
+    Sheets sheets;
+    for (int i = 0; i < count; ++i) {
+        const Vec3f middle(place(random), place(random), place(random));
+        std::vector<Vec3f> corners;
+        for (int k = 0; k < 4; ++k) corners.push_back(middle + Vec3f(size(random), size(random), size(random)));
+        std::size_t next = 0;
+        add_sheet(sheets, 1, 0.02F, 0, [&](const Vec2f&) { return corners[next++]; });
+    }
+    return sheets;
+}
+
+// The vertices of each pair, first side and second side sorted.
+using Key = std::array<std::uint32_t, 4>;
+
+inline Key key_of(Key v, PairKind kind) {
+    const auto second = v.begin() + static_cast<std::ptrdiff_t>(first_side(kind));
+    std::sort(v.begin(), second);
+    std::sort(second, v.end());
+    if (kind == PairKind::EdgeEdge && v[2] < v[0]) v = {v[2], v[3], v[0], v[1]};
+    return v;
+}
+
+inline std::multiset<Key> keys_of(const PairList& pairs) {
+    std::multiset<Key> keys;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        Key v{};
+        for (std::size_t k = 0; k < 4; ++k) v[k] = pairs.blocks()[i / kBlock].vertices[k][i % kBlock] / 4;
+        keys.insert(key_of(v, pairs.kind()));
+    }
+    return keys;
 }
 
 }  // namespace selvedge::sim::test

@@ -77,37 +77,10 @@ TEST(ExpectedPaths, a_vertex_off_its_path_gets_a_new_one_and_the_others_keep_the
     EXPECT_LT(paths.squared_deviation(7), 1e-10F);
 }
 
-// A random heap of small sheets.
-Sheets heap(std::mt19937& random) {
-    std::uniform_real_distribution<float> place(0, 0.25F), size(-0.03F, 0.03F);
-    Sheets sheets;
-    for (int i = 0; i < 200; ++i) {
-        const Vec3f middle(place(random), place(random), place(random));
-        std::vector<Vec3f> corners;
-        for (int k = 0; k < 4; ++k) corners.push_back(middle + Vec3f(size(random), size(random), size(random)));
-        std::size_t next = 0;
-        add_sheet(sheets, 1, 0.02F, 0, [&](const Vec2f&) { return corners[next++]; });
-    }
-    return sheets;
-}
-
-using Key = std::array<std::uint32_t, 4>;
-
-std::multiset<Key> keys_of(const PairList& pairs) {
-    std::multiset<Key> keys;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        Key v{};
-        for (std::size_t k = 0; k < 4; ++k) v[k] = pairs.blocks()[i / kBlock].vertices[k][i % kBlock] / 4;
-        if (pairs.kind() == PairKind::EdgeEdge && v[2] < v[0]) v = {v[2], v[3], v[0], v[1]};
-        keys.insert(v);
-    }
-    return keys;
-}
-
 // A search of the parts that left their paths knows every pair that a search of everything finds, and each once.
 TEST(PairSearch, asking_the_parts_off_their_paths_misses_no_pair) {
     std::mt19937 random(5);
-    Sheets sheets = heap(random);
+    Sheets sheets = random_sheets(200, 0.25F, 5);
     set_velocities(sheets, random, 0.3F);
     const SelfContactKernels& loops = self_contact_kernels(simd_level());
     const std::vector<std::uint32_t> vertices = all_vertices(sheets);

@@ -14,27 +14,6 @@ namespace {
 
 constexpr float kMargin = 0.004F;  // m
 
-// The vertices of each pair, first side and second side sorted.
-using Key = std::array<std::uint32_t, 4>;
-
-Key key_of(Key v, PairKind kind) {
-    const auto second = v.begin() + static_cast<std::ptrdiff_t>(first_side(kind));
-    std::sort(v.begin(), second);
-    std::sort(second, v.end());
-    if (kind == PairKind::EdgeEdge && v[2] < v[0]) v = {v[2], v[3], v[0], v[1]};
-    return v;
-}
-
-std::multiset<Key> keys_of(const PairList& pairs) {
-    std::multiset<Key> keys;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        Key v{};
-        for (std::size_t k = 0; k < 4; ++k) v[k] = pairs.blocks()[i / kBlock].vertices[k][i % kBlock] / 4;
-        keys.insert(key_of(v, pairs.kind()));
-    }
-    return keys;
-}
-
 // Distances by sampling, m: never too small.
 float distance_to_triangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c, int steps) {
     float nearest = std::numeric_limits<float>::max();
@@ -94,23 +73,8 @@ TEST(MeasurePairs, finds_the_distance_of_a_vertex_from_a_triangle_and_of_two_edg
     }
 }
 
-// Random triangles without common vertices, so that nothing is left out as flat cloth.
-Sheets loose_triangles(int count) {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<float> place(0, 0.3F), size(-0.03F, 0.03F);
-    Sheets sheets;
-    for (int i = 0; i < count; ++i) {
-        const Vec3f middle(place(random), place(random), place(random));
-        std::vector<Vec3f> corners;
-        for (int k = 0; k < 4; ++k) corners.push_back(middle + Vec3f(size(random), size(random), size(random)));
-        std::size_t next = 0;
-        add_sheet(sheets, 1, 0.02F, 0, [&](const Vec2f&) { return corners[next++]; });
-    }
-    return sheets;
-}
-
 TEST(PairSearch, finds_every_pair_within_reach_once) {
-    Sheets sheets = loose_triangles(150);
+    Sheets sheets = random_sheets(150, 0.3F, 7);
     const std::vector<Vec4f> still(sheets.now.size(), Vec4f::Zero());
     const Sweep sweep{.moves = still.front().data(), .substeps = 1};
     const SelfContactKernels& loops = self_contact_kernels(simd_level());
