@@ -46,6 +46,7 @@ struct ClothObserver {
         cloth.x_prev[c.value] = cloth.x[c.value] - velocity;
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();
         cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // e.g. on a pinned waistband
+        cloth.solver.contacts.standoff[c.value] = 0;
         cloth.solver.adapting.shape.forget_children(cloth.mesh, cloth.mesh.vertex(c).parent);
         cloth.solver.self_contact->contact.on_split(c.value, a.value, b.value);
         guard.note_split(cloth.mesh.vertex(c).parent);
@@ -77,7 +78,7 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
                                        .batch = cloth.solver.adapting.collision,
                                        .limits = limits,
                                        .offset = observer.contact.offset,
-                                       .standoff = cloth.solver.contacts.standoff,
+                                       .standoff = &cloth.solver.contacts.standoff,
                                        .spacing = observer.contact.sample_spacing};
     const CurvatureCriterion curvature(cloth.normals, scaled(options.curvature, scale));
     const LengthCriterion<Vec4f> length(cloth.x, scaled(options.length, scale));

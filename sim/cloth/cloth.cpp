@@ -71,6 +71,7 @@ void size_state(Cloth& cloth, std::size_t capacity) {
     cloth.inverse_mass.resize(capacity, 0.0F);
     cloth.normals.resize(capacity, Vec3f::Zero());
     cloth.is_pinned.resize(capacity, false);
+    cloth.solver.contacts.standoff.resize(capacity + 1, 0.0F);
 }
 
 Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const ClothOptions& options) {

@@ -57,7 +57,7 @@ std::span<const EdgeId> CollisionCriterion::look(const AdaptiveMesh& mesh) const
     gather(mesh);
     put_points(mesh);
     // Points farther away than this reach neither depth threshold, so their exact distance is not needed.
-    const float most = standoff.empty() ? 0 : kMaxStandoff;
+    const float most = standoff == nullptr ? 0 : kMaxStandoff;
     body.contacts(batch.blocks, offset + most - std::min(split_depth, rejoin_depth));
     for (std::size_t i = 0; i < batch.evaluated.size(); ++i) batch.depths[batch.evaluated[i].value] = depth(mesh, i);
     return edges;
@@ -105,8 +105,8 @@ float CollisionCriterion::depth(const AdaptiveMesh& mesh, std::size_t i) const {
 
 // The distance from the body that the ends of an edge keep, m, on average.
 float CollisionCriterion::height(const AdaptiveMesh& mesh, EdgeId e) const {
-    if (standoff.empty()) return offset;
-    return offset + (standoff[mesh.end(e, 0).value] + standoff[mesh.end(e, 1).value]) / 2;
+    if (standoff == nullptr) return offset;
+    return offset + ((*standoff)[mesh.end(e, 0).value] + (*standoff)[mesh.end(e, 1).value]) / 2;
 }
 
 }  // namespace selvedge::sim

@@ -156,7 +156,6 @@ void size_contacts(Cloth& cloth, ContactState& contacts) {
     contacts.query_point.resize(cloth.x.size() + 1, nothing_known());
     contacts.plane.resize(cloth.x.size() + 1, Vec4f::Zero());
     contacts.friction.resize(cloth.x.size() + 1, 0.0F);
-    contacts.standoff.resize(cloth.x.size() + 1, 0.0F);
 }
 
 // The slots of samples between vertices of which one at least meets the trunk only.
@@ -236,7 +235,6 @@ void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnC
     for (const VertexId v : changes.vertices_added) {
         contacts.query_point[v.value] = nothing_known();
         contacts.friction[v.value] = 0;
-        contacts.standoff[v.value] = 0;
     }
     for (const TriangleId t : changes.triangles_added) add_friction(cloth, contacts, t);
     SampleLists(cloth).change();

@@ -96,7 +96,6 @@ void update_standoffs(Cloth& cloth, const Collider& body, const StandoffOptions&
     constexpr float kTouching = 0.001F;  // m, height above which a vertex does not touch
     const std::vector<float> lacks = Lacks(cloth, body).find();
     std::vector<float>& standoff = cloth.solver.contacts.standoff;
-    standoff.resize(cloth.x.size() + 1, 0.0F);
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         const float lack = lacks[v.value], now = standoff[v.value];
         const float height = lack <= -kMaxStandoff ? kMaxStandoff + kTouching : height_of(cloth, v.value);
