@@ -148,6 +148,21 @@ void raise_degenerate_counts(const FlatPattern& flat, DisjointSets& groups, std:
     }
 }
 
+// Edges that are shorter than a stitch, on both sides of their seams, become points: a triangle at such an edge would
+// be stretched to a multiple by corners that meet a millimetre beside it.
+void drop_shortest(const FlatPattern& flat, DisjointSets& groups, std::vector<int>& counts) {
+    constexpr double kStitch = 0.002;  // m
+    std::vector<bool> is_short(counts.size(), true);
+    for (const SeamSide& side : flat.sides()) {
+        const Panel& panel = flat.pattern.panels[static_cast<std::size_t>(side.panel)];
+        if (panel.edges.size() > 3 && outline_length(panel, flat.outline_edge(side)) < kStitch) continue;
+        is_short[static_cast<std::size_t>(groups.find(flat.edge(side)))] = false;
+    }
+    for (std::size_t group = 0; group < counts.size(); ++group) {
+        if (is_short[group]) counts[group] = 0;
+    }
+}
+
 }  // namespace
 
 int segments_needed(const Panel& panel, const OutlineEdge& edge, const MeshOptions& options) {
@@ -180,6 +195,7 @@ std::vector<std::vector<int>> count_segments(const Pattern& pattern, const MeshO
         count = std::max(count, segments_needed(panel, flat.outline_edge(side), options));
     }
     raise_degenerate_counts(flat, groups, counts);
+    drop_shortest(flat, groups, counts);
 
     std::vector<std::vector<int>> segments(pattern.panels.size());
     for (const SeamSide& side : flat.sides()) {
@@ -193,7 +209,7 @@ SampledOutline sample_outline(const Panel& panel, const std::vector<int>& segmen
     SELVEDGE_ASSERT(segments.size() == panel.edges.size());
     SampledOutline sampled;
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        SELVEDGE_ASSERT(segments[i] >= 1);
+        SELVEDGE_ASSERT(segments[i] >= 0);
         sampled.runs.push_back({static_cast<int>(sampled.points.size()), segments[i]});
         for (int k = 0; k < segments[i]; ++k) {
             sampled.points.push_back(outline_point(panel, panel.edges[i], double(k) / segments[i]));

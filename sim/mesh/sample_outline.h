@@ -20,7 +20,8 @@ int segments_needed(const Panel& panel, const OutlineEdge& edge, const MeshOptio
 
 // Segments per panel and edge, from segments_needed(). Both sides of a seam, and both sides of a slit, get the same
 // number. An edge that sewing closes to a ring gets at least 3. Two edges that are not sewn together but whose ends are
-// merged get at least 2, because with one segment they would coincide.
+// merged get at least 2, because with one segment they would coincide. An edge shorter than 2 mm, a stitch, gets none,
+// if what it is sewn to is as short: it becomes a point.
 // Throws InputError for a seam to a missing panel or edge, and for an edge sewn to itself.
 std::vector<std::vector<int>> count_segments(const Pattern& pattern, const MeshOptions& options);
 
@@ -29,7 +30,7 @@ struct SampledOutline {
     std::vector<OutlineRun> runs;  // one per edge
 };
 
-// Pre: one count of at least 1 per edge.
+// Pre: one count per edge.
 SampledOutline sample_outline(const Panel& panel, const std::vector<int>& segments);
 
 // 2D geometry functions for sampling outlines, triangulation and mesh checks.

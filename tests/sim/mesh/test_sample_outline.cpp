@@ -98,6 +98,21 @@ TEST(CountSegments, keeps_two_straight_edges_apart_whose_ends_are_sewn_together)
     EXPECT_EQ(segments[1][0], 2);
 }
 
+TEST(CountSegments, makes_a_point_of_an_edge_that_is_shorter_than_a_stitch) {
+    Pattern pattern;
+    for (const double shortest : {0.001, 0.003})
+        pattern.panels.push_back(polygon("p", {{0, 0}, {0.2, 0}, {0.2, 0.3}, {0.2 - shortest, 0.3}, {0, 0.3}}));
+    EXPECT_EQ(count_segments(pattern, {.target_edge = 0.1})[0], (std::vector<int>{2, 3, 0, 2, 3}));
+    const GarmentMesh mesh = assemble(pattern, {.target_edge = 0.1});
+    for (const GarmentTriangle& t : mesh.triangles) {
+        const auto shortest =
+            std::min((t.u[1] - t.u[0]).norm(), std::min((t.u[2] - t.u[1]).norm(), (t.u[0] - t.u[2]).norm()));
+        EXPECT_GT(shortest, t.panel == 0 ? 0.02 : 0.002);
+    }
+    pattern.seams = {{.first = {0, 2}, .second = {1, 2}}};
+    EXPECT_EQ(count_segments(pattern, {.target_edge = 0.1})[0][2], 1) << "sewn to an edge that is not";
+}
+
 TEST(CountSegments, refuses_seams_that_cannot_be) {
     Pattern pattern;
     pattern.panels = {rectangle("only", 0.5, 0.3)};
