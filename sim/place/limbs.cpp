@@ -215,6 +215,32 @@ std::vector<LimbJoint> arm_of_surface(const Body& body, const SurfaceGraph& grap
     return {{elbow->centre + kUpperArm * stature * up, 0}, {elbow->centre, 0}, {wrist->centre, 0}, {body.x[tip], 0}};
 }
 
+// The middle of the limb across its line at a point; the point itself if the section there is another part's.
+Vec3d middle_at(const Body& body, const Vec3d& point, const Vec3d& along, double widest) {
+    const auto loop = nearest_loop(section(body, {.point = point, .normal = along.normalized()}), point);
+    return loop && (loop->centre - point).norm() < widest ? loop->centre : point;
+}
+
+// Joints of curves on the surface lie off the middle of an arm that is bent, and the shoulder, which is where an upper
+// arm of usual length ends, may lie outside.
+void centre_arm(const Body& body, double stature, Limb& arm) {
+    constexpr std::size_t kParts = 3;     // of each segment
+    constexpr double kIntoArm = 1.0 / 6;  // of the upper arm, from the shoulder
+    const double widest = kWidestArm * stature;
+    std::vector<LimbJoint>& joints = arm.joints;
+    for (std::size_t i = 1; i + 1 < joints.size(); ++i)
+        joints[i].centre = middle_at(body, joints[i].centre, joints[i + 1].centre - joints[i - 1].centre, widest);
+    for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
+        const Vec3d &from = joints[i].centre, &to = joints[i + 1].centre;
+        arm.line.push_back(i == 0 ? Vec3d(from + kIntoArm * (to - from)) : from);
+        for (std::size_t k = 1; k < kParts; ++k) {
+            const double share = static_cast<double>(k) / kParts;
+            arm.line.push_back(middle_at(body, from + share * (to - from), to - from, widest));
+        }
+    }
+    arm.line.push_back(joints.back().centre);
+}
+
 void find_arms(const Body& body, BodyLimbs& limbs) {
     const SurfaceGraph graph(body);
     const auto top =
@@ -222,7 +248,10 @@ void find_arms(const Body& body, BodyLimbs& limbs) {
     const auto from_head = graph.distances(static_cast<std::size_t>(top), std::numeric_limits<double>::infinity());
     for (const auto& [kind, side] : {std::pair(LimbKind::LeftArm, 1.0), std::pair(LimbKind::RightArm, -1.0)}) {
         const auto tip = fingertip(body, limbs.height, graph, from_head, side);
-        if (tip) limbs.limbs[index_of(kind)].joints = arm_of_surface(body, graph, stature_of(limbs.height), *tip);
+        if (!tip) continue;
+        Limb& arm = limbs.limbs[index_of(kind)];
+        arm.joints = arm_of_surface(body, graph, stature_of(limbs.height), *tip);
+        if (!arm.joints.empty()) centre_arm(body, stature_of(limbs.height), arm);
     }
 }
 
@@ -301,6 +330,8 @@ BodyLimbs find_limbs(const Body& body) {
     for (Limb& limb : found.limbs) {
         limb.is_found = !limb.joints.empty();
         measure_radii(body, stature_of(found.height), limb.joints);
+        if (!limb.line.empty()) continue;
+        for (const LimbJoint& joint : limb.joints) limb.line.push_back(joint.centre);
     }
     return found;
 }
@@ -313,7 +344,7 @@ std::vector<Vec3d> line_to_end(const BodyLimbs& limbs, LimbKind kind) {
                                                                                          : 3;
     std::vector<Vec3d> line;
     for (std::size_t i = 0; i < shared; ++i) line.push_back(limbs.torso[i].centre);
-    for (const LimbJoint& joint : limbs[kind].joints) line.push_back(joint.centre);
+    std::ranges::copy(limbs[kind].line, std::back_inserter(line));
     return line;
 }
 

@@ -39,6 +39,7 @@ struct LimbJoint {
 struct Limb {
     bool is_found = false;
     std::vector<LimbJoint> joints;  // empty if it was not found
+    std::vector<Vec3d> line;        // m, through its middle, from the first joint, or near it, to the last
 };
 
 struct BodyLimbs {

@@ -155,9 +155,12 @@ class Surface {
     std::vector<std::vector<Corners>> spans_;  // per opening
 };
 
+bool is_leg(LimbKind kind) {
+    return kind == LimbKind::LeftLeg || kind == LimbKind::RightLeg;
+}
+
 // Directions in which the line can go on beyond a limb's end without passing through the body, best first.
 std::vector<Vec3d> ways_on(LimbKind kind, const std::vector<Vec3d>& line) {
-    const bool is_leg = kind == LimbKind::LeftLeg || kind == LimbKind::RightLeg;
     const double side = kind == LimbKind::LeftArm ? 1 : kind == LimbKind::RightArm ? -1 : 0;
     Vec3d best = (line.back() - line[line.size() - 2]).normalized();
     if (kind == LimbKind::Head) best = Vec3d::UnitZ();  // a hood is open in front
@@ -166,7 +169,7 @@ std::vector<Vec3d> ways_on(LimbKind kind, const std::vector<Vec3d>& line) {
         for (int y = -1; y <= 1; ++y) {
             for (int z = -1; z <= 1; ++z) {
                 if (x == 0 && y == 0 && z == 0) continue;
-                if (side * x < 0 || (is_leg && y > 0) || (kind == LimbKind::Head && y < 0)) continue;
+                if (side * x < 0 || (is_leg(kind) && y > 0) || (kind == LimbKind::Head && y < 0)) continue;
                 ways.push_back(Vec3d(x, y, z).normalized());
             }
         }
@@ -181,6 +184,8 @@ std::optional<std::vector<Vec3d>> line_to_infinity(const Surface& surface, const
     constexpr double kBeforeCloth = 0.5;  // of the way from the last joint to the cloth
     std::vector<Vec3d> line = line_to_end(limbs, kind);
     if (kind == LimbKind::Head) line.pop_back();  // from the middle of the head, not from its top
+    // From within the foot, not from its sole: cloth may lie under it.
+    if (is_leg(kind)) line.back() = (line.back() + line[line.size() - 2]) / 2;
     for (Vec3d& point : line) point += kOffMirrorPlane;
     for (std::size_t i = 1; i < line.size() && options.ends_at_cloth; ++i) {
         const auto meeting = surface.first_meeting({line[i - 1], line[i]});

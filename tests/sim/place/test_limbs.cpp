@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "sim/body/load_body.h"
+#include "sim/collide/surface_bvh.h"
 #include "sim/mannequin/mannequin.h"
 #include "tests/support/bodies.h"
 #include "tests/support/posed_body.h"
@@ -92,6 +93,33 @@ TEST(Limbs, name_places_on_the_body) {
     EXPECT_EQ(place_on_body(limbs, thigh), "left thigh");
     EXPECT_EQ(place_on_body(limbs, Vec3d(0, limbs.height.high, 0.05)), "head");
     EXPECT_EQ(place_on_body(find_limbs(Body{}), Vec3d::Zero()), "");
+}
+
+// Depth of the shallowest point of an arm's line but its end, m; negative outside.
+double least_depth(const Body& body, const Limb& arm) {
+    const SurfaceBvh surface(body);
+    double least = 1;
+    for (std::size_t i = 0; i + 1 < arm.line.size(); ++i) {
+        for (const double share : {0.0, 0.25, 0.5, 0.75}) {
+            const Vec3d p = arm.line[i] + share * (arm.line[i + 1] - arm.line[i]);
+            least = std::min(least, -static_cast<double>(surface.closest(p.cast<float>(), 1.0F)->distance));
+        }
+    }
+    return least;
+}
+
+TEST(Limbs, have_lines_that_stay_within_the_body) {
+    std::vector<Body> bodies{without_bones(mannequin()), shapes::in_t_pose(mannequin())};
+    const char* data = std::getenv("SELVEDGE_TEST_DATA");
+    for (const char* file : {"mh_female.obj", "mh_female_cc1.obj"}) {
+        if (data) bodies.push_back(load_body(std::filesystem::path(data) / "bodies" / file));
+    }
+    for (const Body& body : bodies) {
+        const BodyLimbs limbs = find_limbs(body);
+        for (const LimbKind arm : {LimbKind::LeftArm, LimbKind::RightArm})
+            EXPECT_GT(least_depth(body, limbs[arm]), 0) << name_of(arm);
+    }
+    if (!data) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set: without bodies whose arms are bent";
 }
 
 TEST(Limbs, of_scanned_and_modelled_bodies_are_all_found) {
