@@ -33,10 +33,10 @@ struct CollisionCriterion {
     const std::vector<Vec4f>& x;
     const Collider& body;
     CollisionBatch& batch;
-    SplitLimits limits{};               // look-ahead considers only finer edges that these allow to be split
-    float offset = 0.003F;              // m, contact offset
+    SplitLimits limits{};                          // look-ahead considers only finer edges that these allow to be split
+    float offset = 0.003F;                         // m, contact offset
     const std::vector<float>* standoff = nullptr;  // by vertex, m beyond the offset (standoff.h); nullptr: none
-    float split_depth = 0.002F;         // m, of the chord below the offset surface
+    float split_depth = 0.002F;                    // m, of the chord below the offset surface
     float rejoin_depth = 0.0008F;
     float spacing = 0.025F;  // m, maximum distance between sample points of an edge; one is always in the middle
 

@@ -86,15 +86,28 @@ class SampleLists {
         contacts_.of_edge[e.value] = next;
     }
 
+    // Samples a triangle within: at its centroid, or at the inner points of a finer lattice if it is large.
     void add(TriangleId t) {
-        constexpr float kThird = 1.0F / 3.0F;
         const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
-        if (longest_edge(triangle.u) < contacts_.sampled_edge) return;
+        const float longest = longest_edge(triangle.u);
+        if (longest < contacts_.sampled_edge) return;
         if (std::ranges::any_of(triangle.edges, [&](EdgeId e) { return is_split_on_contact(e); })) return;
         const std::array<std::uint32_t, 3> v{triangle.vertices[0].value, triangle.vertices[1].value,
                                              triangle.vertices[2].value};
         const float friction = static_cast<float>(cloth_.material.fabrics[triangle.panel].friction);
-        contacts_.of_triangle[t.value] = put(contacts_.coloring.insert(v), v, {kThird, kThird, kThird}, friction);
+        const int parts = std::max(3, static_cast<int>(std::ceil(longest / contacts_.spacing)));
+        std::uint32_t next = kNoBlockSlot;
+        for (int i = 1; i < parts - 1; ++i) {
+            for (int j = 1; j < parts - i; ++j) {
+                const float part = 1.0F / static_cast<float>(parts);
+                const std::array<float, 3> shares{part * static_cast<float>(i), part * static_cast<float>(j),
+                                                  part * static_cast<float>(parts - i - j)};
+                const std::uint32_t slot = put(contacts_.coloring.insert(v), v, shares, friction);
+                contacts_.next[slot] = next;
+                next = slot;
+            }
+        }
+        contacts_.of_triangle[t.value] = next;
     }
 
     void remove(EdgeId e) {
@@ -108,10 +121,10 @@ class SampleLists {
     }
 
     void remove(TriangleId t) {
-        const std::uint32_t slot = contacts_.of_triangle[t.value];
-        if (slot == kNoBlockSlot) return;
-        contacts_.coloring.remove(slot, corners_at(contacts_.samples[slot / kBlock], slot % kBlock));
-        clear(slot);
+        for (std::uint32_t slot = contacts_.of_triangle[t.value]; slot != kNoBlockSlot; slot = contacts_.next[slot]) {
+            contacts_.coloring.remove(slot, corners_at(contacts_.samples[slot / kBlock], slot % kBlock));
+            clear(slot);
+        }
         contacts_.of_triangle[t.value] = kNoBlockSlot;
     }
 
@@ -246,6 +259,21 @@ void forget_contacts(Cloth& cloth) {
     for (SampleBlock& block : cloth.solver.contacts.samples) {
         for (std::size_t at = 0; at < kBlock; ++at) {
             if (block.shares[0][at] > 0) block.slack[at] = ContactCacheArrays::kUnknown;
+        }
+    }
+}
+
+void keep_far_contacts(Cloth& cloth, float by) {
+    reactivate(cloth);
+    ContactState& contacts = cloth.solver.contacts;
+    // Entries that are left have no tangent plane in reach when their slack is used up.
+    const auto lower = [by](float slack) {
+        return slack - by > kPlaneReach ? slack - by : ContactCacheArrays::kUnknown;
+    };
+    for (Vec4f& query : contacts.query_point) query.w() = lower(query.w());
+    for (SampleBlock& block : contacts.samples) {
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            if (block.shares[0][at] > 0) block.slack[at] = lower(block.slack[at]);
         }
     }
 }

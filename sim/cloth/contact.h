@@ -82,9 +82,9 @@ struct ContactState {
 
     // The slots of the samples.
     BlockColoring coloring;
-    std::vector<std::uint32_t> of_triangle;  // by TriangleId: its slot, or kNoBlockSlot
+    std::vector<std::uint32_t> of_triangle;  // by TriangleId: its first slot, or kNoBlockSlot
     std::vector<std::uint32_t> of_edge;      // by EdgeId: its first slot, or kNoBlockSlot
-    std::vector<std::uint32_t> next;         // by slot: the next one of the same edge, or kNoBlockSlot
+    std::vector<std::uint32_t> next;         // by slot: the next one of the same edge or triangle, or kNoBlockSlot
     float spacing = 0, sampled_edge = 0;     // m, the options that the samples were made for
     SplitOnContact split{};                  // the same
     std::size_t vertices = 0;                // the dummy vertex' index
@@ -102,6 +102,9 @@ void update_contacts(Cloth& cloth, const ContactOptions& options = {}, const Spl
 
 // Invalidates the contact cache. Call it when the collider is another one or has moved.
 void forget_contacts(Cloth& cloth);
+
+// The same when no point of the collider's surface has moved by more than `by` (m): what was farther away stays known.
+void keep_far_contacts(Cloth& cloth, float by);
 
 // The number of samples; and the position of the sample in `slot` for vertex positions x, nullopt for a free slot.
 std::size_t sample_count(const ContactState& contacts);

@@ -48,6 +48,20 @@ TEST(Outside, leaves_a_thin_part_on_the_side_that_the_cloth_is_on) {
     EXPECT_NEAR(outside(nearer_to_the_top, -Vec3f::UnitY(), plate.collider, kOffset).y(), 0.987F, 5e-4F);
 }
 
+// A body that moves by 4 mm cannot touch what was 10 mm away: its cached distance is kept, less 4 mm.
+TEST(KeepFarContacts, forgets_only_what_a_moved_body_may_touch) {
+    Cloth cloth = make_patch(find_fabric("silk"), {.side = 0.2, .quads = 2});
+    std::vector<Vec4f>& query = cloth.solver.contacts.query_point;
+    ASSERT_GE(query.size(), 3U);
+    query[0].w() = 0.01F;
+    query[1].w() = 0.003F;
+    query[2].w() = -0.0001F;
+    keep_far_contacts(cloth, 0.004F);
+    EXPECT_NEAR(query[0].w(), 0.006F, 1e-6F);
+    EXPECT_LT(query[1].w(), ContactCacheArrays::kInvalidBelow);
+    EXPECT_LT(query[2].w(), ContactCacheArrays::kInvalidBelow);
+}
+
 TEST(RefreshContacts, samples_every_edge_longer_than_the_spacing_and_triangles_that_could_dip_into_a_body) {
     Cloth cloth = make_patch(find_fabric("silk"), {.side = 0.4, .quads = 4});
     for (const int level : {0, 1, 2, 3}) {
@@ -67,13 +81,15 @@ TEST(RefreshContacts, samples_every_edge_longer_than_the_spacing_and_triangles_t
                 samples[std::minmax(a, b)].push_back(a < b ? shares[1] : shares[0]);
             }
         }
-        const auto is_long = [&](const LeafTriangle& t) {
+        // Inner points of a lattice with three parts per side, the centroid, or more.
+        std::size_t expected = 0;
+        for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) {
             const float longest =
                 std::max({(t.u[1] - t.u[0]).norm(), (t.u[2] - t.u[1]).norm(), (t.u[0] - t.u[2]).norm()});
-            return longest >= ContactOptions{}.sampled_edge;
-        };
-        const auto leaves = cloth.mesh.leaf_triangles();
-        EXPECT_EQ(middles, static_cast<std::size_t>(std::count_if(leaves.begin(), leaves.end(), is_long)));
+            const auto parts = static_cast<std::size_t>(std::max(3.0F, std::ceil(longest / 0.025F)));
+            if (longest >= ContactOptions{}.sampled_edge) expected += (parts - 1) * (parts - 2) / 2;
+        }
+        EXPECT_EQ(middles, expected);
         for (const LeafEdge& edge : cloth.mesh.leaf_edges()) {
             std::vector<float> t = samples[std::minmax(edge.a.value, edge.b.value)];
             t.push_back(0);
