@@ -34,9 +34,10 @@ bool JointedCollider::meets_piece(std::size_t piece, const Vec3f& from, const Ve
     return one.surface.first_hit(one.to_rest(from), one.to_rest(to)).has_value();
 }
 
-// Beyond `reach` the result may be too small: then it is the distance from the piece's box, or the reach.
+// Beyond `reach` the result may be too small: then it is the distance from the piece's box, or as far as was searched.
 void JointedCollider::take_nearer(const Piece& piece, const Vec3f& p, float reach, Contact& contact) const {
     constexpr float kMargin = 0.001F;  // m, so that a distance of exactly the reach is found
+    constexpr float kDeepest = 0.05F;  // m: no point of a limb is farther from its surface
     const Vec3f at = piece.to_rest(p);
     const float from_box = distance_to_box(piece.surface, at);
     if (from_box >= contact.distance) return;
@@ -44,11 +45,10 @@ void JointedCollider::take_nearer(const Piece& piece, const Vec3f& p, float reac
         contact.distance = from_box;
         return;
     }
-    auto closest = piece.surface.closest(at, reach + kMargin);
-    // A point deep inside is farther from the surface than the reach.
-    if (!closest && from_box <= 0) closest = piece.surface.closest(at, std::numeric_limits<float>::infinity());
+    const float searched = from_box > 0 ? reach + kMargin : std::max(reach + kMargin, kDeepest);
+    const auto closest = piece.surface.closest(at, std::min(searched, contact.distance + kMargin));
     if (!closest) {
-        contact.distance = std::min(contact.distance, reach + kMargin);
+        contact.distance = std::min(contact.distance, searched);
     } else if (closest->distance < contact.distance) {
         contact = {closest->distance, piece.turn * closest->normal};
     }

@@ -1,6 +1,6 @@
 #pragma once
-// Collider of a body that is taken apart: a fixed trunk, and limbs as rigid pieces. Each limb can be left out, or
-// turned about the joint at which it was cut off. Its contacts are those of the union of all parts.
+// Collider of a body that is taken apart: a fixed trunk, and limbs as pieces. Each limb can be left out, turned about
+// the joint at which it was cut off, or given another shape. Its contacts are those of the union of all parts.
 #include <memory>
 #include <span>
 #include <vector>
@@ -26,6 +26,8 @@ class JointedCollider final : public Collider {
 
     // Turns a piece from where the body has it. After it the contact caches of cloths are invalid (forget_contacts).
     void turn(std::size_t piece, const Eigen::Quaternionf& turn) { pieces_[piece].turn = turn; }
+    // Replaces the surface of a piece, which is closed. The same holds for contact caches.
+    void reshape(std::size_t piece, const Body& surface) { pieces_[piece].surface = SurfaceBvh(surface); }
 
     // The signed distance from a piece as it is turned, m; at most `reach` is exact, and more is returned as `reach`.
     float distance_to_piece(std::size_t piece, const Vec3f& p, float reach) const;

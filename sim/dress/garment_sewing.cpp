@@ -113,14 +113,46 @@ bool GarmentSewing::advance(const BodyCollider& body) {
         relax(body);
         return true;
     }
-    if (limbs_aside_ ? limbs_aside_->advance(*run_) : run_->advance(body)) return true;
+    if (advance_run(body)) return true;
+    if (sew_round_thin_limbs(body)) return true;
+    take_better(body);
     limbs_aside_.reset();
+    thin_limbs_.reset();
     wear();
     if (is_last() || done_.bad_vertex) return false;
     relaxing_ = make_cloth(done_.sewn, fabrics_, {.max_level = 0});
     refresh_contacts(*relaxing_);
     relaxed_ = 0;
     return true;
+}
+
+bool GarmentSewing::advance_run(const BodyCollider& body) {
+    if (limbs_aside_) return limbs_aside_->advance(*run_);
+    if (thin_limbs_) return thin_limbs_->advance(*run_);
+    return run_->advance(body);
+}
+
+// Starts the run again, from where the panels were placed, if it closed seams through limbs.
+bool GarmentSewing::sew_round_thin_limbs(const BodyCollider& body) {
+    if (limbs_aside_ || thin_limbs_ || run_->has_bad_number()) return false;
+    thin_limbs_ = ThinLimbs::plan(*run_, body);
+    if (!thin_limbs_) return false;
+    GarmentMesh unsewn = run_->unsewn();
+    std::ranges::copy(run_->links(), std::back_inserter(unsewn.links));
+    SewingOptions options = options_;
+    options.contact = ThinLimbs::contact(options.contact);
+    without_thin_limbs_ = std::move(run_);
+    run_.emplace(std::move(unsewn), fabrics_, options);
+    return true;
+}
+
+// Thin limbs do not help where a seam cannot close anyway.
+void GarmentSewing::take_better(const BodyCollider& body) {
+    if (!without_thin_limbs_) return;
+    const bool is_worse = run_->has_bad_number() ||
+                          ThinLimbs::count_faults(*run_, body) > ThinLimbs::count_faults(*without_thin_limbs_, body);
+    if (is_worse) run_ = std::move(without_thin_limbs_);
+    without_thin_limbs_.reset();
 }
 
 // Takes over what was sewn.

@@ -13,6 +13,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/dress/limbs_aside.h"
 #include "sim/dress/sewing.h"
+#include "sim/dress/thin_limbs.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/garments.h"
@@ -43,6 +44,9 @@ class GarmentSewing {
  private:
     GarmentMesh place_next(const BodyCollider& body);
     void start_next(const BodyCollider& body);
+    bool advance_run(const BodyCollider& body);
+    bool sew_round_thin_limbs(const BodyCollider& body);
+    void take_better(const BodyCollider& body);
     void wear();
     void relax(const BodyCollider& body);
     bool is_last() const { return next_ == garments_.size(); }
@@ -56,10 +60,12 @@ class GarmentSewing {
     std::size_t next_ = 0;          // garment
     std::vector<int> sewn_vertex_;  // per vertex of unsewn_ that is worn: its vertex in the cloth; others -1
     std::optional<SewingRun> run_;  // of the garment before next_
-    std::unique_ptr<LimbsAside> limbs_aside_{};  // during that run; none: no arm is in the way
-    std::optional<Cloth> relaxing_;              // the garments so far, when it is done
-    double relaxed_ = 0;                         // s
-    SewingResult done_;                          // of the garments so far
+    std::unique_ptr<LimbsAside> limbs_aside_{};      // during that run; none: no arm is in the way
+    std::unique_ptr<ThinLimbs> thin_limbs_{};        // during that run, when its seams closed through limbs at first
+    std::optional<SewingRun> without_thin_limbs_{};  // that first run
+    std::optional<Cloth> relaxing_;                  // the garments so far, when it is done
+    double relaxed_ = 0;                             // s
+    SewingResult done_;                              // of the garments so far
     std::vector<std::string> notes_;
 };
 

@@ -32,15 +32,15 @@ std::unique_ptr<LimbsAside> LimbsAside::plan(const GarmentMesh& unsewn, const Ga
     if (limbs.torso.empty()) return nullptr;
     const std::vector<bool> panels = panels_without_arms(unsewn, pattern, limbs);
     if (std::ranges::none_of(panels, std::identity())) return nullptr;
-    std::optional<BodyWithoutArms> parts = cut_off_arms(body, limbs);
-    if (!parts) return nullptr;
+    BodyInPieces parts = cut_off(body, limbs, kArms);
+    if (parts.limbs.size() < kArms.size()) return nullptr;
     std::vector<bool> is_below(sewing.x.size() + 1, false);
     for (const GarmentTriangle& t : sewing.triangles) {
         for (const int v : t.vertices)
             is_below[static_cast<std::size_t>(v)] = panels[static_cast<std::size_t>(t.panel)];
     }
-    auto collider =
-        std::make_unique<JointedCollider>(std::move(parts->trunk), std::vector(parts->arms.begin(), parts->arms.end()));
+    auto collider = std::make_unique<JointedCollider>(
+        std::move(parts.trunk), std::vector{std::move(parts.limbs[0].piece), std::move(parts.limbs[1].piece)});
     return std::unique_ptr<LimbsAside>(new LimbsAside(std::move(collider), std::move(is_below)));
 }
 

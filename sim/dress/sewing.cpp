@@ -95,7 +95,14 @@ void SewingRun::fall(const Collider& body) {
     stepping.extra_damping = kFallDamping;
     stepping.contact.friction_scale = options_.contact.friction_scale;
     stepping.limit_iterations = usual.limit_iterations;
-    stepping.self_contact = options_.self_contact;
+    step_held(body, stepping);
+}
+
+void SewingRun::hold(const Collider& body) {
+    step_held(body, stepping_for(options_, pulls_));
+}
+
+void SewingRun::step_held(const Collider& body, const StepOptions& stepping) {
     const std::vector<Vec4f> before = cloth_.x;
     const float seconds = step_seconds(cloth_, stepping);
     step(cloth_, body, stepping);

@@ -42,22 +42,29 @@ class SewingRun {
     // false.
     bool advance(const Collider& body);
 
-    // One step under gravity with the seams held closed, after advance() has returned false.
+    // After advance() has returned false: one step with the seams held closed, under gravity or without.
     void fall(const Collider& body);
+    void hold(const Collider& body);
     // Vertices that meet the trunk of a JointedCollider only (ContactState::is_trunk_only).
     void meet_trunk_only(std::vector<bool> vertices);
-    // To be called when the collider has moved.
+    void set_floor(float height) { options_.contact.floor = height; }  // m
+    // One of these is to be called when the collider has moved, the second if by at most that (m).
     void forget_contacts() { selvedge::sim::forget_contacts(cloth_); }
+    void keep_far_contacts(float by) { selvedge::sim::keep_far_contacts(cloth_, by); }
     float rms_speed() const { return rms_speed_; }  // m/s, in the last step of the fall
     float seconds() const { return seconds_; }
     bool has_bad_number() const { return bad_vertex_.has_value(); }
 
     double fraction() const { return std::min(1.0F, seconds_ / limit_); }
-    const Cloth& cloth() const { return cloth_; }  // of the separate panels
+    const Cloth& cloth() const { return cloth_; }        // of the separate panels
+    const GarmentMesh& unsewn() const { return mesh_; }  // where its panels were at first
     std::span<const SeamLink> links() const { return links_; }
-    SewingResult result() &&;  // sews the mesh in place
+    float closed_gap() const { return options_.closed_gap; }  // m
+    SewingResult result() &&;                                 // sews the mesh in place
 
  private:
+    void step_held(const Collider& body, const StepOptions& stepping);
+
     GarmentMesh mesh_;
     std::vector<SeamLink> links_;  // taken from the mesh
     SewingOptions options_;

@@ -12,25 +12,27 @@
 #include "sim/body/section.h"
 #include "sim/collide/surface_bvh.h"
 #include "sim/mesh/sew.h"
+#include "sim/place/openings.h"
 
 namespace selvedge::sim {
 namespace {
 
-// Joints of an arm.
+// Joints of an arm; those of a leg are hip, knee, ankle.
 constexpr std::size_t kShoulder = 0, kElbow = 1, kWrist = 2;
 constexpr std::size_t kChest = 2;  // of the torso
 
 struct Cut {
-    Plane plane;        // its normal points along the arm
+    Plane plane;        // its normal points along the limb
     double radius = 0;  // m, of the section
 };
 
 // The plane across the upper arm that is nearest to the shoulder and cuts the arm as an arm: nearer ones cut the chest.
-std::optional<Cut> find_cut(const Body& body, const Limb& arm) {
+// The same for thighs.
+std::optional<Cut> find_cut(const Body& body, const Limb& limb) {
     constexpr double kFirst = 0.15, kStep = 0.05, kLast = 0.6;  // of the upper arm
-    constexpr double kWider = 1.6;                              // area of a section that still is one of the arm
-    const Vec3d shoulder = arm.joints[kShoulder].centre;
-    const Vec3d upper_arm = arm.joints[kElbow].centre - shoulder;
+    constexpr double kWider = 1.6;                              // area of a section that still is one of the limb
+    const Vec3d shoulder = limb.joints[kShoulder].centre;
+    const Vec3d upper_arm = limb.joints[kElbow].centre - shoulder;
     std::optional<Cut> cut;
     double area = 0;
     for (double share = kLast; share > kFirst; share -= kStep) {
@@ -45,20 +47,29 @@ std::optional<Cut> find_cut(const Body& body, const Limb& arm) {
     return cut;
 }
 
-double distance_to_line(const std::vector<LimbJoint>& joints, const Vec3d& x) {
-    double least = std::numeric_limits<double>::infinity();
+struct LinePoint {
+    Vec3d x = Vec3d::Zero();  // m
+    double length = 0;        // m, of the line from its first joint
+};
+
+// The point of a centre line that is nearest to x.
+LinePoint nearest_on(const std::vector<LimbJoint>& joints, const Vec3d& x) {
+    LinePoint nearest{joints.front().centre, 0};
+    double length = 0;
     for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
         const Vec3d along = joints[i + 1].centre - joints[i].centre;
         const double share = std::clamp(along.dot(x - joints[i].centre) / along.squaredNorm(), 0.0, 1.0);
-        least = std::min(least, (joints[i].centre + share * along - x).norm());
+        const Vec3d point = joints[i].centre + share * along;
+        if ((point - x).squaredNorm() < (nearest.x - x).squaredNorm()) nearest = {point, length + share * along.norm()};
+        length += along.norm();
     }
-    return least;
+    return nearest;
 }
 
-// Marks the vertices that are connected with the wrist on the far side of the cut. Returns whether all are near the
-// arm.
-bool mark_arm(const Body& body, const Limb& arm, const Cut& cut, double stature, std::vector<bool>& is_of_arm) {
-    constexpr double kReach = 0.1;  // of the stature, from the centre line: a spread hand
+// The vertices that are connected with the wrist, or the ankle, on the far side of the cut. nullopt if one of them is
+// too far from the limb's line to belong to it.
+std::optional<std::vector<bool>> find_vertices(const Body& body, const Limb& limb, const Cut& cut, double stature) {
+    constexpr double kReach = 0.13;  // of the stature, from the centre line: a spread hand, the toes
     const auto is_beyond = [&](const Vec3d& x) { return (x - cut.plane.point).dot(cut.plane.normal) > 0; };
     DisjointSets parts(body.x.size());
     for (const auto& t : body.triangles) {
@@ -69,27 +80,52 @@ bool mark_arm(const Body& body, const Limb& arm, const Cut& cut, double stature,
         }
     }
     std::optional<std::size_t> nearest;
-    const Vec3d& wrist = arm.joints[kWrist].centre;
+    const Vec3d& wrist = limb.joints[kWrist].centre;
     for (std::size_t v = 0; v < body.x.size(); ++v) {
         if (is_beyond(body.x[v]) && (!nearest || (body.x[v] - wrist).norm() < (body.x[*nearest] - wrist).norm()))
             nearest = v;
     }
-    if (!nearest) return false;
+    if (!nearest) return std::nullopt;
+    std::vector<bool> is_of_limb(body.x.size(), false);
     const int part = parts.find(static_cast<int>(*nearest));
     for (std::size_t v = 0; v < body.x.size(); ++v) {
         if (!is_beyond(body.x[v]) || parts.find(static_cast<int>(v)) != part) continue;
-        if (distance_to_line(arm.joints, body.x[v]) > kReach * stature) return false;
-        is_of_arm[v] = true;
+        if ((nearest_on(limb.joints, body.x[v]).x - body.x[v]).norm() > kReach * stature) return std::nullopt;
+        is_of_limb[v] = true;
     }
-    return true;
+    return is_of_limb;
 }
 
-// The triangles for which `is_part` holds, closed by a fan about the middle of their border.
+using DirectedEdge = std::pair<int, int>;
+
+// Closes each loop of a border by a fan about its middle.
+void close_border(const std::vector<DirectedEdge>& border, Body& part) {
+    DisjointSets loops(part.x.size());
+    for (const auto& [a, b] : border) loops.join(a, b);
+    struct Loop {
+        Vec3d sum = Vec3d::Zero();
+        int edges = 0;
+        int middle = 0;
+    };
+    std::map<int, Loop> by_vertex;
+    for (const auto& [a, b] : border) {
+        Loop& loop = by_vertex[loops.find(a)];
+        loop.sum += part.x[static_cast<std::size_t>(a)];
+        ++loop.edges;
+    }
+    for (auto& [vertex, loop] : by_vertex) {
+        loop.middle = static_cast<int>(part.x.size());
+        part.x.emplace_back(loop.sum / loop.edges);
+    }
+    for (const auto& [a, b] : border) part.triangles.push_back({b, a, by_vertex[loops.find(a)].middle});
+}
+
+// The triangles for which `is_part` holds, closed where they were cut.
 template <class IsPart>
 Body closed_part(const Body& body, const IsPart& is_part) {
     Body part;
     std::vector<int> index(body.x.size(), -1);
-    std::map<std::pair<int, int>, int> border;  // directed edges without an opposite one
+    std::map<DirectedEdge, int> border;  // those without an opposite one
     for (const auto& t : body.triangles) {
         if (!is_part(t)) continue;
         std::array<int, 3> triangle{};
@@ -107,35 +143,115 @@ Body closed_part(const Body& body, const IsPart& is_part) {
             if (border.erase({b, a}) == 0) border[{a, b}] = 1;
         }
     }
-    if (border.empty()) return part;
-    Vec3d middle = Vec3d::Zero();
-    for (const auto& entry : border) middle += part.x[static_cast<std::size_t>(entry.first.first)];
-    part.x.emplace_back(middle / static_cast<double>(border.size()));
-    const int top = static_cast<int>(part.x.size()) - 1;
-    for (const auto& entry : border) part.triangles.push_back({entry.first.second, entry.first.first, top});
+    std::vector<DirectedEdge> edges;
+    for (const auto& entry : border) edges.push_back(entry.first);
+    close_border(edges, part);
     return part;
+}
+
+Body surface_of(const GarmentMesh& mesh) {
+    Body surface;
+    surface.x = mesh.x;
+    for (const GarmentTriangle& t : mesh.triangles) surface.triangles.push_back(t.vertices);
+    return surface;
 }
 
 }  // namespace
 
-std::optional<BodyWithoutArms> cut_off_arms(const Body& body, const BodyLimbs& limbs) {
-    BodyWithoutArms cut_body;
-    std::array<std::vector<bool>, kArms.size()> is_of;
-    for (std::size_t i = 0; i < kArms.size(); ++i) {
-        const Limb& arm = limbs[kArms[i]];
-        if (!arm.is_found) return std::nullopt;
-        const auto cut = find_cut(body, arm);
-        is_of[i].assign(body.x.size(), false);
-        if (!cut || !mark_arm(body, arm, *cut, limbs.height.high - limbs.height.low, is_of[i])) return std::nullopt;
-        cut_body.arms[i].joint = cut->plane.point;
+BodyInPieces cut_off(const Body& body, const BodyLimbs& limbs, std::span<const LimbKind> kinds) {
+    constexpr int kTrunk = -1;
+    BodyInPieces parts;
+    std::vector<int> part_of(body.x.size(), kTrunk);  // per vertex, index into parts.limbs
+    for (const LimbKind kind : kinds) {
+        const Limb& limb = limbs[kind];
+        if (!limb.is_found) continue;
+        const auto cut = find_cut(body, limb);
+        if (!cut) continue;
+        const auto is_of_limb = find_vertices(body, limb, *cut, limbs.height.high - limbs.height.low);
+        if (!is_of_limb) continue;
+        for (std::size_t v = 0; v < part_of.size(); ++v) {
+            if ((*is_of_limb)[v]) part_of[v] = static_cast<int>(parts.limbs.size());
+        }
+        parts.limbs.push_back({kind, {{}, cut->plane.point}, cut->plane.normal, cut->radius});
     }
-    const auto is_of_arm = [&](const std::array<int, 3>& t, std::size_t i) {
-        return std::ranges::all_of(t, [&](int v) { return is_of[i][static_cast<std::size_t>(v)]; });
+    const auto part_at = [&](const std::array<int, 3>& t) {
+        const int part = part_of[static_cast<std::size_t>(t[0])];
+        const bool is_one = std::ranges::all_of(t, [&](int v) { return part_of[static_cast<std::size_t>(v)] == part; });
+        return is_one ? part : kTrunk;
     };
-    for (std::size_t i = 0; i < kArms.size(); ++i)
-        cut_body.arms[i].surface = closed_part(body, [&](const auto& t) { return is_of_arm(t, i); });
-    cut_body.trunk = closed_part(body, [&](const auto& t) { return !is_of_arm(t, 0) && !is_of_arm(t, 1); });
-    return cut_body;
+    for (std::size_t i = 0; i < parts.limbs.size(); ++i) {
+        parts.limbs[i].piece.surface =
+            closed_part(body, [&](const auto& t) { return part_at(t) == static_cast<int>(i); });
+    }
+    parts.trunk = closed_part(body, [&](const auto& t) { return part_at(t) == kTrunk; });
+    return parts;
+}
+
+namespace {
+
+// The middle of the opening through which the limb leaves with the smallest turn, without passing through cloth.
+std::optional<Vec3d> nearest_exit(const GarmentMesh& closed, const SurfaceBvh& cloth, const LimbPiece& limb,
+                                  const BodyLimbs& limbs) {
+    const Vec3d& root = limb.piece.joint;
+    const Vec3d as_it_is = (limbs[limb.kind].joints[kWrist].centre - root).normalized();
+    double best = std::cos(std::numbers::pi / 4);
+    std::optional<Vec3d> exit;
+    for (const Opening& opening : find_openings(closed)) {
+        Vec3d centre = Vec3d::Zero();
+        for (const int v : opening.vertices) centre += closed.x[static_cast<std::size_t>(v)];
+        centre /= static_cast<double>(opening.vertices.size());
+        if (centre.x() * root.x() < 0 && std::abs(centre.x()) > limb.radius) continue;  // of the limb on the other side
+        const double turn = (centre - root).normalized().dot(as_it_is);
+        if (turn <= best || cloth.first_hit(root.cast<float>(), centre.cast<float>())) continue;
+        best = turn;
+        exit = centre;
+    }
+    return exit;
+}
+
+// The point at that length of a line, m; straight on beyond its end.
+Vec3d point_along(const std::vector<Vec3d>& line, double length) {
+    std::size_t i = 0;
+    for (; i + 2 < line.size(); ++i) {
+        const double part = (line[i + 1] - line[i]).norm();
+        if (length <= part) break;
+        length -= part;
+    }
+    return line[i] + length * (line[i + 1] - line[i]).normalized();
+}
+
+}  // namespace
+
+std::vector<Vec3d> way_out(const GarmentMesh& closed, const LimbPiece& limb, const BodyLimbs& limbs) {
+    constexpr int kParts = 10;
+    const Body cloth = surface_of(closed);
+    const Vec3d& root = limb.piece.joint;
+    const auto exit = nearest_exit(closed, SurfaceBvh(cloth), limb, limbs);
+    if (!exit) return {root, root + limb.along};
+    std::vector<Vec3d> way{root};
+    for (int i = 1; i < kParts; ++i) {
+        const double share = static_cast<double>(i) / kParts;
+        const Plane plane{.point = root + share * (*exit - root), .normal = (*exit - root).normalized()};
+        const auto round = nearest_loop(section(cloth, plane), plane.point);
+        const bool is_of_limb =
+            round && (round->centre - plane.point).norm() < std::sqrt(round->area / std::numbers::pi);
+        way.push_back(is_of_limb ? round->centre : plane.point);
+    }
+    way.push_back(*exit);
+    return way;
+}
+
+Body bend_limb(const LimbPiece& limb, const BodyLimbs& limbs, const std::vector<Vec3d>& way, double share) {
+    const std::vector<LimbJoint>& joints = limbs[limb.kind].joints;
+    const double root_at = nearest_on(joints, limb.piece.joint).length;
+    Body bent = limb.piece.surface;
+    for (Vec3d& x : bent.x) {
+        const double beyond = std::clamp((x - limb.piece.joint).dot(limb.along) / limb.radius, 0.0, 1.0);
+        const LinePoint centre = nearest_on(joints, x);
+        const Vec3d to = point_along(way, std::max(0.0, centre.length - root_at)) + share * (x - centre.x);
+        x += beyond * (to - x);
+    }
+    return bent;
 }
 
 namespace {
@@ -207,10 +323,7 @@ std::optional<LimbKind> arm_of_panel(std::string_view label, const std::vector<V
 std::vector<bool> panels_without_arms(const GarmentMesh& unsewn, const Pattern& pattern, const BodyLimbs& limbs) {
     GarmentMesh closed = unsewn;
     merge_seams(closed);
-    Body cloth;
-    cloth.x = closed.x;
-    for (const GarmentTriangle& t : closed.triangles) cloth.triangles.push_back(t.vertices);
-    const SurfaceBvh surface(cloth);
+    const SurfaceBvh surface(surface_of(closed));
     std::vector<bool> is_in_way(pattern.panels.size(), false), without = is_in_way;
     for (const LimbKind kind : kArms) {
         if (!limbs[kind].is_found) continue;

@@ -1,8 +1,9 @@
 #pragma once
-// Arms that are in the way of a garment: the body with its arms cut off below the shoulders, and the panels that would
-// close round an arm although they do not belong to it.
+// Limbs that are in the way of a garment: the body with limbs cut off near the torso, limbs that are thinner than the
+// body has them, and the panels that would close round an arm although they do not belong to it.
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -15,15 +16,32 @@
 namespace selvedge::sim {
 
 inline constexpr std::array<LimbKind, 2> kArms{LimbKind::LeftArm, LimbKind::RightArm};
+inline constexpr std::array<LimbKind, 2> kLegs{LimbKind::LeftLeg, LimbKind::RightLeg};
 
-struct BodyWithoutArms {
-    Body trunk;  // closed where the arms were
-    std::array<BodyPiece, kArms.size()> arms;
+struct LimbPiece {
+    LimbKind kind = LimbKind::LeftArm;
+    BodyPiece piece;               // its joint is the middle of the cut
+    Vec3d along = Vec3d::UnitX();  // unit, across the cut, towards the limb's end
+    double radius = 0;             // m, of the cut
 };
 
-// Cuts both arms off as near to the shoulder as a plane across the upper arm cuts nothing else. nullopt if an arm was
-// not found, or touches the rest of the body, so that it cannot be told from it.
-std::optional<BodyWithoutArms> cut_off_arms(const Body& body, const BodyLimbs& limbs);
+struct BodyInPieces {
+    Body trunk;                    // closed where the limbs were
+    std::vector<LimbPiece> limbs;  // in the order asked for
+};
+
+// Cuts arms or legs off as near to the torso as a plane across the upper arm or the thigh cuts nothing else. Limbs that
+// were not found, or that touch the rest of the body, so that they cannot be told from it, stay with the trunk.
+BodyInPieces cut_off(const Body& body, const BodyLimbs& limbs, std::span<const LimbKind> kinds);
+
+// The way along which a limb would leave a garment with the smallest turn, m: from its root through the middle of the
+// cloth round it to the middle of an opening on its side of the body, or in the middle. `closed`: the panels where they
+// stand, with all seams closed. Along the limb as it is if each opening would need a turn of more than 45 degrees.
+std::vector<Vec3d> way_out(const GarmentMesh& closed, const LimbPiece& limb, const BodyLimbs& limbs);
+
+// The limb with all but its root bent to lie along that way, and straight on beyond its end; and drawn in towards its
+// centre line to `share` of the distance from it. Vertices keep their order.
+Body bend_limb(const LimbPiece& limb, const BodyLimbs& limbs, const std::vector<Vec3d>& way, double share);
 
 // The arm to which more than that share of the points are nearest.
 std::optional<LimbKind> arm_nearest_to(const std::vector<Vec3d>& points, const BodyLimbs& limbs, double share);

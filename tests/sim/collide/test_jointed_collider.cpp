@@ -43,6 +43,13 @@ TEST(JointedCollider, turns_a_piece_about_its_joint) {
     EXPECT_NEAR(body.first_hit({1, 0.3F, 0}, {0, 0.3F, 0})->normal.x(), 1, 1e-4F);
 }
 
+TEST(JointedCollider, gives_a_piece_another_shape) {
+    JointedCollider body = cube_with_bar();
+    body.reshape(0, shapes::box(Vec3d(0.1, -0.05, -0.05), Vec3d(0.4, 0.05, 0.05), 4));
+    EXPECT_NEAR(body.contact({0.3F, 0.06F, 0}).distance, 0.01F, 1e-5F);
+    EXPECT_GE(body.contact({0.5F, 0, 0}).distance, body.band());
+}
+
 // The contact cache lets a point move by the distance that it was given.
 TEST(JointedCollider, gives_no_distance_that_is_too_large) {
     const JointedCollider body = cube_with_bar();

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "sim/collide/surface_bvh.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/mesh/sew.h"
 #include "tests/sim/dress/shapes.h"
@@ -36,25 +37,85 @@ bool is_closed(const Body& body) {
     return !body.triangles.empty();
 }
 
-TEST(CutOffArms, gives_closed_parts_of_bodies_in_any_pose) {
+// The limb's end joint: its wrist or ankle.
+const Vec3d& end_of(const BodyLimbs& found, LimbKind kind) {
+    return found[kind].joints[2].centre;
+}
+
+TEST(CutOff, gives_closed_parts_of_bodies_in_any_pose) {
     for (const Body& body : {mannequin(), shapes::in_t_pose(mannequin())}) {
         const BodyLimbs found = find_limbs(body);
-        const auto parts = cut_off_arms(body, found);
-        ASSERT_TRUE(parts.has_value());
-        EXPECT_TRUE(is_closed(parts->trunk));
-        for (std::size_t i = 0; i < kArms.size(); ++i) {
-            EXPECT_TRUE(is_closed(parts->arms[i].surface));
-            const std::vector<LimbJoint>& joints = found[kArms[i]].joints;
-            EXPECT_LT((parts->arms[i].joint - joints[0].centre).norm(),
-                      0.7 * (joints[1].centre - joints[0].centre).norm());
-            for (const Vec3d& x : parts->trunk.x) EXPECT_GT((x - joints[2].centre).norm(), 0.2);
+        for (const auto& kinds : {kArms, kLegs}) {
+            const BodyInPieces parts = cut_off(body, found, kinds);
+            ASSERT_EQ(parts.limbs.size(), 2U);
+            EXPECT_TRUE(is_closed(parts.trunk));
+            for (const LimbPiece& limb : parts.limbs) {
+                EXPECT_TRUE(is_closed(limb.piece.surface));
+                const std::vector<LimbJoint>& joints = found[limb.kind].joints;
+                EXPECT_LT((limb.piece.joint - joints[0].centre).norm(),
+                          0.7 * (joints[1].centre - joints[0].centre).norm());
+                EXPECT_GT(limb.along.dot(end_of(found, limb.kind) - limb.piece.joint), 0);
+                for (const Vec3d& x : parts.trunk.x) EXPECT_GT((x - end_of(found, limb.kind)).norm(), 0.2);
+            }
         }
     }
 }
 
-TEST(CutOffArms, needs_arms) {
-    Body body = mannequin();
-    EXPECT_FALSE(cut_off_arms(body, BodyLimbs{}).has_value());
+// Each cut is closed by itself: no surface runs from one shoulder to the other.
+TEST(CutOff, leaves_the_trunk_solid) {
+    const BodyInPieces parts = cut_off(mannequin(), limbs(), kArms);
+    const SurfaceBvh trunk(parts.trunk);
+    const auto chest = trunk.closest(limbs().torso[2].centre.cast<float>(), 1.0F);
+    ASSERT_TRUE(chest.has_value());
+    EXPECT_LT(chest->distance, -0.06F);
+}
+
+TEST(CutOff, leaves_limbs_that_were_not_found_with_the_trunk) {
+    const BodyInPieces parts = cut_off(mannequin(), BodyLimbs{}, kArms);
+    EXPECT_TRUE(parts.limbs.empty());
+    EXPECT_EQ(parts.trunk.triangles.size(), mannequin().triangles.size());
+}
+
+LimbPiece left_leg() {
+    return cut_off(mannequin(), limbs(), kLegs).limbs[0];
+}
+
+TEST(BendLimb, lays_a_thin_limb_along_a_way_but_leaves_its_root) {
+    const LimbPiece leg = left_leg();
+    const Vec3d out = Vec3d(0.3, -1, 0).normalized();
+    const Body bent = bend_limb(leg, limbs(), {leg.piece.joint, leg.piece.joint + 0.1 * out}, 0.1);
+    const Body& full = leg.piece.surface;
+    ASSERT_EQ(bent.x.size(), full.x.size());
+    for (std::size_t v = 0; v < full.x.size(); ++v) {
+        const double beyond = (full.x[v] - leg.piece.joint).dot(leg.along);
+        const Vec3d from_root = bent.x[v] - leg.piece.joint;
+        if (beyond < 1e-6) {
+            EXPECT_LT((bent.x[v] - full.x[v]).norm(), 1e-6);
+        } else if (beyond > leg.radius) {
+            EXPECT_LT((from_root - from_root.dot(out) * out).norm(), 0.03);
+        }
+    }
+}
+
+// Panels before and behind a leg, as far to its side as for a body with its feet apart.
+TEST(WayOut, runs_through_the_middle_of_a_trouser_leg_to_its_hem) {
+    Pattern pattern = tube(0.3, 0.65, 0.02, 0.2);
+    for (Panel& panel : pattern.panels) panel.translation.x() = 0.18;
+    GarmentMesh closed = assemble(pattern);
+    merge_seams(closed);
+    const std::vector<Vec3d> way = way_out(closed, left_leg(), limbs());
+    EXPECT_LT((way.front() - left_leg().piece.joint).norm(), 1e-6);
+    EXPECT_LT((way.back() - Vec3d(0.18, 0.02, 0)).norm(), 0.02);
+    for (std::size_t i = way.size() / 2; i < way.size(); ++i) EXPECT_NEAR(way[i].x(), 0.18, 0.02);
+}
+
+TEST(WayOut, is_along_the_limb_where_no_cloth_is_round_it) {
+    GarmentMesh closed = assemble(tube(0.5, 0.3, 1.1, 0.2));
+    merge_seams(closed);
+    const LimbPiece leg = left_leg();
+    const std::vector<Vec3d> way = way_out(closed, leg, limbs());
+    ASSERT_EQ(way.size(), 2U);
+    EXPECT_LT((way[1] - way[0] - leg.along).norm(), 1e-6);
 }
 
 // A skirt of this width at its hem, front and back, from the waist down.
