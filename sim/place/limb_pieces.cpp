@@ -209,6 +209,15 @@ std::optional<Vec3d> nearest_exit(const GarmentMesh& closed, const SurfaceBvh& c
     return exit;
 }
 
+// Whether a loop, taken for round, has the point within it.
+bool has_within(const SectionLoop& loop, const Vec3d& point) {
+    return (loop.centre - point).norm() < std::sqrt(loop.area / std::numbers::pi);
+}
+
+Vec3d mirrored(const Vec3d& point) {
+    return {-point.x(), point.y(), point.z()};
+}
+
 // The point at that length of a line, m; straight on beyond its end.
 Vec3d point_along(const std::vector<Vec3d>& line, double length) {
     std::size_t i = 0;
@@ -233,8 +242,7 @@ std::vector<Vec3d> way_out(const GarmentMesh& closed, const LimbPiece& limb, con
         const double share = static_cast<double>(i) / kParts;
         const Plane plane{.point = root + share * (*exit - root), .normal = (*exit - root).normalized()};
         const auto round = nearest_loop(section(cloth, plane), plane.point);
-        const bool is_of_limb =
-            round && (round->centre - plane.point).norm() < std::sqrt(round->area / std::numbers::pi);
+        const bool is_of_limb = round && has_within(*round, plane.point) && !has_within(*round, mirrored(plane.point));
         way.push_back(is_of_limb ? round->centre : plane.point);
     }
     way.push_back(*exit);

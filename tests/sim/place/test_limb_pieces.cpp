@@ -109,6 +109,17 @@ TEST(WayOut, runs_through_the_middle_of_a_trouser_leg_to_its_hem) {
     for (std::size_t i = way.size() / 2; i < way.size(); ++i) EXPECT_NEAR(way[i].x(), 0.18, 0.02);
 }
 
+// Where the cloth goes round both legs, the way stays at the leg.
+TEST(WayOut, does_not_run_to_the_middle_of_a_skirt) {
+    GarmentMesh closed = assemble(tube(0.6, 0.65, 0.02, 0.2));
+    merge_seams(closed);
+    const std::vector<Vec3d> way = way_out(closed, left_leg(), limbs());
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(way.size() - 1);
+        EXPECT_NEAR(way[i].x(), (1 - share) * way.front().x() + share * way.back().x(), 1e-6);
+    }
+}
+
 TEST(WayOut, is_along_the_limb_where_no_cloth_is_round_it) {
     GarmentMesh closed = assemble(tube(0.5, 0.3, 1.1, 0.2));
     merge_seams(closed);
