@@ -17,7 +17,7 @@ constexpr float kGuardReach = 0.0015F;  // m, assumed maximum error of the field
 
 BodyCollider::BodyCollider(const Body& body, const DistanceFieldOptions& options,
                            const std::function<void()>& interrupt)
-    : body_(body), bvh_(body), field_(bvh_, options, interrupt) {}
+    : body_(body), bvh_(body), field_(bvh_, options, interrupt), thin_parts_(find_thin_parts(bvh_, field_)) {}
 
 Contact BodyCollider::contact(const Vec3f& p) const {
     const FieldSample sample = field_.sample(p);

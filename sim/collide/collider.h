@@ -43,6 +43,8 @@ struct alignas(64) ContactBlock {
     }
 };
 
+struct ThinPart;
+
 class Collider {
  public:
     Collider() = default;
@@ -64,6 +66,10 @@ class Collider {
 
     // First intersection of the segment with the surface, from either side.
     virtual std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const = 0;
+
+    // The exact surface, if the collider has one that does not move; and its thin parts.
+    virtual const SurfaceBvh* exact_surface() const { return nullptr; }
+    virtual std::span<const ThinPart> thin_parts() const { return {}; }
 
     // Distances outside are capped at this value, m.
     virtual float band() const = 0;

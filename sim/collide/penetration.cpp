@@ -162,7 +162,7 @@ Penetration find_penetration(std::span<const Vec3f> x, std::span<const std::arra
         found.vertex = v;
     }
     const std::vector<MeshEdge> edges = edges_of(triangles);
-    std::vector<Deepest> on_edges(edges.size()), in_faces(triangles.size());
+    std::vector<Deepest> on_edges(edges.size()), on_faces(triangles.size());
     std::vector<char> passes(edges.size(), 0);
     parallel_for(edges.size(), kGrain, [&](std::size_t first, std::size_t last) {
         for (std::size_t e = first; e < last; ++e) {
@@ -174,7 +174,7 @@ Penetration find_penetration(std::span<const Vec3f> x, std::span<const std::arra
     parallel_for(triangles.size(), kGrain, [&](std::size_t first, std::size_t last) {
         for (std::size_t t = first; t < last; ++t) {
             const auto& [a, b, c] = triangles[t];
-            in_faces[t] = search.in_face(search[a], search[b], search[c]);
+            on_faces[t] = search.in_face(search[a], search[b], search[c]);
         }
     });
     const auto take = [&](const Deepest& deepest, std::uint32_t triangle) {
@@ -183,21 +183,23 @@ Penetration find_penetration(std::span<const Vec3f> x, std::span<const std::arra
         found.at = deepest.at;
         found.triangle = triangle;
     };
-    std::vector<char> is_inside(triangles.size(), 0);
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        is_inside[t] = in_faces[t].depth > options.depth;
-        for (const std::uint32_t v : triangles[t]) is_inside[t] |= -search[v].distance > options.depth;
-        take(in_faces[t], t);
+        take(on_faces[t], t);
+        for (const std::uint32_t v : triangles[t]) on_faces[t].take(-search[v].distance, search[v].x);
     }
     for (std::size_t e = 0; e < edges.size(); ++e) {
         if (on_edges[e].depth <= options.depth) continue;
         ++found.edges;
         const auto [first, second] = edges[e].triangles;
-        is_inside[first] = is_inside[second] = 1;
+        for (const std::uint32_t t : {first, second}) on_faces[t].take(on_edges[e].depth, on_edges[e].at);
         take(on_edges[e], first);
         if (passes[e] != 0) found.passing.push_back({first, on_edges[e].at, on_edges[e].depth});
     }
-    found.faces = static_cast<int>(std::ranges::count(is_inside, char{1}));
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        const auto& [depth, at] = on_faces[t];
+        if (depth > options.depth) found.deep_faces.push_back({t, at, depth});
+    }
+    found.faces = static_cast<int>(found.deep_faces.size());
     return found;
 }
 

@@ -25,15 +25,23 @@ struct PassingEdge {
     float depth = 0;             // m
 };
 
+// A face that is deeper than the limit, at a vertex, an edge or within.
+struct DeepFace {
+    std::uint32_t triangle = 0;
+    Vec3f at = Vec3f::Zero();  // its deepest point, m
+    float depth = 0;           // m
+};
+
 struct Penetration {
-    int vertices = 0;            // inside by any depth
-    float deepest_vertex = 0;    // m, 0 when none is inside
-    std::uint32_t vertex = 0;    // the deepest one
-    int edges = 0;               // deeper than the limit
-    int faces = 0;               // deeper than the limit, at a vertex, an edge or within
-    float deepest = 0;           // m, of all vertices, edges and faces; 0 when none is deeper than the limit
-    Vec3f at = Vec3f::Zero();    // of the deepest point, m
-    std::uint32_t triangle = 0;  // of the deepest point
+    int vertices = 0;                  // inside by any depth
+    float deepest_vertex = 0;          // m, 0 when none is inside
+    std::uint32_t vertex = 0;          // the deepest one
+    int edges = 0;                     // deeper than the limit
+    int faces = 0;                     // deeper than the limit
+    float deepest = 0;                 // m, of all vertices, edges and faces; 0 when none is deeper than the limit
+    Vec3f at = Vec3f::Zero();          // of the deepest point, m
+    std::uint32_t triangle = 0;        // of the deepest point
+    std::vector<DeepFace> deep_faces;  // these, by ascending triangle
     std::vector<PassingEdge> passing;
 };
 

@@ -15,12 +15,8 @@ namespace {
 
 constexpr float kTiny = 1e-30F;  // keeps quotients finite for slivers
 
-struct TrianglePoint {
-    Vec3f point;
-    int feature;  // 0: the face; 1..3: the edge from corner k-1; 4..6: corner k-4
-};
+}  // namespace
 
-// Ericson, Real-Time Collision Detection, 5.1.5.
 TrianglePoint closest_on_triangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
     const Vec3f ab = b - a;
     const Vec3f ac = c - a;
@@ -43,7 +39,14 @@ TrianglePoint closest_on_triangle(const Vec3f& p, const Vec3f& a, const Vec3f& b
     return {a + ab * (vb * scale) + ac * (vc * scale), 0};
 }
 
-}  // namespace
+std::array<float, 3> barycentric(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+    const Vec3f ab = b - a, ac = c - a, ap = p - a;
+    const float bb = ab.squaredNorm(), bc = ab.dot(ac), cc = ac.squaredNorm(), pb = ap.dot(ab), pc = ap.dot(ac);
+    const float determinant = bb * cc - bc * bc;
+    if (determinant <= 0) return {1, 0, 0};
+    const float u = (cc * pb - bc * pc) / determinant, v = (bb * pc - bc * pb) / determinant;
+    return {1 - u - v, u, v};
+}
 
 Vec3f SurfaceBvh::pseudo_normal(std::uint32_t triangle, int feature) const {
     if (feature == 0) return face_normals_[triangle];

@@ -17,6 +17,16 @@
 
 namespace selvedge::sim {
 
+// The point of a triangle nearest to p.  (Ericson, Real-Time Collision Detection, 5.1.5)
+struct TrianglePoint {
+    Vec3f point;
+    int feature;  // 0: the face; 1..3: the edge from corner k-1; 4..6: corner k-4
+};
+TrianglePoint closest_on_triangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c);
+
+// Barycentric coordinates of a point in the plane of a triangle; (1, 0, 0) for one without area.
+std::array<float, 3> barycentric(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c);
+
 // Packets of eight triangles whose squared distances from a point are computed together.
 
 struct TrianglePacket {

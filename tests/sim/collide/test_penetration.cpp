@@ -64,6 +64,17 @@ TEST(Penetration, finds_nothing_in_cloth_that_keeps_its_distance) {
     EXPECT_EQ(found.deepest, 0);
 }
 
+TEST(Penetration, names_the_deep_faces_with_their_deepest_points) {
+    const Body bump = shapes::sphere(Vec3d::Zero(), 0.02, 16);
+    const std::vector<Vec3f> x{
+        {-0.1F, 0.018F, -0.06F}, {0.1F, 0.018F, -0.06F}, {0.01F, 0.018F, 0.12F}, {0.2F, 0.018F, 0.12F}};
+    const Penetration found = find_penetration(x, Triangles{{1, 2, 3}, {0, 2, 1}}, SurfaceBvh(bump));
+    ASSERT_EQ(found.deep_faces.size(), 1U);
+    EXPECT_EQ(found.deep_faces[0].triangle, 1U);
+    EXPECT_EQ(found.deep_faces[0].depth, found.deepest);
+    EXPECT_EQ(found.deep_faces[0].at, found.at);
+}
+
 TEST(Penetration, forgives_less_than_half_a_millimetre) {
     const std::vector<Vec3f> x{{-0.02F, 0.5F, 0.0297F}, {0.02F, 0.5F, 0.0297F}, {0, 0.52F, 0.0297F}};
     const Penetration found = find_penetration(x, Triangles{{0, 1, 2}}, SurfaceBvh(post()));
