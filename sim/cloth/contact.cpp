@@ -221,6 +221,7 @@ void meet_samples(SolverState& solver, SampleBlock& samples, const Kernels& loop
 void refresh_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnContact& split) {
     ContactState& contacts = cloth.solver.contacts;
     reactivate(cloth);
+    contacts.faces.clear();
     size_contacts(cloth, contacts);
     std::fill(contacts.friction.begin(), contacts.friction.end(), 0.0F);
     for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) add_friction(cloth, contacts, leaf.triangle);
@@ -243,6 +244,7 @@ void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnC
         refresh_contacts(cloth, options, split);
         return;
     }
+    contacts.faces.clear();
     const LeafChanges& changes = cloth.mesh.changes();
     for (const VertexId v : changes.vertices_removed) contacts.friction[v.value] = 0;
     for (const VertexId v : changes.vertices_added) {
@@ -256,6 +258,7 @@ void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnC
 void forget_contacts(Cloth& cloth) {
     reactivate(cloth);
     std::fill(cloth.solver.contacts.query_point.begin(), cloth.solver.contacts.query_point.end(), nothing_known());
+    for (FaceContact& face : cloth.solver.contacts.faces) face.slack = FaceContact::kUnknown;
     for (SampleBlock& block : cloth.solver.contacts.samples) {
         for (std::size_t at = 0; at < kBlock; ++at) {
             if (block.shares[0][at] > 0) block.slack[at] = ContactCacheArrays::kUnknown;

@@ -12,6 +12,7 @@
 
 #include "sim/adaptive/adapt.h"
 #include "sim/cloth/constraint_set.h"
+#include "sim/cloth/face_contact.h"
 #include "sim/cloth/solver_blocks.h"
 #include "sim/collide/collider.h"
 #include "sim/core/math.h"
@@ -72,6 +73,7 @@ struct ContactState {
     std::vector<float> friction;     // by vertex
     std::vector<float> standoff;     // by vertex, m beyond the contact offset; see standoff.h
     std::vector<SampleBlock> samples;
+    std::vector<FaceContact> faces;   // those that are watched
     float offset = 0;                 // m, contact offset that the cached heights and slacks refer to
     std::vector<bool> is_trunk_only;  // by vertex and of the dummy vertex: see contacts_apart(); empty: none
     struct Scratch {

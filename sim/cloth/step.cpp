@@ -81,6 +81,7 @@ void Stepper::substep(int i) {
     store_corrections();
     if (is_last) update_bias();
     push_out_samples(cloth, loops, body, options.contact);
+    push_out_faces(cloth, body, options.contact);
     const float to_go = static_cast<float>(options.substeps - 1 - i);
     const float gap = options.seam_gap + to_go * options.seam_gap_rate;
     pull_seams(gap);

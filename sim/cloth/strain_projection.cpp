@@ -131,33 +131,38 @@ StrainProjectionReport project_strain(Cloth& cloth, const Collider& body, const 
     StrainProjectionReport report;
     Yarns yarns(cloth, options.tolerance);
     report.worst_over = yarns.look(cloth.x);
-    if (report.worst_over <= options.tolerance) return report;
+    StillPoints points(cloth);
+    report.deepest_face = deepest_watched_face(cloth, body);
+    if (report.worst_over <= options.tolerance && report.deepest_face <= options.depth) return report;
 
     ContactOptions contact = stepping.contact;
     contact.friction_scale = 0;
-    StillPoints points(cloth);
     const MovingPoints moving{floats(solver.points), floats(solver.before), cloth.x.size()};
     SelfContact& self_contact = solver.self_contact->contact;
     if (stepping.self_contact) {
         update_contact_surface(cloth);
         self_contact.begin_step(moving, *stepping.self_contact);
     }
-    std::vector<Vec4f> best = solver.points;  // a garment that is too small has no solution
-    float best_over = report.worst_over;
-    while (report.rounds < options.rounds && best_over > options.tolerance) {
+    std::vector<Vec4f> start, best = solver.points;  // a garment that is too small has no solution
+    while (report.rounds < options.rounds &&
+           (report.worst_over > options.tolerance || report.deepest_face > options.depth)) {
         solver.before = solver.points;
         for (int i = 0; i < options.sweeps_per_round; ++i) yarns.sweep(solver.points);
         push_out_samples(cloth, kernels(simd_level()), body, contact);
+        start = solver.before;
+        push_out_faces(cloth, body, contact);
+        solver.before = start;  // so that the next two limit the whole move
         hold_vertices(cloth, kernels(simd_level()), body, options.longest_move, contact);
         if (stepping.self_contact) self_contact.substep(moving, *stepping.self_contact);
         ++report.rounds;
-        const float worst = yarns.look(solver.points);
-        if (worst >= best_over) continue;
-        best_over = worst;
+        const float worst = yarns.look(solver.points), deepest = deepest_watched_face(cloth, body);
+        const float deeper = std::max(deepest, options.depth) - std::max(report.deepest_face, options.depth);
+        if (deeper > 0 || (deeper == 0 && worst >= report.worst_over)) continue;
+        report.worst_over = worst;
+        report.deepest_face = deepest;
         best = solver.points;
     }
     solver.points = best;
-    report.worst_over = best_over;
     if (stepping.self_contact) self_contact.end_step(moving, *stepping.self_contact);
     points.store();
     return report;

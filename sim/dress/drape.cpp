@@ -101,7 +101,7 @@ void DrapeRun::relax_frame(Cloth& cloth, const Collider& body) {
     AdaptClothOptions adapting = options_.adapt;
     if (relaxed_ < options_.coarse_time) adapting.shortest_edge = std::numeric_limits<float>::max();
     adapt_once(cloth, body, adapting);
-    update_standoffs(cloth, body, standoffs(frame_seconds(cloth, stepping)));
+    update_contacts_between_frames(cloth, body, stepping);
     stepping.contact.friction_scale = 0;
     run_steps(cloth, body, stepping);
     relaxed_ += frame_seconds(cloth, stepping);
@@ -118,7 +118,7 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     adapting.may_rejoin = may_rejoin_;
     if (!options_.may_rest || !is_at_rest(cloth)) {
         adapt_once(cloth, body, adapting);
-        update_standoffs(cloth, body, standoffs(frame_seconds(cloth, stepping)));
+        update_contacts_between_frames(cloth, body, stepping);
     }
     run_steps(cloth, body, stepping);
     may_rejoin_ = result_.rms_speed >= options_.calm_speed;
@@ -135,13 +135,30 @@ void DrapeRun::finish_frame(Cloth& cloth, const Collider& body) {
     StepOptions stepping{.gravity = options_.gravity, .extra_damping = kFinishDamping, .contact = finishing_contact()};
     stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // updates would set it in motion
     stepping.substeps *= static_cast<int>(std::lround(usual_substep_ / cloth.substep));
-    update_standoffs(cloth, body, standoffs(frame_seconds(cloth, stepping)));
+    update_contacts_between_frames(cloth, body, stepping);
     const std::size_t usual_steps = result_.step_ms.size();
     run_steps(cloth, body, stepping);
     result_.step_ms.resize(usual_steps);  // the statistics cover steps of usual length only
     if (finishes() || result_.bad_vertex) return;
     stepping.self_contact = options_.self_contact;
+    project(cloth, body, stepping);
+}
+
+// Projects onto the strain limits and out of the body, until an exact test finds no face inside it.
+void DrapeRun::project(Cloth& cloth, const Collider& body, const StepOptions& stepping) {
+    constexpr float kDepth = 0.0004F;  // m: less than the depth that a report counts, FaultLimits::depth
+    constexpr int kTests = 6;
+    cloth.solver.contacts.faces.clear();
     project_strain(cloth, body, stepping);
+    for (int test = 0; test < kTests && watch_faces_inside(cloth, body, kDepth) > 0; ++test)
+        project_strain(cloth, body, stepping);
+}
+
+// Call it between adaptations and steps.
+void DrapeRun::update_contacts_between_frames(Cloth& cloth, const Collider& body, const StepOptions& stepping) {
+    const double seconds = frame_seconds(cloth, stepping);
+    update_standoffs(cloth, body, standoffs(seconds));
+    watch_faces_near_thin_parts(cloth, body, static_cast<float>(seconds));
 }
 
 bool DrapeRun::finishes() const {

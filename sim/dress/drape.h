@@ -88,6 +88,8 @@ class DrapeRun {
     void end_fall(Cloth& cloth);
     void end(Cloth& cloth);
     bool finishes() const;
+    void project(Cloth& cloth, const Collider& body, const StepOptions& stepping);
+    void update_contacts_between_frames(Cloth& cloth, const Collider& body, const StepOptions& stepping);
     void adapt_once(Cloth& cloth, const Collider& body, const AdaptClothOptions& adapting);
     void run_steps(Cloth& cloth, const Collider& body, StepOptions stepping);
     ContactOptions falling_contact() const;

@@ -8,6 +8,7 @@
 #include "sim/cloth/contact_surface.h"
 #include "sim/collide/body_collider.h"
 #include "sim/collide/collider.h"
+#include "sim/collide/penetration.h"
 #include "sim/dress/drape.h"
 #include "sim/dress/sewing.h"
 #include "sim/mesh/garment_mesh.h"
@@ -65,6 +66,34 @@ TEST(DrapeRun, rests_only_where_that_is_asked_for) {
     for (int frame = 0; frame < 300; ++frame) run.advance(cloth, ball());
     EXPECT_FALSE(is_at_rest(cloth));
     EXPECT_EQ(run.result().adaptation_ms.size(), 300U);
+}
+
+// A ball with bumps of 4 mm, each as wide as a triangle of the cloth.
+Body ball_with_bumps() {
+    Body body = shapes::sphere(Vec3d(0, 1, 0), 0.15, 80);
+    for (Vec3d& x : body.x) {
+        const Vec3d out = (x - Vec3d(0, 1, 0)).normalized();
+        for (int i = 0; i < 12; ++i) {
+            const double angle = 2.1 * i, slope = 0.15 + 0.06 * i;
+            const Vec3d bump(std::sin(slope) * std::cos(angle), std::cos(slope), std::sin(slope) * std::sin(angle));
+            const double width = 0.15 * (out - bump).norm() / 0.004;
+            x += 0.004 * std::exp(-width * width) * out;
+        }
+    }
+    return body;
+}
+
+TEST(DrapeRun, ends_with_no_face_inside_the_body) {
+    const Body body = ball_with_bumps();
+    const BodyCollider collider(body);
+    Cloth cloth = cloth_above_the_ball();
+    DrapeRun run(cloth, {.max_seconds = 3, .relax_time = 0.1, .coarse_time = 0, .self_contact = SelfContactOptions{}});
+    while (run.advance(cloth, collider)) continue;
+    const DrawMesh mesh = draw_mesh(cloth, {});
+    const Penetration found = find_penetration(mesh.x, mesh.triangles, collider.surface());
+    EXPECT_EQ(found.faces, 0) << found.deepest;
+    EXPECT_EQ(found.edges, 0);
+    EXPECT_TRUE(find_crossing_triangles(contact_surface(cloth), cloth.x.front().data()).empty());
 }
 
 // A box of 0.2 x 0.12 m, so with a girth of 0.64 m, standing on the floor.

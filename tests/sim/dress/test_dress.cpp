@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/body/load_body.h"
 #include "sim/collide/surface_bvh.h"
 #include "sim/core/error.h"
 #include "sim/dress/dressing.h"
@@ -264,6 +265,33 @@ TEST_P(PublishedPattern, is_dressed_without_a_fault) {
     const Body body = mean_body();
     expect_dressed(dress(load_pattern(folder() / GetParam()).pattern, body), body);
 }
+
+// Regression: fingers came through the poncho, and small parts of the body stayed up to 1 mm above the cloth.
+class ScannedBody : public testing::TestWithParam<const char*> {};
+
+TEST_P(ScannedBody, has_no_face_of_a_garment_inside_it) {
+    const char* const data = std::getenv("SELVEDGE_TEST_DATA");
+    if (data == nullptr) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set";
+    const std::filesystem::path folder(data);
+    const Body body = load_body(folder / "bodies" / GetParam());
+    DressOptions options;
+    const auto expect_outside = [&](const Pattern& pattern, const char* fabric) {
+        options.fabric = find_fabric(fabric);
+        const DressReport report = dress(pattern, body, options).report;
+        EXPECT_EQ(report.contact.faces_in_body, 0) << report.contact.deepest_face_at;
+        EXPECT_EQ(report.contact.edges_in_body, 0);
+        EXPECT_EQ(report.contact.self_crossings, 0);
+        EXPECT_EQ(list_faults(report), "");
+    };
+    expect_outside(load_pattern(folder / "garmentcode" / "shirt_mean_specification.json").pattern, "denim");
+    expect_outside(shipped("poncho"), "jersey");
+}
+
+INSTANTIATE_TEST_SUITE_P(MakeHuman, ScannedBody, testing::Values("mh_female.obj", "mh_female_cc1.obj"),
+                         [](const auto& instance) {
+                             const std::string name = instance.param;
+                             return name.substr(0, name.find('.'));
+                         });
 
 // Regression: the dress is drafted for a larger body. It slips off the shoulders, which was no fault.
 class PublishedDress : public PublishedPattern {};

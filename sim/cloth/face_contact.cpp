@@ -1,0 +1,191 @@
+#include "sim/cloth/face_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "sim/cloth/cloth.h"
+#include "sim/cloth/contact.h"
+#include "sim/cloth/standoff.h"
+#include "sim/collide/penetration.h"
+#include "sim/collide/surface_bvh.h"
+#include "sim/collide/thin_parts.h"
+
+namespace selvedge::sim {
+namespace {
+
+using Corners = std::array<Vec3f, 3>;
+using Shares = std::array<float, 3>;
+
+constexpr float kFaceReach = 0.0005F;  // m, how far the tangent plane is used: its error is 25 um at R = 5 mm
+
+constexpr float kUnseen = 0.002F;  // m, after which a face is queried again: the descent may miss a second finger
+
+constexpr float kRounding = 1e-6F;  // m
+
+struct FacePoint {
+    Vec3f x = Vec3f::Zero();
+    Contact contact{.distance = std::numeric_limits<float>::max()};
+};
+
+struct NearestPoint {
+    FacePoint nearest;  // that the descent found
+    float least = 0;    // m: no point of the face is nearer to the body
+};
+
+// The exact contact where there is a surface; nullopt if it is farther than `reach`.
+std::optional<Contact> contact_within(const Collider& body, const Vec3f& x, float reach) {
+    const SurfaceBvh* const surface = body.exact_surface();
+    if (surface == nullptr) return body.contact(x);
+    const auto closest = surface->closest(x, reach);
+    if (!closest) return std::nullopt;
+    return Contact{closest->distance, closest->normal};
+}
+
+// Takes x if it is nearer to the body, or deeper in it, than the nearest so far. It cannot be deeper than the way from
+// there, less the distance there.
+bool take_nearer(const Collider& body, const Vec3f& x, FacePoint& nearest) {
+    const float known = nearest.contact.distance;
+    const float deepest = (x - nearest.x).norm() - known;
+    const auto contact = contact_within(body, x, std::max(known, deepest) + kRounding);
+    if (!contact || contact->distance >= known) return false;
+    nearest = {x, *contact};
+    return true;
+}
+
+Vec3f mixed(const Corners& x, const Shares& shares) {
+    return shares[0] * x[0] + shares[1] * x[1] + shares[2] * x[2];
+}
+
+float largest_move(const Corners& from, const Corners& to) {
+    float squared = 0;
+    for (std::size_t k = 0; k < 3; ++k) squared = std::max(squared, (to[k] - from[k]).squaredNorm());
+    return std::sqrt(squared);
+}
+
+// Starts from the best of a few points. Aims at a point inside the body, so that the descent goes on in a face that is
+// pierced: for a limb of the radius kAim one step suffices.
+NearestPoint nearest_point(const Collider& body, const Corners& x, const Shares& last) {
+    constexpr float kAim = 0.005F;         // m, less than the radius of a finger
+    constexpr float kProgress = 0.00002F;  // m
+    constexpr int kSteps = 12;
+    FacePoint nearest;
+    const Vec3f middle = (x[0] + x[1] + x[2]) / 3;
+    take_nearer(body, middle, nearest);
+    const float least = nearest.contact.distance - largest_move({middle, middle, middle}, x);
+    for (const Vec3f& start :
+         {mixed(x, last), Vec3f((x[0] + x[1]) / 2), Vec3f((x[1] + x[2]) / 2), Vec3f((x[2] + x[0]) / 2)})
+        take_nearer(body, start, nearest);
+    for (int step = 0; step < kSteps; ++step) {
+        const float before = nearest.contact.distance;
+        const Vec3f aim = nearest.x - nearest.contact.normal * (before + kAim);
+        if (!take_nearer(body, closest_on_triangle(aim, x[0], x[1], x[2]).point, nearest)) break;
+        if (nearest.contact.distance > before - kProgress) break;
+    }
+    return {nearest, least};
+}
+
+Corners corners_of(const FaceContact& face, const std::vector<Vec4f>& points) {
+    return {points[face.vertices[0]].head<3>(), points[face.vertices[1]].head<3>(), points[face.vertices[2]].head<3>()};
+}
+
+void query(FaceContact& face, const Corners& x, const Collider& body, float offset) {
+    const auto [nearest, least] = nearest_point(body, x, face.shares);
+    face.query_points = x;
+    face.shares = barycentric(nearest.x, x[0], x[1], x[2]);
+    face.normal = nearest.contact.normal;
+    face.plane = face.normal.dot(nearest.x) - nearest.contact.distance;
+    face.slack = std::clamp(nearest.contact.distance - offset, 0.0F, std::max(least - offset, kUnseen));
+}
+
+void shift(const FaceContact& face, const Vec3f& by, std::vector<Vec4f>& points) {
+    float sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += points[face.vertices[k]].w() * face.shares[k] * face.shares[k];
+    if (sum <= 0) return;
+    for (std::size_t k = 0; k < 3; ++k) {
+        Vec4f& x = points[face.vertices[k]];
+        x.head<3>() += by * (x.w() * face.shares[k] / sum);
+    }
+}
+
+// The same as for samples: Coulomb friction by the corrected depth, and no velocity from depth that was there before.
+void push_out(FaceContact& face, SolverState& solver, const Collider& body, const ContactOptions& options) {
+    const Corners x = corners_of(face, solver.points);
+    const bool is_known = face.slack >= 0;
+    const float moved = is_known ? largest_move(face.query_points, x) : 0;
+    if (!is_known || moved > std::max(face.slack, kFaceReach)) {
+        query(face, x, body, options.offset);
+    } else if (face.slack > kFaceReach) {
+        return;
+    }
+    const Vec3f at = mixed(x, face.shares), from = mixed(corners_of(face, solver.before), face.shares);
+    const float height = face.normal.dot(at) - face.plane - options.offset;
+    if (height >= 0) return;
+    const float sunk = std::clamp(face.plane + options.offset - face.normal.dot(from), 0.0F, -height);
+    shift(face, face.normal * sunk, solver.before);
+    const Vec3f moving = at - from;
+    const Vec3f sliding = moving - face.normal * face.normal.dot(moving);
+    const float slid = sliding.norm(), held = face.friction * options.friction_scale * (-height - sunk);
+    shift(face, -height * face.normal - sliding * (slid > 0 ? std::min(1.0F, held / slid) : 0.0F), solver.points);
+}
+
+FaceContact& watch(Cloth& cloth, const LeafTriangle& leaf) {
+    FaceContact& face = cloth.solver.contacts.faces.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) face.vertices[k] = leaf.v[k].value;
+    face.friction = static_cast<float>(cloth.material.fabrics[leaf.panel].friction);
+    return face;
+}
+
+}  // namespace
+
+void watch_faces_near_thin_parts(Cloth& cloth, const Collider& body, float seconds) {
+    constexpr float kUnexpected = 0.01F;  // m, in a frame: twice what a free fall from rest adds
+    ContactState& contacts = cloth.solver.contacts;
+    contacts.faces.clear();
+    const std::span<const ThinPart> parts = body.thin_parts();
+    if (parts.empty() || !contacts.is_trunk_only.empty()) return;
+    const float substeps = seconds / cloth.substep;
+    for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
+        Eigen::AlignedBox3f box;
+        for (const VertexId v : leaf.v) {
+            const Vec3f x = cloth.x[v.value].head<3>();
+            box.extend(x);
+            box.extend(Vec3f(x + substeps * (cloth.x[v.value] - cloth.x_prev[v.value]).head<3>()));
+        }
+        box.min() -= Vec3f::Constant(kUnexpected);
+        box.max() += Vec3f::Constant(kUnexpected);
+        if (is_near(parts, box)) watch(cloth, leaf);
+    }
+}
+
+int watch_faces_inside(Cloth& cloth, const Collider& body, float depth) {
+    const SurfaceBvh* const surface = body.exact_surface();
+    if (surface == nullptr) return 0;
+    std::vector<Vec3f> x;
+    for (const Vec4f& point : cloth.x) x.push_back(point.head<3>());
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles())
+        triangles.push_back({leaf.v[0].value, leaf.v[1].value, leaf.v[2].value});
+    const Penetration found = find_penetration(x, triangles, *surface, {.depth = depth});
+    for (const DeepFace& deep : found.deep_faces) {
+        const auto& [a, b, c] = triangles[deep.triangle];
+        watch(cloth, cloth.mesh.leaf_triangles()[deep.triangle]).shares = barycentric(deep.at, x[a], x[b], x[c]);
+    }
+    return found.faces;
+}
+
+void push_out_faces(Cloth& cloth, const Collider& body, const ContactOptions& options) {
+    for (FaceContact& face : cloth.solver.contacts.faces) push_out(face, cloth.solver, body, options);
+}
+
+float deepest_watched_face(const Cloth& cloth, const Collider& body) {
+    float least = 0;
+    for (const FaceContact& face : cloth.solver.contacts.faces) {
+        const Corners x = corners_of(face, cloth.solver.points);
+        least = std::min(least, nearest_point(body, x, face.shares).nearest.contact.distance);
+    }
+    return -least;
+}
+
+}  // namespace selvedge::sim

@@ -1,0 +1,51 @@
+#pragma once
+// Contact of whole faces with the body. Vertices and samples are points of the cloth that are fixed in it; a finger or
+// a toe can pass between them. A watched face has one contact point that moves in it, to where it is nearest to the
+// body: a descent on the signed distance, each step to the point of the face that is nearest to a point inside the body
+// (local optimization after Macklin et al. 2020, "Local Optimization for Robust Signed Distance Field Collision").
+//
+//      \             Watched are the faces that can meet a thin part of the body (sim/collide/thin_parts.h) before the
+//       \   ( )      next adaptation splits them, and at the end of a drape those that an exact test found too deep.
+//    ----\-------
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/collide/collider.h"
+#include "sim/core/math.h"
+
+namespace selvedge::sim {
+
+struct Cloth;
+struct ContactOptions;
+
+// A watched face with the result of its last query, as in the contact cache of vertices.
+struct FaceContact {
+    static constexpr float kUnknown = -1;  // m: the slack of a face without a result
+
+    std::array<std::uint32_t, 3> vertices{};
+    float friction = 0;
+    std::array<Vec3f, 3> query_points{};  // m, positions of the vertices at the last query
+    std::array<float, 3> shares{1.0F / 3.0F, 1.0F / 3.0F, 1.0F / 3.0F};  // of the contact point
+    Vec3f normal = Vec3f::Zero();                                        // unit, out of the body
+    float plane = 0;         // m: the body's tangent plane is normal . x = plane
+    float slack = kUnknown;  // m, that the vertices may move before the face can touch
+};
+
+// Watches the leaf triangles that can meet thin parts of the body within these seconds, and no others. Call it after
+// an adaptation; any adaptation that changes the mesh ends the watch.
+void watch_faces_near_thin_parts(Cloth& cloth, const Collider& body, float seconds);
+
+// Watches also the leaf triangles of which a part is inside the body by more than `depth` (m), by an exact test.
+// Returns their number; 0 for a collider without an exact surface.
+int watch_faces_inside(Cloth& cloth, const Collider& body, float depth);
+
+// Moves the watched faces in Cloth::solver at least `offset` away from the body, with friction as for samples. Depth
+// that a face had before the sub-step is removed without becoming velocity.
+void push_out_faces(Cloth& cloth, const Collider& body, const ContactOptions& options);
+
+// The largest depth of the watched faces in Cloth::solver inside the body, m; 0 if none is inside.
+float deepest_watched_face(const Cloth& cloth, const Collider& body);
+
+}  // namespace selvedge::sim
