@@ -139,46 +139,50 @@ void move_panel(GarmentMesh& unsewn, std::size_t panel, const Vec3d& shift) {
     }
 }
 
-// Maximum depth of the line from a to b inside the body, m.
-double blocked_depth(const Vec3d& a, const Vec3d& b, const BodyCollider& body) {
+// Where the body blocks the straight line between two linked vertices the most.
+struct BlockedLink {
+    double depth = 0;       // m, inside the body
+    bool faces_up = false;  // the body's surface there, as it does on the shoulders
+};
+
+BlockedLink find_blocked(const GarmentMesh& unsewn, const SeamLink& link, double lift, const BodyCollider& body) {
     constexpr int kSamples = 16;
-    double deepest = 0;
+    constexpr float kUp = 0.5F;  // cosine: less than 60 degrees from upright
+    const Vec3d a = unsewn.x[static_cast<std::size_t>(link.a)] + Vec3d(0, lift, 0);
+    const Vec3d b = unsewn.x[static_cast<std::size_t>(link.b)] + Vec3d(0, lift, 0);
+    BlockedLink blocked;
     for (int i = 1; i < kSamples; ++i) {
         const Vec3d p = a + (b - a) * (i / double(kSamples));
-        deepest = std::max(deepest, -static_cast<double>(body.contact(p.cast<float>()).distance));
+        const auto contact = body.contact(p.cast<float>());
+        const double depth = -static_cast<double>(contact.distance);
+        if (depth > blocked.depth) blocked = {.depth = depth, .faces_up = contact.normal.y() > kUp};
     }
-    return deepest;
+    return blocked;
 }
 
 // Sum of squared depths: one deep seam is worse than several shallow ones. Depths are capped at 4 cm, because a deeper
 // one, as for a tight skirt around spread legs, cannot be cured by a lift.
 double blocked_cost(const GarmentMesh& unsewn, double lift, const BodyCollider& body) {
     constexpr double kDeepest = 0.04;  // m
-    const Vec3d up(0, lift, 0);
     double cost = 0;
     for (const SeamLink& link : unsewn.links) {
-        const Vec3d& a = unsewn.x[static_cast<std::size_t>(link.a)];
-        const Vec3d& b = unsewn.x[static_cast<std::size_t>(link.b)];
-        const double depth = std::min(kDeepest, blocked_depth(a + up, b + up, body));
+        const double depth = std::min(kDeepest, find_blocked(unsewn, link, lift, body).depth);
         cost += depth * depth;
     }
     return cost;
 }
 
-}  // namespace
+constexpr double kLiftStep = 0.01;  // m
 
 // Beyond a maximum of the cost, a sleeve may lie wholly on the wrong side of the arm, where the cost is low again. A
 // lift beyond such a maximum is accepted only if the seams are practically clear there.
-double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body) {
+double least_blocked_lift(const GarmentMesh& unsewn, double as_placed, const BodyCollider& body) {
     constexpr int kStepsEachWay = 12;
-    constexpr double kStep = 0.01;               // m
     constexpr double kWorthPerStep = 0.05;       // of the initial cost, which each step must save at least
     constexpr double kHump = 1.2, kClear = 0.1;  // of the initial cost
-    const double as_placed = blocked_cost(unsewn, 0, body);
-    if (as_placed <= 0) return 0;
     double best = 0;
     double least = as_placed;
-    for (const double way : {kStep, -kStep}) {
+    for (const double way : {kLiftStep, -kLiftStep}) {
         bool is_behind = false;
         for (int i = 1; i <= kStepsEachWay; ++i) {
             const double cost = blocked_cost(unsewn, i * way, body);
@@ -190,6 +194,33 @@ double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body) {
         }
     }
     return best;
+}
+
+// A lift from which no seam grazes the body from above. The cost weighs a shoulder seam like one under an arm or at a
+// side. But those slide round what they graze, whereas a shoulder seam bears the garment: while other seams pull at its
+// panels, it slips down before or behind the shoulder, and the garment falls.
+double lift_off(const GarmentMesh& unsewn, double lift, const BodyCollider& body) {
+    constexpr int kMostSteps = 2;  // lift a seam that is less than kClearance deep out of a surface that faces up
+    std::vector<SeamLink> grazing;
+    for (const SeamLink& link : unsewn.links) {
+        const BlockedLink blocked = find_blocked(unsewn, link, lift, body);
+        if (blocked.depth > 0 && blocked.depth < kClearance && blocked.faces_up) grazing.push_back(link);
+    }
+    for (int i = 0; i < kMostSteps; ++i) {
+        const bool is_free = std::ranges::none_of(
+            grazing, [&](const SeamLink& link) { return find_blocked(unsewn, link, lift, body).depth > 0; });
+        if (is_free) break;
+        lift += kLiftStep;
+    }
+    return lift;
+}
+
+}  // namespace
+
+double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body) {
+    const double as_placed = blocked_cost(unsewn, 0, body);
+    if (as_placed <= 0) return 0;
+    return lift_off(unsewn, least_blocked_lift(unsewn, as_placed, body), body);
 }
 
 namespace {

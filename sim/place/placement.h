@@ -26,7 +26,7 @@ std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& b
 
 // The vertical shift of the whole unsewn garment (m, negative: down) with which its seams can close. The body blocks a
 // shoulder seam that is too low or an underarm seam that is too high. The shift minimises how deep the straight lines
-// between linked vertices run through the body.
+// between linked vertices run through the body, and then lifts those off the body that graze it from above.
 double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body);
 
 // Applies seam_clearing_lift() and then clear_panels(). Returns notes on what was changed. `worn`: cloth under the

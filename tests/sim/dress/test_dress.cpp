@@ -293,18 +293,16 @@ INSTANTIATE_TEST_SUITE_P(MakeHuman, ScannedBody, testing::Values("mh_female.obj"
                              return name.substr(0, name.find('.'));
                          });
 
-// Regression: the dress is drafted for a larger body. It slips off the shoulders, which was no fault.
+// Regression: the dress is drafted for a larger body. Its shoulder seams grazed the shoulders, slipped down before
+// them, and it fell.
 class PublishedDress : public PublishedPattern {};
 
-TEST_P(PublishedDress, that_slips_off_the_shoulders_misses_the_arms) {
+TEST_P(PublishedDress, hangs_from_the_shoulders_of_a_smaller_body) {
     if (folder().empty()) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set";
     const DressReport report = dress(load_pattern(folder() / GetParam()).pattern, mannequin(), up_to_level(1)).report;
     const std::string faults = list_faults(report);
-    for (const std::string arm : {"left", "right"}) {
-        const std::string missed =
-            "limb_missed: the " + arm + " arm does not pass through the armhole of '" + arm + "_ftorso'";
-        EXPECT_NE(faults.find(missed), std::string::npos) << faults;
-    }
+    EXPECT_EQ(faults.find("limb_missed"), std::string::npos) << faults;
+    EXPECT_EQ(faults.find("displaced"), std::string::npos) << faults;
 }
 
 INSTANTIATE_TEST_SUITE_P(GarmentCode, PublishedDress, testing::Values("dress_pencil_specification.json"),

@@ -275,6 +275,19 @@ TEST(SeamClearingLift, does_not_take_a_sleeve_off_an_arm) {
     EXPECT_EQ(seam_clearing_lift(unsewn, BodyCollider(body, kCoarse)), 0);
 }
 
+// A shoulder seam 3 mm below the top of a column, and a seam 1 mm above the underside of an arm beside it.
+TEST(SeamClearingLift, clears_a_shoulder_seam_that_grazes_the_shoulder_although_a_seam_under_the_arm_is_in_the_way) {
+    Body body = shapes::box(Vec3d(-0.15, 1.0, -0.1), Vec3d(0.15, 1.353, 0.1), 8);
+    const Body arm = shapes::box(Vec3d(0.25, 1.199, -0.1), Vec3d(0.55, 1.499, 0.1), 8);
+    const int first = int(body.x.size());
+    body.x.insert(body.x.end(), arm.x.begin(), arm.x.end());
+    for (const auto& t : arm.triangles) body.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    GarmentMesh unsewn;
+    unsewn.x = {Vec3d(0, 1.35, 0.2), Vec3d(0, 1.35, -0.2), Vec3d(0.4, 1.2, 0.2), Vec3d(0.4, 1.2, -0.2)};
+    unsewn.links = {{.a = 0, .b = 1}, {.a = 2, .b = 3}};
+    EXPECT_NEAR(seam_clearing_lift(unsewn, BodyCollider(body, kCoarse)), 0.01, 1e-9);
+}
+
 TEST(SeamClearingLift, is_nothing_where_nothing_is_in_the_way) {
     const Body body = column(1.3);
     const BodyCollider collider(body, kCoarse);
