@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -10,6 +11,8 @@
 #include <string_view>
 #include <utility>
 
+#include "sim/body/landmarks.h"
+#include "sim/body/section.h"
 #include "sim/core/assert.h"
 #include "sim/core/math.h"
 #include "sim/mesh/sew.h"
@@ -129,11 +132,9 @@ PanelVertices vertices_by_panel(const GarmentMesh& mesh) {
     return panels;
 }
 
-void validate_openings(const WornGarment& garment, const PanelVertices& panels, const BodyLimbs& meant_for,
-                       const BodyLimbs& worn_by, DressReport& report) {
-    const std::vector<Opening> openings = find_openings(garment.closed);
-    const LimbPassages expected =
-        find_passages(garment.closed, garment.closed.x, openings, meant_for, {.ends_at_cloth = true});
+void validate_openings(const WornGarment& garment, const PanelVertices& panels, const std::vector<Opening>& openings,
+                       const LimbPassages& expected, const BodyLimbs& meant_for, const BodyLimbs& worn_by,
+                       DressReport& report) {
     const LimbPassages found = find_passages(garment.closed, garment.closed_draped, openings, worn_by);
     const LimbSet known = expected.known & found.known;
     for (std::size_t i = 0; i < openings.size(); ++i) {
@@ -229,6 +230,53 @@ std::vector<std::size_t> garment_parts(const WornGarment& garment, const PanelVe
     return first;
 }
 
+// "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest: it is 99 cm long, the body 85 cm
+// round where it was placed".
+std::string describe_slip(const Opening& edge, const GarmentMesh& mesh, double moved, std::string_view held_by,
+                          double girth) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "' lies %.0f cm lower than it was placed, below the %s: it is %.0f cm long, the body %.0f cm round "
+                  "where it was placed",
+                  100 * moved, std::string(held_by).c_str(), 100 * edge.length, 100 * girth);
+    return "the " + std::string(held_by == "chest" ? "upper edge" : "waist") + " of '" +
+           mesh.panel_names[static_cast<std::size_t>(edge.panels.front())] + text;
+}
+
+// The girth of the trunk, m.
+double girth_at(const Body& body, double y) {
+    const Plane plane{.point = Vec3d(0, y, 0)};
+    SectionLoop trunk;
+    trunk.points = trunk_points(body, y, find_stature(body).height());
+    return trunk.points.empty() ? 0 : tape_length(trunk, plane);
+}
+
+// An edge that goes round the trunk is held by what is wider below it: the bust or the hips. It has slipped if it was
+// placed above that and now lies below. It may do so by a waistband's width, because panels settle.
+void validate_upper_edges(const WornGarment& garment, const std::vector<Opening>& openings,
+                          const LimbPassages& expected, const BodyLimbs& meant_for, const Body& wearer,
+                          const BodyLimbs& worn_by, DressReport& report) {
+    constexpr double kSettling = 0.04;  // m, a waistband's width
+    const Heights from = heights_of(meant_for), to = heights_of(worn_by);
+    if (!is_ascending(from) || !is_ascending(to)) return;
+    const double hips = to[1], chest = to[3];
+    for (std::size_t i = 0; i < openings.size(); ++i) {
+        const std::size_t limbs = expected.through[i].count(), others = expected.known.count() - limbs;
+        if (limbs < 2 || others < 2) continue;  // a neckline, an armhole, a cuff or a leg's hem
+        double placed = 0;
+        for (const int v : openings[i].vertices)
+            placed += carry_over(garment.closed.x[static_cast<std::size_t>(v)].y(), from, to);
+        placed /= static_cast<double>(openings[i].vertices.size());
+        const double draped = centre_of(openings[i], garment.closed_draped).y();
+        const double held_at = placed > chest ? chest : hips;
+        if (placed < held_at || draped > held_at || placed - draped < kSettling) continue;
+        report.faults.push_back({.kind = "displaced",
+                                 .place = describe_slip(openings[i], garment.panels, placed - draped,
+                                                        placed > chest ? "chest" : "hips", girth_at(wearer, placed)),
+                                 .value = placed - draped});
+    }
+}
+
 // Panels that seams join are displaced together: where one is at its place, the others are as near to theirs as their
 // seams let them, and were placed loosely, as GarmentCode does with long skirts. A panel is at its place if it moved by
 // at most half of the height from the hips to the waist; a long skirt may have fallen with its bodice by more, and
@@ -297,8 +345,12 @@ void validate_wearing(const Cloth& cloth, const GarmentMesh& sewn, const Designe
     note_missing_limbs(worn_by, report);
     if (worn_by.torso.empty() || meant_for.torso.empty()) return;
     const PanelVertices panels = vertices_by_panel(garment.panels);
-    validate_openings(garment, panels, meant_for, worn_by, report);
+    const std::vector<Opening> openings = find_openings(garment.closed);
+    const LimbPassages expected =
+        find_passages(garment.closed, garment.closed.x, openings, meant_for, {.ends_at_cloth = true});
+    validate_openings(garment, panels, openings, expected, meant_for, worn_by, report);
     validate_panels(garment, panels, meant_for, worn_by, report);
+    validate_upper_edges(garment, openings, expected, meant_for, wearer, worn_by, report);
     validate_floor(garment, meant_for, worn_by, report);
 }
 

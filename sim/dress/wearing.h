@@ -1,6 +1,7 @@
 #pragma once
 // Checks whether a draped garment is worn as its pattern was placed: each opening (hem, cuff, neckline, waist) holds
-// the limbs that it was placed for, and each panel lies on the part of the body over which it was placed. What was
+// the limbs that it was placed for, each panel lies on the part of the body over which it was placed, and no waist or
+// upper edge has slipped below the hips or the bust that should hold it. What was
 // meant is read from the panels as they stand, unsewn, round the body for which they were placed; so the body that
 // wears the garment may have another size and pose.
 #include <vector>

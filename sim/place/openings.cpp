@@ -74,8 +74,11 @@ std::vector<Opening> find_openings(const GarmentMesh& sewn) {
             }
         }
         if (loop.empty() || loop.back().to != loop.front().from) continue;
-        Opening opening{.vertices = {}, .panels = panels_by_length(loop)};
-        for (const BorderEdge& edge : loop) opening.vertices.push_back(edge.from);
+        Opening opening{.vertices = {}, .panels = panels_by_length(loop), .length = 0};
+        for (const BorderEdge& edge : loop) {
+            opening.vertices.push_back(edge.from);
+            opening.length += edge.length;
+        }
         openings.push_back(std::move(opening));
     }
     return openings;

@@ -16,6 +16,7 @@ namespace selvedge::sim {
 struct Opening {
     std::vector<int> vertices;  // of the sewn mesh, in order; the last is joined to the first
     std::vector<int> panels;    // that it borders, the longest border first
+    double length = 0;          // m, in material coordinates
 };
 
 // Pre: the mesh is sewn. The openings of one garment have the order of their first triangles.

@@ -87,11 +87,32 @@ TEST(Wearing, of_a_garment_that_settled_by_a_few_centimetres_has_no_fault) {
 TEST(Wearing, finds_a_skirt_at_the_ankles) {
     const DressReport report = report_on(
         skirt(), [](const Vec3d& x) { return Vec3d(x.x(), 0.05 + 0.2 * (x.y() - 0.5), x.z()); }, mannequin());
-    ASSERT_EQ(report.faults.size(), 2U) << list(report);
+    ASSERT_EQ(report.faults.size(), 3U) << list(report);
     EXPECT_EQ(report.faults[0].kind, "displaced");
     EXPECT_NE(report.faults[0].place.find("'front' lies 65 cm lower than it was placed"), std::string::npos)
         << report.faults[0].place;
     EXPECT_NEAR(report.faults[0].value, 0.65, 0.03);
+    EXPECT_EQ(report.faults[2].place.find("the waist of 'front' lies 85 cm lower than it was placed, below the hips"),
+              0U)
+        << report.faults[2].place;
+    EXPECT_NE(report.faults[2].place.find("it is 100 cm long"), std::string::npos) << report.faults[2].place;
+}
+
+// Each panel still covers most of the heights over which it was placed.
+TEST(Wearing, finds_a_strapless_dress_whose_upper_edge_slipped_below_the_bust) {
+    const double chest = find_limbs(mannequin()).torso[2].centre.y();
+    const Pattern dress = tube(0.5, 0.7, chest + 0.02 - 0.7, 0.2);
+    const auto lower = [](double by) { return [by](const Vec3d& x) { return Vec3d(x - Vec3d(0, by, 0)); }; };
+    EXPECT_EQ(list(report_on(dress, lower(0.01), mannequin())), "");
+    EXPECT_EQ(list(report_on(dress, lower(0.03), mannequin())), "");  // settled by less than a waistband's width
+    const DressReport slipped = report_on(dress, lower(0.07), mannequin());
+    ASSERT_EQ(slipped.faults.size(), 1U) << list(slipped);
+    EXPECT_EQ(slipped.faults[0].kind, "displaced");
+    EXPECT_NEAR(slipped.faults[0].value, 0.07, 1e-3);
+    EXPECT_EQ(slipped.faults[0].place.find(
+                  "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest: it is 100 cm long"),
+              0U)
+        << list(slipped);
 }
 
 // GarmentCode places long skirts below the bodice that they are sewn to.
