@@ -35,8 +35,9 @@ struct BodyInPieces {
 BodyInPieces cut_off(const Body& body, const BodyLimbs& limbs, std::span<const LimbKind> kinds);
 
 // The way along which a limb would leave a garment with the smallest turn, m: from its root through the middle of the
-// cloth round it alone to the middle of an opening on its side of the body, or in the middle. `closed`: the panels where they
-// stand, with all seams closed. Along the limb as it is if each opening would need a turn of more than 45 degrees.
+// cloth round it alone to the middle of an opening on its side of the body, or in the middle. `closed`: the panels
+// where they stand, with all seams closed. Along the limb as it is if each opening would need a turn of more than 45
+// degrees.
 std::vector<Vec3d> way_out(const GarmentMesh& closed, const LimbPiece& limb, const BodyLimbs& limbs);
 
 // The limb with all but its root bent to lie along that way, and straight on beyond its end; and drawn in towards its
