@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -230,17 +229,19 @@ std::vector<std::size_t> garment_parts(const WornGarment& garment, const PanelVe
     return first;
 }
 
-// "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest: it is 99 cm long, the body 85 cm
-// round where it was placed".
-std::string describe_slip(const Opening& edge, const GarmentMesh& mesh, double moved, std::string_view held_by,
-                          double girth) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "' lies %.0f cm lower than it was placed, below the %s: it is %.0f cm long, the body %.0f cm round "
-                  "where it was placed",
-                  100 * moved, std::string(held_by).c_str(), 100 * edge.length, 100 * girth);
-    return "the " + std::string(held_by == "chest" ? "upper edge" : "waist") + " of '" +
-           mesh.panel_names[static_cast<std::size_t>(edge.panels.front())] + text;
+// An edge that slipped: "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest", or, if it is
+// longer than the body is round where it was placed, "too large above the chest by 14 cm: the upper edge of 'front'
+// ...".
+DressFault slip_of(const Opening& edge, const GarmentMesh& mesh, double moved, const std::string& held_by,
+                   double girth) {
+    const auto centimetres = [](double x) { return std::to_string(std::lround(100 * x)) + " cm"; };
+    const std::string lies = "the " + std::string(held_by == "chest" ? "upper edge" : "waist") + " of '" +
+                             mesh.panel_names[static_cast<std::size_t>(edge.panels.front())] + "' lies " +
+                             centimetres(moved) + " lower than it was placed, below the " + held_by;
+    if (girth <= 0 || edge.length <= girth) return {.kind = "displaced", .place = lies, .value = moved};
+    return {.kind = "does_not_fit",
+            .place = "too large above the " + held_by + " by " + centimetres(edge.length - girth) + ": " + lies,
+            .value = edge.length - girth};
 }
 
 // The girth of the trunk, m.
@@ -270,10 +271,8 @@ void validate_upper_edges(const WornGarment& garment, const std::vector<Opening>
         const double draped = centre_of(openings[i], garment.closed_draped).y();
         const double held_at = placed > chest ? chest : hips;
         if (placed < held_at || draped > held_at || placed - draped < kSettling) continue;
-        report.faults.push_back({.kind = "displaced",
-                                 .place = describe_slip(openings[i], garment.panels, placed - draped,
-                                                        placed > chest ? "chest" : "hips", girth_at(wearer, placed)),
-                                 .value = placed - draped});
+        report.faults.push_back(slip_of(openings[i], garment.panels, placed - draped, placed > chest ? "chest" : "hips",
+                                        girth_at(wearer, placed)));
     }
 }
 

@@ -92,10 +92,11 @@ TEST(Wearing, finds_a_skirt_at_the_ankles) {
     EXPECT_NE(report.faults[0].place.find("'front' lies 65 cm lower than it was placed"), std::string::npos)
         << report.faults[0].place;
     EXPECT_NEAR(report.faults[0].value, 0.65, 0.03);
-    EXPECT_EQ(report.faults[2].place.find("the waist of 'front' lies 85 cm lower than it was placed, below the hips"),
-              0U)
+    EXPECT_EQ(report.faults[2].kind, "does_not_fit");
+    EXPECT_NE(report.faults[2].place.find("the waist of 'front' lies 85 cm lower than it was placed, below the hips"),
+              std::string::npos)
         << report.faults[2].place;
-    EXPECT_NE(report.faults[2].place.find("it is 100 cm long"), std::string::npos) << report.faults[2].place;
+    EXPECT_GT(report.faults[2].value, 0.2) << "1 m long";
 }
 
 // Each panel still covers most of the heights over which it was placed.
@@ -107,12 +108,9 @@ TEST(Wearing, finds_a_strapless_dress_whose_upper_edge_slipped_below_the_bust) {
     EXPECT_EQ(list(report_on(dress, lower(0.03), mannequin())), "");  // settled by less than a waistband's width
     const DressReport slipped = report_on(dress, lower(0.07), mannequin());
     ASSERT_EQ(slipped.faults.size(), 1U) << list(slipped);
-    EXPECT_EQ(slipped.faults[0].kind, "displaced");
+    EXPECT_EQ(slipped.faults[0].kind, "displaced") << "72 cm long, less than the body is round";
     EXPECT_NEAR(slipped.faults[0].value, 0.07, 1e-3);
-    EXPECT_EQ(slipped.faults[0].place.find(
-                  "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest: it is 72 cm long"),
-              0U)
-        << list(slipped);
+    EXPECT_EQ(slipped.faults[0].place, "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest");
 }
 
 // GarmentCode places long skirts below the bodice that they are sewn to.
