@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/kernels.h"
@@ -256,14 +257,7 @@ void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnC
 }
 
 void forget_contacts(Cloth& cloth) {
-    reactivate(cloth);
-    std::fill(cloth.solver.contacts.query_point.begin(), cloth.solver.contacts.query_point.end(), nothing_known());
-    for (FaceContact& face : cloth.solver.contacts.faces) face.slack = FaceContact::kUnknown;
-    for (SampleBlock& block : cloth.solver.contacts.samples) {
-        for (std::size_t at = 0; at < kBlock; ++at) {
-            if (block.shares[0][at] > 0) block.slack[at] = ContactCacheArrays::kUnknown;
-        }
-    }
+    keep_far_contacts(cloth, std::numeric_limits<float>::infinity());
 }
 
 void keep_far_contacts(Cloth& cloth, float by) {
@@ -274,6 +268,7 @@ void keep_far_contacts(Cloth& cloth, float by) {
         return slack - by > kPlaneReach ? slack - by : ContactCacheArrays::kUnknown;
     };
     for (Vec4f& query : contacts.query_point) query.w() = lower(query.w());
+    for (FaceContact& face : contacts.faces) face.slack = FaceContact::kUnknown;
     for (SampleBlock& block : contacts.samples) {
         for (std::size_t at = 0; at < kBlock; ++at) {
             if (block.shares[0][at] > 0) block.slack[at] = lower(block.slack[at]);

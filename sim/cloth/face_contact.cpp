@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/cloth_penetration.h"
 #include "sim/cloth/contact.h"
 #include "sim/cloth/standoff.h"
-#include "sim/collide/penetration.h"
 #include "sim/collide/surface_bvh.h"
 #include "sim/collide/thin_parts.h"
 
@@ -162,15 +162,11 @@ void watch_faces_near_thin_parts(Cloth& cloth, const Collider& body, float secon
 int watch_faces_inside(Cloth& cloth, const Collider& body, float depth) {
     const SurfaceBvh* const surface = body.exact_surface();
     if (surface == nullptr) return 0;
-    std::vector<Vec3f> x;
-    for (const Vec4f& point : cloth.x) x.push_back(point.head<3>());
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles())
-        triangles.push_back({leaf.v[0].value, leaf.v[1].value, leaf.v[2].value});
-    const Penetration found = find_penetration(x, triangles, *surface, {.depth = depth});
+    const Penetration found = find_penetration(cloth, *surface, {.depth = depth});
     for (const DeepFace& deep : found.deep_faces) {
-        const auto& [a, b, c] = triangles[deep.triangle];
-        watch(cloth, cloth.mesh.leaf_triangles()[deep.triangle]).shares = barycentric(deep.at, x[a], x[b], x[c]);
+        const LeafTriangle& leaf = cloth.mesh.leaf_triangles()[deep.triangle];
+        const auto at = [&](std::size_t k) -> Vec3f { return cloth.x[leaf.v[k].value].head<3>(); };
+        watch(cloth, leaf).shares = barycentric(deep.at, at(0), at(1), at(2));
     }
     return found.faces;
 }

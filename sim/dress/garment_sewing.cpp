@@ -138,7 +138,6 @@ bool GarmentSewing::sew_round_thin_limbs(const BodyCollider& body) {
     thin_limbs_ = ThinLimbs::plan(*run_, body);
     if (!thin_limbs_) return false;
     GarmentMesh unsewn = run_->unsewn();
-    std::ranges::copy(run_->links(), std::back_inserter(unsewn.links));
     SewingOptions options = options_;
     options.contact = ThinLimbs::contact(options.contact);
     without_thin_limbs_ = std::move(run_);

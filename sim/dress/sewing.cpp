@@ -116,6 +116,12 @@ void SewingRun::meet_trunk_only(std::vector<bool> vertices) {
     selvedge::sim::forget_contacts(cloth_);
 }
 
+GarmentMesh SewingRun::unsewn() const {
+    GarmentMesh unsewn = mesh_;
+    unsewn.links = links_;
+    return unsewn;
+}
+
 SewingResult SewingRun::result() && {
     SewingResult result{.sewn = std::move(mesh_),
                         .open = find_open_seams(cloth_, links_, options_.closed_gap),

@@ -56,10 +56,10 @@ class SewingRun {
     bool has_bad_number() const { return bad_vertex_.has_value(); }
 
     double fraction() const { return std::min(1.0F, seconds_ / limit_); }
-    const Cloth& cloth() const { return cloth_; }        // of the separate panels
-    const GarmentMesh& unsewn() const { return mesh_; }  // where its panels were at first
+    const Cloth& cloth() const { return cloth_; }  // of the separate panels
     std::span<const SeamLink> links() const { return links_; }
     float closed_gap() const { return options_.closed_gap; }  // m
+    GarmentMesh unsewn() const;                               // with its links, where its panels were at first
     SewingResult result() &&;                                 // sews the mesh in place
 
  private:

@@ -1,13 +1,11 @@
 #include "sim/dress/thin_limbs.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
+#include "sim/cloth/cloth_penetration.h"
 #include "sim/collide/body_collider.h"
-#include "sim/collide/penetration.h"
 #include "sim/dress/report.h"
 #include "sim/mesh/sew.h"
 #include "sim/place/limb_pieces.h"
@@ -23,19 +21,14 @@ constexpr int kStepsPerSize = 2;          // to push the cloth out
 
 // Where cloth is in the body, and the middles of links that are open.
 std::vector<Vec3f> find_faults(const SewingRun& done, const SurfaceBvh& surface) {
-    const Cloth& cloth = done.cloth();
-    std::vector<Vec3f> x;
-    for (const Vec4f& point : cloth.x) x.push_back(point.head<3>());
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    for (const LeafTriangle& t : cloth.mesh.leaf_triangles())
-        triangles.push_back({t.v[0].value, t.v[1].value, t.v[2].value});
     const auto depth = static_cast<float>(FaultLimits{}.face_depth);
-    const Penetration found = find_penetration(x, triangles, surface, {.depth = depth});
+    const Penetration found = find_penetration(done.cloth(), surface, {.depth = depth});
     std::vector<Vec3f> points;
     for (const PassingEdge& edge : found.passing) points.push_back(edge.at);
     if (found.deepest > 0) points.push_back(found.at);
     for (const SeamLink& link : done.links()) {
-        const Vec3f &a = x[static_cast<std::size_t>(link.a)], &b = x[static_cast<std::size_t>(link.b)];
+        const Vec3f a = done.cloth().x[static_cast<std::size_t>(link.a)].head<3>();
+        const Vec3f b = done.cloth().x[static_cast<std::size_t>(link.b)].head<3>();
         if ((a - b).norm() > done.closed_gap()) points.emplace_back((a + b) / 2);
     }
     return points;
@@ -52,14 +45,6 @@ std::vector<LimbKind> limbs_at(const std::vector<Vec3f>& points, const BodyLimbs
         if (std::ranges::any_of(points, is_at)) kinds.insert(kinds.end(), pair.begin(), pair.end());
     }
     return kinds;
-}
-
-// The panels where they stood at first, with all seams closed.
-GarmentMesh closed_at_first(const SewingRun& done) {
-    GarmentMesh closed = done.unsewn();
-    closed.links = {done.links().begin(), done.links().end()};
-    merge_seams(closed);
-    return closed;
 }
 
 }  // namespace
@@ -81,15 +66,16 @@ std::unique_ptr<ThinLimbs> ThinLimbs::plan(const SewingRun& done, const BodyColl
     const BodyLimbs limbs = find_limbs(body.body());
     BodyInPieces parts = cut_off(body.body(), limbs, limbs_at(faults, limbs));
     if (parts.limbs.empty()) return nullptr;
-    const GarmentMesh closed = closed_at_first(done);
+    GarmentMesh closed = done.unsewn();
+    float lowest = 0;
+    for (const Vec3d& x : closed.x) lowest = std::min(lowest, static_cast<float>(x.y()));
+    merge_seams(closed);
     std::vector<Shapes> shapes;
     for (const LimbPiece& limb : parts.limbs)
         shapes.push_back({limb.piece.surface, bend_limb(limb, limbs, way_out(closed, limb, limbs), kThin).x});
     std::vector<BodyPiece> pieces;
     for (const LimbPiece& limb : parts.limbs) pieces.push_back(limb.piece);
     auto collider = std::make_unique<JointedCollider>(std::move(parts.trunk), pieces);
-    float lowest = 0;
-    for (const Vec3d& x : done.unsewn().x) lowest = std::min(lowest, static_cast<float>(x.y()));
     return std::unique_ptr<ThinLimbs>(new ThinLimbs(std::move(collider), std::move(shapes), lowest));
 }
 

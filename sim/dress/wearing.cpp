@@ -63,12 +63,6 @@ std::string list_limbs(LimbSet limbs) {
     return text;
 }
 
-Vec3d centre_of(const Opening& opening, const std::vector<Vec3d>& x) {
-    Vec3d sum = Vec3d::Zero();
-    for (const int v : opening.vertices) sum += x[static_cast<std::size_t>(v)];
-    return sum / static_cast<double>(opening.vertices.size());
-}
-
 // The arm to which most of the vertices are nearest.
 std::optional<LimbKind> arm_of(const std::vector<std::size_t>& vertices, const std::vector<Vec3d>& x,
                                const BodyLimbs& body) {

@@ -197,9 +197,7 @@ std::optional<Vec3d> nearest_exit(const GarmentMesh& closed, const SurfaceBvh& c
     double best = std::cos(std::numbers::pi / 4);
     std::optional<Vec3d> exit;
     for (const Opening& opening : find_openings(closed)) {
-        Vec3d centre = Vec3d::Zero();
-        for (const int v : opening.vertices) centre += closed.x[static_cast<std::size_t>(v)];
-        centre /= static_cast<double>(opening.vertices.size());
+        const Vec3d centre = centre_of(opening, closed.x);
         if (centre.x() * root.x() < 0 && std::abs(centre.x()) > limb.radius) continue;  // of the limb on the other side
         const double turn = (centre - root).normalized().dot(as_it_is);
         if (turn <= best || cloth.first_hit(root.cast<float>(), centre.cast<float>())) continue;

@@ -55,6 +55,12 @@ std::vector<int> panels_by_length(const std::vector<BorderEdge>& edges) {
 
 }  // namespace
 
+Vec3d centre_of(const Opening& opening, std::span<const Vec3d> x) {
+    Vec3d sum = Vec3d::Zero();
+    for (const int v : opening.vertices) sum += x[static_cast<std::size_t>(v)];
+    return sum / static_cast<double>(opening.vertices.size());
+}
+
 std::vector<Opening> find_openings(const GarmentMesh& sewn) {
     const std::vector<BorderEdge> border = border_edges(sewn);
     std::multimap<int, std::size_t> leaving;
@@ -121,9 +127,7 @@ class Surface {
             const auto point = [&](std::size_t i) {
                 return x[static_cast<std::size_t>(opening.vertices[i % opening.vertices.size()])];
             };
-            Vec3d centre = Vec3d::Zero();
-            for (std::size_t i = 0; i < opening.vertices.size(); ++i) centre += point(i);
-            centre /= static_cast<double>(opening.vertices.size());
+            const Vec3d centre = centre_of(opening, x);
             std::vector<Corners>& span = spans_.emplace_back();
             for (std::size_t i = 0; i < opening.vertices.size(); ++i)
                 span.push_back({centre, point(i + 1), point(i)});  // closes the surface: the other way round

@@ -19,6 +19,9 @@ struct Opening {
     double length = 0;          // m, in material coordinates
 };
 
+// The mean of its vertices; x: by vertex, m.
+Vec3d centre_of(const Opening& opening, std::span<const Vec3d> x);
+
 // Pre: the mesh is sewn. The openings of one garment have the order of their first triangles.
 std::vector<Opening> find_openings(const GarmentMesh& sewn);
 
