@@ -10,7 +10,6 @@ namespace {
 // A pair is divided while its sides are this far apart along its plane: a share of the gap that it had, and of its
 // radius. So a gap of any size never closes, and pairs at their radius are left to the contacts.
 constexpr float kGapShare = 0.5F, kRadiusShare = 0.1F;
-constexpr float kWatched = 0.0005F;  // m: pairs that are divided by no more are tested in later rounds too
 constexpr int kPartingRounds = 6, kShorteningRounds = 8;
 
 Vec3f divider_of(const PairBlock& block, std::size_t at) {
@@ -48,15 +47,17 @@ CertificateReport DividingPlanes::certify(const SelfContactKernels& loops, const
                                           const MovingPoints& points) {
     CertificateReport report;
     share_.resize(points.count, 1.0F);
-    if (collect(loops, pairs, kWatched, points) == 0) return report;
-    for (int round = 0; round < kPartingRounds && part_all(points, report); ++round) {
+    for (int round = 0; round < kPartingRounds; ++round) {
+        if (collect(loops, pairs, points) == 0) return report;
+        if (!part_all(points, report)) break;
     }
-    if (collect(loops, pairs, kWatched, points) == 0) return report;
-    for (int round = 0; round < kShorteningRounds && shorten_all(start, mean, 1, points, report); ++round) {
+    for (int round = 0; round < kShorteningRounds; ++round) {
+        if (collect(loops, pairs, points) == 0) return report;
+        if (!shorten_all(start, mean, 1, points, report)) break;
     }
     // What moved back may have got into the way of others. In the end all are where they started.
     stopped_.assign(points.count, 0);
-    while (collect(loops, pairs, 0, points) != 0 && shorten_all(start, mean, 0, points, report)) {
+    while (collect(loops, pairs, points) != 0 && shorten_all(start, mean, 0, points, report)) {
     }
     return report;
 }
@@ -90,24 +91,20 @@ void DividingPlanes::take_back(std::span<const Vec4f> start, const Motion& mean,
     report.truncated += static_cast<int>(touched_.size());
 }
 
-// Lists the pairs that are not divided, by more than `watched` (m); returns how many of them are not divided at all.
-std::size_t DividingPlanes::collect(const SelfContactKernels& loops, const ContactPairs& pairs, float watched,
+// Lists the pairs that are not divided; returns how many.
+std::size_t DividingPlanes::collect(const SelfContactKernels& loops, const ContactPairs& pairs,
                                     const MovingPoints& points) {
     undivided_.clear();
-    std::size_t count = 0;
     for (const PairList* const list : {&pairs.vertex_triangle, &pairs.edge_edge}) {
         const std::size_t first = first_side(list->kind());
         for (std::size_t i = 0; i < list->block_count(); ++i) {
             const PairBlock& block = list->blocks()[i];
-            unsigned found = loops.find_undivided(list->kind(), block, points.now, kGapShare, kRadiusShare, watched);
-            for (; found != 0; found &= found - 1) {
-                const Undivided& pair =
-                    undivided_.emplace_back(Undivided{&block, static_cast<std::size_t>(__builtin_ctz(found)), first});
-                if (extremes_of(block, pair.at, first, points).apart < asked_of(block, pair.at)) ++count;
-            }
+            unsigned found = loops.find_undivided(list->kind(), block, points.now, kGapShare, kRadiusShare);
+            for (; found != 0; found &= found - 1)
+                undivided_.push_back({&block, static_cast<std::size_t>(__builtin_ctz(found)), first});
         }
     }
-    return count;
+    return undivided_.size();
 }
 
 // Moves the two nearest vertices apart along the divider, weighted by inverse masses.

@@ -47,8 +47,7 @@ class DividingPlanes {
         std::size_t at;
         std::size_t first_side;
     };
-    std::size_t collect(const SelfContactKernels& loops, const ContactPairs& pairs, float watched,
-                        const MovingPoints& points);
+    std::size_t collect(const SelfContactKernels& loops, const ContactPairs& pairs, const MovingPoints& points);
     bool part_all(const MovingPoints& points, CertificateReport& report);
     bool shorten_all(std::span<const Vec4f> start, const Motion& mean, float most, const MovingPoints& points,
                      CertificateReport& report);

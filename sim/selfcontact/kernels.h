@@ -74,9 +74,9 @@ struct SelfContactKernels {
     std::size_t (*solve_contacts)(const SelfContactPlane* contacts, std::size_t count, float* points, float* before);
 
     // Returns a bit for each pair whose sides are less than `gap_share` times its gap, and less than `radius_share`
-    // times its radius plus `above` (m), apart along the dividing plane.
+    // times its radius, apart along the dividing plane.
     unsigned (*find_undivided)(PairKind kind, const PairBlock& block, const float* points, float gap_share,
-                               float radius_share, float above);
+                               float radius_share);
 };
 
 const SelfContactKernels& self_contact_kernels(SimdLevel level);

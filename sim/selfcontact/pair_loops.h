@@ -216,24 +216,23 @@ unsigned refresh_pairs(PairKind kind, PairBlock& block, const float* points, con
 
 template <PairKind kind>
 [[gnu::always_inline]] inline unsigned undivided(const PairBlock& block, const float* points, float gap_share,
-                                                 float radius_share, float above) {
+                                                 float radius_share) {
     unsigned found = 0;
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
         Four x = vertices_of(block, at, points);
         for (int k = 3; k >= 0; --k) x.p[k] = minus(x.p[k], x.p[0]);  // so that little is lost to rounding
         const Extents sides = extents<kind>(load_rows(block.divider, at), x);
-        const Floats asked =
-            lanes::min(gap_share * load_row(block.gap, at), radius_share * load_row(block.radius, at)) + above;
+        const Floats asked = lanes::min(gap_share * load_row(block.gap, at), radius_share * load_row(block.radius, at));
         found |= lanes::bits((sides.first - sides.second < asked) & (load_row(block.side, at) > 0.0F)) << at;
     }
     return found;
 }
 
-unsigned find_undivided(PairKind kind, const PairBlock& block, const float* points, float gap_share, float radius_share,
-                        float above) {
+unsigned find_undivided(PairKind kind, const PairBlock& block, const float* points, float gap_share,
+                        float radius_share) {
     return kind == PairKind::VertexTriangle
-               ? undivided<PairKind::VertexTriangle>(block, points, gap_share, radius_share, above)
-               : undivided<PairKind::EdgeEdge>(block, points, gap_share, radius_share, above);
+               ? undivided<PairKind::VertexTriangle>(block, points, gap_share, radius_share)
+               : undivided<PairKind::EdgeEdge>(block, points, gap_share, radius_share);
 }
 
 // One contact at a time: four floats per vertex.

@@ -70,6 +70,8 @@ void SelfContact::begin_step(const MovingPoints& points, const SelfContactOption
 }
 
 void SelfContact::substep(const MovingPoints& points, const SelfContactOptions& options) {
+    counts_.acted +=
+        static_cast<long>(loops().solve_contacts(contacts_.data(), contacts_.size(), points.now, points.before));
     ++since_detection_;
     ++since_test_;
     if (since_detection_ % options.refresh_interval == 0) {
@@ -83,8 +85,6 @@ void SelfContact::substep(const MovingPoints& points, const SelfContactOptions& 
             is_clean_ ? detect_where_off_path(points, limit, options) : detect(points, options);
         }
     }
-    counts_.acted +=
-        static_cast<long>(loops().solve_contacts(contacts_.data(), contacts_.size(), points.now, points.before));
 }
 
 void SelfContact::end_step(const MovingPoints& points, const SelfContactOptions& options) {
