@@ -133,7 +133,10 @@ void add_bench_contact(CLI::App& bench, int& exit_code) {
     CLI::App* command = bench.add_subcommand("contact", "Cloth that meets itself and other cloth, with and without");
     command->add_option("GARMENT", arguments->experiment.pattern, "Garment file (default patterns/tshirt.json)")
         ->type_name("FILE");
-    command->add_option("--scene", arguments->experiment.only, "Run this scene only")->type_name("NAME");
+    command
+        ->add_option("--scene", arguments->experiment.only,
+                     "Run this scene only (\"garments\": the garment, once and over another)")
+        ->type_name("NAME");
     add_json_option(*command, arguments->json);
     command->footer("Example: selvedge bench contact --json contact.json");
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

@@ -8,7 +8,9 @@
 #include "bench/support/cloth_run.h"
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/contact_surface.h"
+#include "sim/core/error.h"
 #include "sim/dress/dressing.h"
+#include "sim/pattern/garments.h"
 #include "sim/pattern/pattern_file.h"
 
 namespace selvedge::bench {
@@ -130,35 +132,56 @@ struct GarmentTimes {
     int crossings = 0, triangles = 0;
 };
 
-GarmentTimes run_garment(const sim::Pattern& pattern, const std::shared_ptr<const sim::Body>& body, bool with,
-                         int rest_frames) {
-    sim::Dressing dressing;
-    sim::DressOptions options;
-    options.self_collision = with;
-    dressing.set_options(options);
-    dressing.set_body(body);
-    dressing.set_pattern(pattern);
-    while (!dressing.is_hanging()) dressing.advance();
+// Drapes what has just been sewn, and goes on with it at rest.
+GarmentTimes run_garment(sim::Dressing& sewn, bool with, int rest_frames) {
+    sim::Dressing::Drape drape = sewn.drape();
+    if (!with) drape.run->options().self_contact.reset();
     GarmentTimes times;
     const double start = thread_seconds();
-    while (dressing.stage() != sim::DressingStage::Done) dressing.advance();
+    while (drape.run->advance(drape.cloth, sewn.collider())) {
+    }
     times.drape = 1e3 * (thread_seconds() - start);
-    sim::Cloth cloth = dressing.drape().cloth;
-    times.crossings = crossings_of(cloth);
-    times.triangles = static_cast<int>(cloth.mesh.leaf_triangles().size());
+    times.crossings = crossings_of(drape.cloth);
+    times.triangles = static_cast<int>(drape.cloth.mesh.leaf_triangles().size());
     sim::DrapeOptions hanging{.max_seconds = std::numeric_limits<double>::infinity(),
                               .rest_time = std::numeric_limits<double>::infinity(),
                               .relax_time = 0};
     if (with) hanging.self_contact.emplace();
-    sim::DrapeRun run(cloth, hanging);
+    sim::DrapeRun run(drape.cloth, hanging);
     std::vector<double> frames;
     for (int i = 0; i < rest_frames; ++i) {
         const double frame_start = thread_seconds();
-        run.advance(cloth, dressing.collider());
+        run.advance(drape.cloth, sewn.collider());
         frames.push_back(1e3 * (thread_seconds() - frame_start));
     }
     times.rest = sim::quantile(frames, 0.5);
     return times;
+}
+
+GarmentContactRow measure_garment(const std::string& name, const sim::Pattern& pattern,
+                                  const std::shared_ptr<const sim::Body>& body, int rest_frames) {
+    sim::Dressing sewn;
+    sewn.set_body(body);
+    sewn.set_pattern(pattern);
+    while (!sewn.is_hanging()) sewn.advance();
+    const GarmentTimes with = run_garment(sewn, true, rest_frames);
+    const GarmentTimes without = run_garment(sewn, false, rest_frames);
+    return {.name = name,
+            .triangles = with.triangles,
+            .crossings_with = with.crossings,
+            .crossings_without = without.crossings,
+            .drape_ms_with = with.drape,
+            .drape_ms_without = without.drape,
+            .rest_ms_with = with.rest,
+            .rest_ms_without = without.rest};
+}
+
+constexpr const char* kGarments = "garments";  // as the name of a scene
+
+std::string names_of(const std::vector<ContactScene>& scenes) {
+    std::string names;
+    for (const ContactScene& scene : scenes) names += scene.name + "; ";
+    return names + kGarments;
 }
 
 }  // namespace
@@ -166,26 +189,25 @@ GarmentTimes run_garment(const sim::Pattern& pattern, const std::shared_ptr<cons
 ContactBenchReport measure_contact(const ContactExperiment& experiment, const sim::Progress& progress) {
     ContactBenchReport report;
     const std::vector<ContactScene> scenes = all_contact_scenes();
-    const double parts = static_cast<double>(scenes.size()) + 1;
+    const double parts = static_cast<double>(scenes.size()) + 2;  // and two garments
     for (const ContactScene& scene : scenes) {
         if (!experiment.only.empty() && experiment.only != scene.name) continue;
         sim::report(progress, scene.name, static_cast<double>(report.scenes.size()) / parts);
         report.scenes.push_back({scene.name, run_contact_scene(scene, true), run_contact_scene(scene, false)});
     }
-    if (!experiment.only.empty()) return report;
+    if (!experiment.only.empty() && experiment.only != kGarments) {
+        if (report.scenes.empty())
+            throw sim::InputError("--scene " + experiment.only, "", "is not one of: " + names_of(scenes));
+        return report;
+    }
     const sim::Pattern pattern = sim::load_pattern(experiment.pattern).pattern;
+    sim::Pattern twice = pattern;
+    put_over(twice, pattern);
     const auto body = std::make_shared<const sim::Body>(placed_for(pattern));
     sim::report(progress, pattern.name, static_cast<double>(scenes.size()) / parts);
-    const GarmentTimes with = run_garment(pattern, body, true, experiment.rest_frames);
-    const GarmentTimes without = run_garment(pattern, body, false, experiment.rest_frames);
-    report.garments.push_back({.name = pattern.name,
-                               .triangles = with.triangles,
-                               .crossings_with = with.crossings,
-                               .crossings_without = without.crossings,
-                               .drape_ms_with = with.drape,
-                               .drape_ms_without = without.drape,
-                               .rest_ms_with = with.rest,
-                               .rest_ms_without = without.rest});
+    report.garments.push_back(measure_garment(pattern.name, pattern, body, experiment.rest_frames));
+    sim::report(progress, pattern.name, static_cast<double>(scenes.size() + 1) / parts);
+    report.garments.push_back(measure_garment(pattern.name + ", two of them", twice, body, experiment.rest_frames));
     return report;
 }
 

@@ -29,10 +29,10 @@ ContactRun run_contact_scene(const ContactScene& scene, bool with);
 struct ContactExperiment {
     std::filesystem::path pattern = "patterns/tshirt.json";
     int rest_frames = 60;  // of four steps, after the drape
-    std::string only{};    // the one scene to run, or empty: all, and the garment
+    std::string only{};    // the one scene to run, or "garments": the garment, once and twice; empty: all
 };
 
-// A garment, dressed and then stepped on at rest.
+// What was sewn, draped with and without contact of the cloth with itself, and then stepped on at rest.
 struct GarmentContactRow {
     std::string name;
     int triangles = 0;
@@ -50,6 +50,7 @@ struct ContactBenchReport {
     std::vector<GarmentContactRow> garments;
 };
 
+// Throws InputError for an unknown scene, and as load_pattern().
 ContactBenchReport measure_contact(const ContactExperiment& experiment, const sim::Progress& progress = {});
 
 std::vector<Table> tables_of(const ContactBenchReport& report);
