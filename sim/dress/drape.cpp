@@ -14,6 +14,7 @@ namespace {
 constexpr float kRelaxDamping = 12;   // 1/s, while seam tension relaxes
 constexpr float kFinishDamping = 40;  // 1/s, while residual stretch is removed
 constexpr float kFallDamping = 2;     // 1/s, air drag
+constexpr double kLowering = 1;       // s, in which gravity grows to its full value after the relaxation
 
 using Clock = std::chrono::steady_clock;
 
@@ -107,9 +108,13 @@ void DrapeRun::relax_frame(Cloth& cloth, const Collider& body) {
     relaxed_ += frame_seconds(cloth, stepping);
 }
 
+// The garment is lowered rather than dropped: the jerk of a wide skirt pulls its waistband down the hips and stretches
+// it, and friction keeps it there.
 void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     const float elapsed = static_cast<float>(result_.simulated_seconds - phase_start_);
     StepOptions stepping{.gravity = options_.gravity, .contact = falling_contact(), .may_rest = options_.may_rest};
+    const bool is_lowered = relaxed_ == 0 || lowered_ >= kLowering;
+    if (!is_lowered) stepping.gravity *= static_cast<float>(lowered_ / kLowering);
     stepping.extra_damping = kFallDamping + options_.damping_growth * elapsed;
     // The update rates of the biases decrease as the garment comes to rest; otherwise they would keep it moving.
     stepping.stretch_bias_rate *= learning_rate_scale_;
@@ -123,7 +128,9 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     run_steps(cloth, body, stepping);
     may_rejoin_ = result_.rms_speed >= options_.calm_speed;
     learning_rate_scale_ = std::min(1.0F, result_.rms_speed / options_.calm_speed);
-    at_rest_ = result_.rms_speed < options_.rest_speed ? at_rest_ + frame_seconds(cloth, stepping) : 0;
+    const bool rests = is_lowered && result_.rms_speed < options_.rest_speed;
+    at_rest_ = rests ? at_rest_ + frame_seconds(cloth, stepping) : 0;
+    lowered_ += frame_seconds(cloth, stepping);
     const double end = options_.max_seconds - options_.finish_time;
     fraction_ = std::max({fraction_, result_.simulated_seconds / end, at_rest_ / options_.rest_time});
 }

@@ -51,7 +51,7 @@ struct DrapeResult {
 
 enum class DrapePhase {
     Relax,   // without gravity and friction, to relieve the tension of the seams
-    Fall,    // under gravity until at rest for rest_time
+    Fall,    // under gravity, which grows at first, until at rest for rest_time
     Finish,  // finer sub-steps remove residual stretch
     Done
 };
@@ -101,6 +101,7 @@ class DrapeRun {
     DrapeResult result_;
     DrapePhase phase_ = DrapePhase::Relax;
     double relaxed_ = 0;             // s
+    double lowered_ = 0;             // s, of the fall
     double phase_start_ = 0;         // s, of simulated time
     double at_rest_ = 0;             // s
     double fraction_ = 0;            // 0..1

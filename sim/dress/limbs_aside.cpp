@@ -13,8 +13,9 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr float kLongestFall = 2.0F;  // s
-constexpr float kShortestFall = 0.4F;
+constexpr float kLowering = 1;         // s, in which gravity grows to its full value
+constexpr float kShortestFall = 1.4F;  // s
+constexpr float kLongestFall = 3.0F;
 constexpr float kCalmSpeed = 0.15F;  // m/s, rms: the cloth has fallen
 constexpr float kTurnSpeed = 1.0F;   // rad/s: the hand moves by 6 mm per step, half its thickness
 constexpr float kAngleStep = std::numbers::pi_v<float> / 36;  // rad, between tested angles
@@ -59,7 +60,7 @@ bool LimbsAside::advance_phase(SewingRun& sewing) {
             if (!sewing.advance(*collider_)) begin(Phase::Fall, sewing);
             break;
         case Phase::Fall:
-            sewing.fall(*collider_);
+            sewing.fall(*collider_, std::min(1.0F, seconds_ / kLowering));
             if (seconds_ > kLongestFall || (seconds_ > kShortestFall && sewing.rms_speed() < kCalmSpeed)) {
                 raised_ = clear_angle(sewing);
                 begin(Phase::Raise, sewing);

@@ -12,8 +12,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr float kSewingDamping = 12;  // 1/s: strong, so that panels do not swing
-constexpr float kFallDamping = 4;     // 1/s
+constexpr float kSewingDamping = 12;  // 1/s: strong, so that panels do not swing, and what falls does not stretch
 
 float gap_of(const Cloth& cloth, const SeamLink& link) {
     return (cloth.x[static_cast<std::size_t>(link.a)] - cloth.x[static_cast<std::size_t>(link.b)]).norm();
@@ -84,15 +83,20 @@ bool SewingRun::advance(const Collider& body) {
     step(cloth_, body, stepping);
     bad_vertex_ = find_bad_vertex(cloth_);
     if (bad_vertex_) return false;
-    if (stepping.seam_gap <= 0 && widest_gap(cloth_, links_) < options_.closed_gap) return false;
+    if (stepping.seam_gap <= 0 && is_closed()) return false;
     return seconds_ < limit_;
 }
 
-void SewingRun::fall(const Collider& body) {
+bool SewingRun::is_closed() const {
+    return widest_gap(cloth_, links_) < options_.closed_gap;
+}
+
+void SewingRun::fall(const Collider& body, float weight) {
     const StepOptions usual;
     StepOptions stepping = stepping_for(options_, pulls_);
-    stepping.gravity = usual.gravity;
-    stepping.extra_damping = kFallDamping;
+    stepping.gravity = weight * usual.gravity;
+    stepping.stretch_bias_rate = usual.stretch_bias_rate;
+    stepping.shear_bias_rate = usual.shear_bias_rate;
     stepping.contact.friction_scale = options_.contact.friction_scale;
     stepping.limit_iterations = usual.limit_iterations;
     step_held(body, stepping);

@@ -42,8 +42,8 @@ class SewingRun {
     // false.
     bool advance(const Collider& body);
 
-    // After advance() has returned false: one step with the seams held closed, under gravity or without.
-    void fall(const Collider& body);
+    // After advance() has returned false: one step with the seams held closed, under this share of gravity or without.
+    void fall(const Collider& body, float weight = 1);
     void hold(const Collider& body);
     // Vertices that meet the trunk of a JointedCollider only (ContactState::is_trunk_only).
     void meet_trunk_only(std::vector<bool> vertices);
@@ -59,6 +59,7 @@ class SewingRun {
     const Cloth& cloth() const { return cloth_; }  // of the separate panels
     std::span<const SeamLink> links() const { return links_; }
     float closed_gap() const { return options_.closed_gap; }  // m
+    bool is_closed() const;                                   // all links are
     GarmentMesh unsewn() const;                               // with its links, where its panels were at first
     SewingResult result() &&;                                 // sews the mesh in place
 

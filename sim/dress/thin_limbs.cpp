@@ -18,6 +18,7 @@ constexpr double kThin = 0.3;             // of the distance from the centre lin
 constexpr float kSampleSpacing = 0.008F;  // m: a thin wrist cannot pass between two samples of an edge
 constexpr float kLargestMove = 0.004F;    // m, of the surface between two sizes, so that it does not pass cloth
 constexpr int kStepsPerSize = 2;          // to push the cloth out
+constexpr int kStepsToClose = 60;         // 0.5 s, in which seams close that the growing limbs pulled open
 
 // Where cloth is in the body, and the middles of links that are open.
 std::vector<Vec3f> find_faults(const SewingRun& done, const SurfaceBvh& surface) {
@@ -95,9 +96,9 @@ bool ThinLimbs::advance(SewingRun& sewing) {
         if (!sewing.advance(*collider_)) ++steps_;
         return !sewing.has_bad_number();
     }
-    if (steps_ % kStepsPerSize == 1) {
-        const int size = 1 + steps_ / kStepsPerSize;
-        if (size > sizes_) return false;
+    const int size = 1 + (steps_ - 1) / kStepsPerSize;
+    if (size > sizes_ && (sewing.is_closed() || steps_ > kStepsPerSize * sizes_ + kStepsToClose)) return false;
+    if (size <= sizes_ && steps_ % kStepsPerSize == 1) {
         const double share = static_cast<double>(size) / sizes_;
         grow(share);
         sewing.set_floor(static_cast<float>(1 - share) * lowest_);

@@ -441,7 +441,7 @@ TEST_F(SessionDrags, a_pull_that_the_cloth_cannot_follow_neither_tears_it_nor_pu
         for (int i = 0; i < 10; ++i) {
             session_.advance(6);
             ASSERT_EQ(session_.frame()->problem, "");
-            EXPECT_LT(stretch_p99(session_.frame()->mesh), 0.08);
+            EXPECT_LT(stretch_p99(session_.frame()->mesh), 0.1);
             EXPECT_GT(min_clearance(session_.frame()->mesh), -0.0005F);
         }
     }
