@@ -128,7 +128,9 @@ PanelVertices vertices_by_panel(const GarmentMesh& mesh) {
 void validate_openings(const WornGarment& garment, const PanelVertices& panels, const std::vector<Opening>& openings,
                        const LimbPassages& expected, const BodyLimbs& meant_for, const BodyLimbs& worn_by,
                        DressReport& report) {
-    const LimbPassages found = find_passages(garment.closed, garment.closed_draped, openings, worn_by);
+    // Level 0 cuts the corners that its leaves go round. If no leaf is inside the body, a limb meets cloth only there.
+    const LimbPassages found = find_passages(garment.closed, garment.closed_draped, openings, worn_by,
+                                             {.ends_at_cloth = report.contact.faces_in_body == 0});
     const LimbSet known = expected.known & found.known;
     for (std::size_t i = 0; i < openings.size(); ++i) {
         const auto mismatch = compare(expected.through[i], found.through[i], known);
@@ -223,16 +225,16 @@ std::vector<std::size_t> garment_parts(const WornGarment& garment, const PanelVe
     return first;
 }
 
-// An edge that slipped: "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest", or, if it is
-// longer than the body is round where it was placed, "too large above the chest by 14 cm: the upper edge of 'front'
-// ...".
+// An edge that slipped: "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest". If it is at
+// least 1 cm longer than the body is round where it was placed, it says so: "too large above the chest by 14 cm: ...".
 DressFault slip_of(const Opening& edge, const GarmentMesh& mesh, double moved, const std::string& held_by,
                    double girth) {
     const auto centimetres = [](double x) { return std::to_string(std::lround(100 * x)) + " cm"; };
     const std::string lies = "the " + std::string(held_by == "chest" ? "upper edge" : "waist") + " of '" +
                              mesh.panel_names[static_cast<std::size_t>(edge.panels.front())] + "' lies " +
                              centimetres(moved) + " lower than it was placed, below the " + held_by;
-    if (girth <= 0 || edge.length <= girth) return {.kind = "displaced", .place = lies, .value = moved};
+    constexpr double kLeast = 0.01;  // m
+    if (girth <= 0 || edge.length < girth + kLeast) return {.kind = "displaced", .place = lies, .value = moved};
     return {.kind = "does_not_fit",
             .place = "too large above the " + held_by + " by " + centimetres(edge.length - girth) + ": " + lies,
             .value = edge.length - girth};

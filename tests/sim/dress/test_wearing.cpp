@@ -8,6 +8,8 @@
 #include <functional>
 #include <string>
 
+#include "sim/cloth/cloth_penetration.h"
+#include "sim/collide/surface_bvh.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/mesh/sew.h"
 #include "sim/place/limbs.h"
@@ -44,6 +46,7 @@ DressReport report_on(const Pattern& pattern, const Move& move, const Body& wear
     for (Vec3d& x : sewn.x) x = move(x);
     const Cloth cloth = make_cloth(sewn, std::vector<Fabric>(pattern.panels.size()));
     DressReport report;
+    report.contact.faces_in_body = find_penetration(cloth, SurfaceBvh(wearer), {.depth = 0.0005F}).faces;
     validate_wearing(cloth, sewn, {.unsewn = unsewn, .body = &mannequin()}, wearer, report);
     return report;
 }
