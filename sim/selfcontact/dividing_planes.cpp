@@ -10,7 +10,7 @@ namespace {
 // A pair is divided while its sides are this far apart along its plane: a share of the gap that it had, and of its
 // radius. So a gap of any size never closes, and pairs at their radius are left to the contacts.
 constexpr float kGapShare = 0.5F, kRadiusShare = 0.1F;
-constexpr int kPartingRounds = 6, kShorteningRounds = 8;
+constexpr int kPartingSweeps = 4, kPartingRounds = 6, kShorteningRounds = 8;
 
 Vec3f divider_of(const PairBlock& block, std::size_t at) {
     return {block.divider[0][at], block.divider[1][at], block.divider[2][at]};
@@ -62,10 +62,15 @@ CertificateReport DividingPlanes::certify(const SelfContactKernels& loops, const
     return report;
 }
 
+// One pair that is parted may bring others of the list together.
 bool DividingPlanes::part_all(const MovingPoints& points, CertificateReport& report) {
-    bool changed = false;
-    for (const Undivided& pair : undivided_) changed |= part(pair, points, report);
-    return changed;
+    bool has_changed = false, changes = true;
+    for (int sweep = 0; changes && sweep < kPartingSweeps; ++sweep) {
+        changes = false;
+        for (const Undivided& pair : undivided_) changes |= part(pair, points, report);
+        has_changed |= changes;
+    }
+    return has_changed;
 }
 
 // Takes back a part of their movement from the vertices of undivided pairs: as much as is necessary, or 1 - `most`.

@@ -20,6 +20,7 @@ void ExpectedPaths::start(std::span<const std::uint32_t> vertices, const MovingP
     first_mean_ = mean_of([&](std::uint32_t v) { return points.at(v); });
     mean_move_ = mean_of([&](std::uint32_t v) -> Vec3f { return points.at(v) - points.was_at(v); });
     for (const std::uint32_t v : vertices_) start_one(v, Vec3f::Zero(), points);
+    mark(points);
 }
 
 void ExpectedPaths::restart(std::span<const std::uint8_t> stays, const MovingPoints& points) {
@@ -39,20 +40,27 @@ Vec3f ExpectedPaths::frame(const MovingPoints& points) const {
     return mean_of([&](std::uint32_t v) { return points.at(v); }) - first_mean_;
 }
 
-float ExpectedPaths::measure(const MovingPoints& points, float ahead) {
+void ExpectedPaths::mark(const MovingPoints& points) {
+    marks_.resize(points.count);
+    const Vec3f origin = frame(points);
+    for (const std::uint32_t v : vertices_) marks_[v] = with_zero_w(points.at(v) - origin);
+}
+
+ExpectedPaths::Distances ExpectedPaths::measure(const MovingPoints& points, float ahead) {
     const auto position = [&](std::uint32_t v) -> Vec3f {
         const Vec3f now = points.at(v);
         return now + (now - points.was_at(v)) * ahead;
     };
     const Vec3f frame = mean_of(position) - first_mean_;
-    float largest = 0;
+    float farthest_off = 0, farthest_moved = 0;
     for (const std::uint32_t v : vertices_) {
-        const Vec3f moved = position(v) - frame - starts_[v].head<3>(), move = moves_[v].head<3>();
+        const Vec3f at = position(v) - frame, moved = at - starts_[v].head<3>(), move = moves_[v].head<3>();
         const float along = moved.dot(move) / std::max(1e-20F, move.squaredNorm());
         deviations_[v] = (moved - move * std::clamp(along, 0.0F, substeps_)).squaredNorm();
-        largest = std::max(largest, deviations_[v]);
+        farthest_off = std::max(farthest_off, deviations_[v]);
+        farthest_moved = std::max(farthest_moved, (at - marks_[v].head<3>()).squaredNorm());
     }
-    return std::sqrt(largest);
+    return {.off_path = std::sqrt(farthest_off), .from_mark = std::sqrt(farthest_moved)};
 }
 
 Sweep ExpectedPaths::sweep(const MovingPoints& points) const {

@@ -23,9 +23,15 @@ class ExpectedPaths {
     // Starts a new path for those of the vertices for which `stays` is 0 (by vertex).
     void restart(std::span<const std::uint8_t> stays, const MovingPoints& points);
 
-    // Computes by how much each vertex will be off its path after `ahead` more sub-steps of its present motion. Returns
-    // the largest of these distances, m.
-    float measure(const MovingPoints& points, float ahead);
+    // Notes where the vertices are now.
+    void mark(const MovingPoints& points);
+
+    struct Distances {
+        float off_path = 0;   // m, the largest distance of a vertex from its path
+        float from_mark = 0;  // m, the largest distance from where it was at the last mark(), in the frame
+    };
+    // Computes where each vertex will be after `ahead` more sub-steps of its present motion.
+    Distances measure(const MovingPoints& points, float ahead);
     float squared_deviation(std::uint32_t vertex) const { return deviations_[vertex]; }  // m^2, of the last measure()
 
     // The origin of the frame: the mean displacement of all vertices since start(), m.
@@ -43,6 +49,7 @@ class ExpectedPaths {
     float substeps_;
     std::vector<std::uint32_t> vertices_;
     std::vector<Vec4f> starts_;      // by vertex, in the frame
+    std::vector<Vec4f> marks_;       // by vertex, in the frame
     std::vector<Vec4f> moves_;       // by vertex: displacement per sub-step, without the mean
     std::vector<float> deviations_;  // by vertex, squared
     Vec3f first_mean_ = Vec3f::Zero(), mean_move_ = Vec3f::Zero();

@@ -64,7 +64,8 @@ struct SelfContactKernels {
                               const PairReach& reach);
 
     // Updates weights and normals of sixteen pairs. Returns a bit for each pair that can touch within the next
-    // `substeps`. before: positions one sub-step ago.
+    // `substeps`, of edges only those whose closest points are inside of both: the others are those of a vertex and a
+    // triangle too. before: positions one sub-step ago.
     unsigned (*refresh_pairs)(PairKind kind, PairBlock& block, const float* points, const float* before, float margin,
                               float substeps);
 

@@ -169,7 +169,8 @@ unsigned measure_pairs(PairKind kind, PairBlock& block, const float* points, con
 }
 
 // If the closest points are inner ones and the normal turned round, the sides went through each other: the normal keeps
-// its old side.
+// its old side. Two edges with other closest points are left to the pairs of a vertex and a triangle that have the same
+// ones.
 template <PairKind kind>
 [[gnu::always_inline]] inline unsigned refresh_lanes(PairBlock& block, std::size_t at, const float* points,
                                                      const float* before, float margin, float substeps) {
@@ -195,7 +196,9 @@ template <PairKind kind>
     distance *= turned;
     for (std::size_t k = 0; k < 4; ++k) store_row(block.weight[k], at, weights.w[k]);
     store_rows(block.normal, at, n);
-    return lanes::bits(touches(distance, weights, n, 0.25F * margin)) << at;
+    Ints listed = touches(distance, weights, n, 0.25F * margin);
+    if constexpr (kind == PairKind::EdgeEdge) listed &= weights.is_inner;
+    return lanes::bits(listed) << at;
 }
 
 template <PairKind kind>

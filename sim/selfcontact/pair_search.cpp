@@ -11,6 +11,8 @@ namespace {
 constexpr std::size_t kPacket = kBlock;
 constexpr float kSharpBend = 0.5F;  // cosine of the angle between two triangles above which their edge is sharp: 60 deg
 
+constexpr std::uint8_t kInside = 1U << 7;  // as a bit of `owned_`: the set of all three corners
+
 std::size_t padded_count(std::size_t count) {
     return (count + kPacket - 1) / kPacket * kPacket;
 }
@@ -28,6 +30,7 @@ void PairSearch::set_surface(const ContactSurface& surface, std::uint32_t dummy)
     padded_ = padded_count(count);
     owned_vertices_.assign(count, {kNoElement, kNoElement, kNoElement});
     owned_edges_.assign(count, {kNoElement, kNoElement, kNoElement});
+    owned_.assign(count, kInside);
     shortest_edge_.resize(count);
     for (std::size_t k = 0; k < 3; ++k) {
         corner_[k].assign(padded_, 4 * dummy);
@@ -61,8 +64,14 @@ void PairSearch::set_surface(const ContactSurface& surface, std::uint32_t dummy)
             corner_[k][t] = 4 * v;
             sewn_[k][t] = surface.sewn_as(v);
             shortest_edge_[t] = std::min(shortest_edge_[t], surface.edges[e].rest_length);
-            if (vertex_seen[v] == 0) owned_vertices_[t][vertices++] = v;
-            if (edge_seen[e] == 0) owned_edges_[t][edges++] = e;
+            if (vertex_seen[v] == 0) {
+                owned_vertices_[t][vertices++] = v;
+                owned_[t] |= static_cast<std::uint8_t>(1U << (1U << k));
+            }
+            if (edge_seen[e] == 0) {
+                owned_edges_[t][edges++] = e;
+                owned_[t] |= static_cast<std::uint8_t>(1U << (1U << k | 1U << (k + 1) % 3));
+            }
             vertex_seen[v] = edge_seen[e] = 1;
         }
     }
@@ -260,6 +269,13 @@ void PairSearch::note_elements(const ContactSurface& surface, TrianglePair pair,
             add(noted_edges_, {mine[0], mine[1], theirs[0], theirs[1]}, pair);
         }
     }
+}
+
+// A set of corners of a triangle is a number of three bits; `owned_` has a bit for each set.
+bool PairSearch::owns_closest_point(const PairBlock& block, std::size_t at) const {
+    unsigned corners = 0;
+    for (std::size_t k = 0; k < 3; ++k) corners |= block.weight[k + 1][at] != 0 ? 1U << k : 0U;
+    return (owned_[block.triangles[1][at]] >> corners & 1U) != 0;
 }
 
 bool PairSearch::is_near(const ContactSurface& surface, std::uint32_t v, std::uint32_t t) const {

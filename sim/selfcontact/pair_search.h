@@ -60,6 +60,9 @@ class PairSearch {
     Vec3f normal_of(std::uint32_t triangle) const {
         return {normal_[0][triangle], normal_[1][triangle], normal_[2][triangle]};
     }
+    // Of a vertex and a triangle: whether the point of the triangle that is closest to the vertex is inside of it, or
+    // on one of its edges or corners that no other triangle owns.
+    bool owns_closest_point(const PairBlock& block, std::size_t at) const;
     bool is_flat(std::uint32_t vertex) const { return sharp_[vertex] == 0; }
     const std::array<std::uint32_t, 3>& owned_edges(std::uint32_t triangle) const { return owned_edges_[triangle]; }
 
@@ -80,6 +83,7 @@ class PairSearch {
     std::uint32_t dummy_ = 0;
     std::size_t padded_ = 0;
     std::vector<std::array<std::uint32_t, 3>> owned_vertices_, owned_edges_;  // by triangle, kNoElement at the end
+    std::vector<std::uint8_t> owned_;                                         // by triangle, see owns_closest_point()
     std::vector<float> shortest_edge_;                                        // by triangle, m
     std::array<std::vector<std::uint32_t>, 3> corner_, sewn_;
     std::vector<std::uint32_t> sheet_, flat_;

@@ -66,7 +66,9 @@ void SelfContact::forget() {
 
 void SelfContact::begin_step(const MovingPoints& points, const SelfContactOptions& options) {
     ++counts_.steps;
-    if (!has_detected_ || !is_clean_) detect(points, options);
+    if (has_detected_ && is_clean_) return;
+    mean_moves_.clear();
+    detect(points, options);
 }
 
 void SelfContact::substep(const MovingPoints& points, const SelfContactOptions& options) {
@@ -75,16 +77,40 @@ void SelfContact::substep(const MovingPoints& points, const SelfContactOptions& 
     ++since_detection_;
     ++since_test_;
     if (since_detection_ % options.refresh_interval == 0) {
-        const float off = paths_.measure(points, static_cast<float>(options.refresh_interval));
+        look_back(points, options.refresh_interval);
+        const auto [off_path, from_mark] =
+            paths_.measure(expected(points), static_cast<float>(options.refresh_interval));
         // Two vertices may leave their paths towards each other.
         const float limit = 0.5F * options.margin + 0.25F * thickest(options);
-        if (off <= limit) {
-            refresh(points, options);
+        if (off_path <= limit) {
+            if (from_mark > 0.125F * options.margin) refresh(points, options);
         } else {
             certify(points, options);
             is_clean_ ? detect_where_off_path(points, limit, options) : detect(points, options);
         }
     }
+}
+
+void SelfContact::look_back(const MovingPoints& points, int substeps) {
+    mean_moves_.resize(points.count, Vec4f::Zero());
+    for (const std::uint32_t v : used_) {
+        const Vec4f now = with_zero_w(points.at(v));
+        mean_moves_[v] = (now - seen_[v]) / static_cast<float>(substeps);
+        seen_[v] = now;
+    }
+}
+
+// The points with the motion to be expected of them. Vertices that are pulled and pushed back within each sub-step have
+// a speed and yet stay where they are; those that were parted were displaced and have no speed. So it is the smaller of
+// the last displacement and the mean one since the last look.
+MovingPoints SelfContact::expected(const MovingPoints& points) {
+    if (mean_moves_.empty()) return points;
+    expected_.resize(points.count + 1, Vec4f::Zero());
+    for (const std::uint32_t v : used_) {
+        const Vec3f now = points.at(v), last = now - points.was_at(v), mean = mean_moves_[v].head<3>();
+        expected_[v] = with_zero_w(now - (mean.squaredNorm() < last.squaredNorm() ? mean : last));
+    }
+    return {.now = points.now, .before = expected_.front().data(), .count = points.count};
 }
 
 void SelfContact::end_step(const MovingPoints& points, const SelfContactOptions& options) {
@@ -97,7 +123,7 @@ void SelfContact::end_step(const MovingPoints& points, const SelfContactOptions&
 
 void SelfContact::detect(const MovingPoints& points, const SelfContactOptions& options) {
     ++counts_.detections;
-    paths_.start(used_, points);
+    paths_.start(used_, expected(points));
     search_.select_all();
     const Sweep sweep = paths_.sweep(points);
     search_.find_triangles(loops(), surface_, points.now, sweep, reach(options));
@@ -112,7 +138,7 @@ void SelfContact::detect_where_off_path(const MovingPoints& points, float limit,
     is_off_.assign(points.count, 0);
     for (const std::uint32_t v : used_) is_off_[v] = paths_.squared_deviation(v) > limit * limit ? 1 : 0;
     search_.select(surface_, is_off_);
-    paths_.restart(search_.stays(), points);
+    paths_.restart(search_.stays(), expected(points));
     const Sweep sweep = paths_.sweep(points);
     search_.find_triangles(loops(), surface_, points.now, sweep, reach(options));
     if (has_new_crossing(points, options)) {
@@ -126,7 +152,8 @@ void SelfContact::list_pairs(const Sweep& sweep, const MovingPoints& points, con
     counts_.asked += search_.share_asked();
     counts_.triangle_pairs += static_cast<long>(search_.new_triangle_pairs().size());
     start_.resize(points.count, Vec4f::Zero());
-    for (const std::uint32_t v : used_) start_[v] = with_zero_w(points.at(v));
+    seen_.resize(points.count, Vec4f::Zero());
+    for (const std::uint32_t v : used_) seen_[v] = start_[v] = with_zero_w(points.at(v));
     start_frame_ = paths_.frame(points);
     search_.find_elements(loops(), surface_, points.now, sweep,
                           {.margin = options.margin, .least = has_layers_ && !is_clean_ ? reach(options) : 0},
@@ -286,9 +313,11 @@ float SelfContact::reach(const SelfContactOptions& options) const {
 
 void SelfContact::refresh(const MovingPoints& points, const SelfContactOptions& options) {
     ++counts_.refreshes;
+    paths_.mark(points);
     contacts_.clear();
-    list_contacts(pairs_.vertex_triangle, points, options);
-    list_contacts(pairs_.edge_edge, points, options);
+    const MovingPoints moving = expected(points);
+    list_contacts(pairs_.vertex_triangle, moving, options);
+    list_contacts(pairs_.edge_edge, moving, options);
     counts_.contacts += static_cast<long>(contacts_.size());
 }
 
@@ -306,6 +335,8 @@ void SelfContact::list_contacts(PairList& pairs, const MovingPoints& points, con
         unsigned found = loops().refresh_pairs(pairs.kind(), block, points.now, points.before, options.margin, ahead);
         for (; found != 0; found &= found - 1) {
             const auto at = static_cast<std::size_t>(__builtin_ctz(found));
+            // Triangles around an edge or a vertex share it: one of them lists the contact.
+            if (pairs.kind() == PairKind::VertexTriangle && !search_.owns_closest_point(block, at)) continue;
             SelfContactPlane contact{
                 .radius = block.radius[at], .friction = block.friction[at], .longest_push = options.longest_push};
             float sum = 0;

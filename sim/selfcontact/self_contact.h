@@ -89,6 +89,8 @@ class SelfContact {
     float most_swapped(const PairBlock& block, std::size_t at) const;
     void list_contacts(PairList& pairs, const MovingPoints& points, const SelfContactOptions& options);
     void certify(const MovingPoints& points, const SelfContactOptions& options);
+    void look_back(const MovingPoints& points, int substeps);
+    MovingPoints expected(const MovingPoints& points);
     void untangle(const MovingPoints& points, const SelfContactOptions& options);
     void limit_clearances(const PairList& pairs, const MovingPoints& points, std::vector<float>& clearances) const;
     float thickest(const SelfContactOptions& options) const;
@@ -109,6 +111,9 @@ class SelfContact {
     bool has_layers_ = false;             // whether they differ
     std::vector<std::uint16_t> swapped_;  // by vertex: pairs on the wrong side
     ExpectedPaths paths_;
+    std::vector<Vec4f> seen_;            // by vertex: position at the last look
+    std::vector<Vec4f> mean_moves_;      // by vertex: mean displacement per sub-step between the last two looks, m
+    std::vector<Vec4f> expected_;        // by vertex: position a sub-step ago, had it moved as is expected of it
     std::vector<Vec4f> start_;           // by vertex: position at the last detection
     Vec3f start_frame_ = Vec3f::Zero();  // the origin of the paths' frame then, m
     std::vector<Vec4f> clean_;           // by vertex: positions at the last clean exact test; empty: none yet

@@ -46,9 +46,9 @@ TEST(ExpectedPaths, vertices_that_move_on_stay_on_their_paths_until_these_end) {
     ExpectedPaths paths(12);
     paths.start(all_vertices(sheets), sheets.points());
     move_on(sheets, 12);
-    EXPECT_LT(paths.measure(sheets.points(), 0), 1e-5F);
+    EXPECT_LT(paths.measure(sheets.points(), 0).off_path, 1e-5F);
     move_on(sheets, 12);
-    EXPECT_GT(paths.measure(sheets.points(), 0), 0.004F);
+    EXPECT_GT(paths.measure(sheets.points(), 0).off_path, 0.004F);
 }
 
 TEST(ExpectedPaths, motion_that_all_vertices_share_does_not_leave_the_paths) {
@@ -58,7 +58,7 @@ TEST(ExpectedPaths, motion_that_all_vertices_share_does_not_leave_the_paths) {
     paths.start(all_vertices(sheets), sheets.points());
     for (Vec4f& x : sheets.now) x += Vec4f(0.5F, -0.3F, 0.1F, 0);
     sheets.before = sheets.now;
-    EXPECT_LT(paths.measure(sheets.points(), 6), 1e-5F);
+    EXPECT_LT(paths.measure(sheets.points(), 6).off_path, 1e-5F);
     EXPECT_TRUE(paths.frame(sheets.points()).isApprox(Vec3f(0.5F, -0.3F, 0.1F), 1e-4F));
 }
 
@@ -69,11 +69,11 @@ TEST(ExpectedPaths, a_vertex_off_its_path_gets_a_new_one_and_the_others_keep_the
     paths.start(all_vertices(sheets), sheets.points());
     sheets.now[7].y() += 0.01F;
     sheets.now[8].y() += 0.001F;
-    EXPECT_NEAR(paths.measure(sheets.points(), 0), 0.01F, 1e-4F);
+    EXPECT_NEAR(paths.measure(sheets.points(), 0).off_path, 0.01F, 1e-4F);
     std::vector<std::uint8_t> stays(sheets.vertices(), 1);
     stays[7] = 0;
     paths.restart(stays, sheets.points());
-    EXPECT_NEAR(paths.measure(sheets.points(), 0), 0.001F, 1e-4F);
+    EXPECT_NEAR(paths.measure(sheets.points(), 0).off_path, 0.001F, 1e-4F);
     EXPECT_LT(paths.squared_deviation(7), 1e-10F);
 }
 

@@ -130,6 +130,52 @@ TEST(SelfContact, sheets_at_rest_need_no_further_detection) {
     EXPECT_EQ(contact.counts().detections, 1);
 }
 
+TEST(SelfContact, sheets_at_rest_need_no_further_refresh) {
+    Sheets sheets;
+    add_flat_sheet(sheets, 8, kEdge, 0, 0);
+    add_flat_sheet(sheets, 8, kEdge, 1, 0.001F);
+    SelfContact contact;
+    contact.set_surface(sheets.surface, sheets.vertices());
+    for (int step = 0; step < 10; ++step) coast(sheets, contact);
+    EXPECT_EQ(contact.counts().refreshes, 1);
+}
+
+// A pull and a push in each sub-step leave a vertex where it was, although it has a speed of 0.5 m/s.
+TEST(SelfContact, vertices_that_are_pushed_back_in_each_substep_count_as_resting) {
+    Sheets sheets;
+    add_flat_sheet(sheets, 8, kEdge, 0, 0);
+    add_flat_sheet(sheets, 8, kEdge, 1, 0.02F);
+    SelfContact contact;
+    contact.set_surface(sheets.surface, sheets.vertices());
+    coast(sheets, contact);
+    const long detections = contact.counts().local_detections + contact.counts().detections;
+    const SelfContactOptions options;
+    for (int step = 0; step < 5; ++step) {
+        contact.begin_step(sheets.points(), options);
+        for (int i = 0; i < 12; ++i) {
+            sheets.before[40].head<3>() = sheets.now[40].head<3>() - Vec3f(0, 0.0004F, 0);
+            contact.substep(sheets.points(), options);
+        }
+        contact.end_step(sheets.points(), options);
+    }
+    EXPECT_EQ(contact.counts().local_detections + contact.counts().detections, detections);
+}
+
+// Each vertex of these sheets lies over one of the other sheet, round which there are up to six triangles, and each
+// edge over an edge.
+TEST(SelfContact, pairs_with_the_same_closest_points_make_one_contact) {
+    constexpr int kQuads = 8;
+    Sheets sheets;
+    add_flat_sheet(sheets, kQuads, kEdge, 0, 0);
+    add_flat_sheet(sheets, kQuads, kEdge, 1, 0.001F);
+    SelfContact contact;
+    contact.set_surface(sheets.surface, sheets.vertices());
+    contact.begin_step(sheets.points(), {});
+    const long vertices = 2 * (kQuads + 1) * (kQuads + 1), edges = kQuads * (3 * kQuads + 2);
+    EXPECT_GE(contact.counts().contacts, vertices);
+    EXPECT_LE(contact.counts().contacts, vertices + edges + edges / 10);  // rounding doubles some
+}
+
 TEST(SelfContact, falling_together_needs_no_further_detection) {
     Sheets sheets;
     add_flat_sheet(sheets, 8, kEdge, 0, 0);
