@@ -241,6 +241,10 @@ void draw_fineness(InspectorContext& context, sim::SessionOptions& options) {
 void draw_world(InspectorContext& context, sim::SessionOptions& options) {
     if (check_box(context, "drape.gravity", "Gravity", options.has_gravity, "Without it the cloth floats."))
         options.has_gravity = !options.has_gravity;
+    if (check_box(context, "drape.self_collision", "Self-collision", options.self_collision,
+                  "Cloth stays apart from itself. Off: it passes through itself, which is faster. Garments over each "
+                  "other need it."))
+        options.self_collision = !options.self_collision;
     if (check_box(context, "drape.real_time", "Real time", options.keeps_real_time,
                   "A second of cloth takes a second, if the machine can. Off: as fast as it can."))
         options.keeps_real_time = !options.keeps_real_time;

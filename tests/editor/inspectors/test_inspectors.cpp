@@ -231,6 +231,11 @@ TEST(DrapeInspector, options_are_typed_and_switched) {
     EXPECT_EQ(inspector.workspace.drape.options().max_level, 2);
     inspector.click("drape.gravity");
     EXPECT_FALSE(inspector.workspace.drape.options().has_gravity);
+    EXPECT_TRUE(inspector.workspace.drape.options().self_collision);
+    inspector.click("drape.self_collision");
+    EXPECT_FALSE(inspector.workspace.drape.options().self_collision);
+    inspector.click("drape.self_collision");
+    EXPECT_TRUE(inspector.workspace.drape.options().self_collision);
     inspector.click("drape.budget");
     inspector.type("2500");
     inspector.key(ImGuiKey_Enter);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "bench/support/measured_mesh.h"
 #include "sim/cloth/contact_surface.h"
@@ -10,6 +11,7 @@
 #include "sim/collide/collider.h"
 #include "sim/collide/penetration.h"
 #include "sim/dress/drape.h"
+#include "sim/dress/dressing.h"
 #include "sim/dress/sewing.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/mesh/sew.h"
@@ -133,12 +135,16 @@ TEST_F(SewOnABox, closes_two_panels_into_a_tube_that_is_long_enough) {
 }
 
 // A third panel cuts through the front one, at an angle of 0.5 radians.
-TEST_F(SewOnABox, panels_that_cross_come_apart_while_seams_close) {
+Pattern tube_with_panel_across() {
     Pattern pattern = tube(0.40, 0.3, 0.8, 0.15);
     Panel across = rectangle("across", {.width = 0.2, .height = 0.2, .y = 0.85, .z = 0.12});
     across.rotation = Eigen::AngleAxisd(0.5, Vec3d::UnitX()).toRotationMatrix();
     pattern.panels.push_back(across);
-    const GarmentMesh unsewn = assemble(pattern);
+    return pattern;
+}
+
+TEST_F(SewOnABox, panels_that_cross_come_apart_while_seams_close) {
+    const GarmentMesh unsewn = assemble(tube_with_panel_across());
     const std::vector<Fabric> fabrics(3, find_fabric("cotton_shirting"));
     const auto crossings_when_sewn = [&](const SewingOptions& options) {
         SewingRun run(unsewn, fabrics, options);
@@ -148,6 +154,24 @@ TEST_F(SewOnABox, panels_that_cross_come_apart_while_seams_close) {
     };
     EXPECT_GT(crossings_when_sewn({}), 0U);
     EXPECT_EQ(crossings_when_sewn({.self_contact = SelfContactOptions{}}), 0U);
+}
+
+TEST_F(SewOnABox, panels_that_cross_come_apart_as_soon_as_contact_is_switched_on_while_they_hang) {
+    DressOptions options{.max_level = 0, .max_seconds = 60, .has_gravity = false, .self_collision = false};
+    Dressing dressing;
+    dressing.set_options(options);
+    dressing.set_body(std::make_shared<const Body>(box_));
+    dressing.set_pattern(tube_with_panel_across());
+    dressing.sew();
+    const auto crossings_after = [&](int frames) {
+        for (int i = 0; i < frames; ++i) dressing.advance();
+        return find_crossing_triangles(contact_surface(*dressing.cloth()), dressing.cloth()->x.front().data()).size();
+    };
+    while (!dressing.is_hanging()) dressing.advance();
+    EXPECT_GT(crossings_after(60), 0U);
+    options.self_collision = true;
+    dressing.set_options(options);
+    EXPECT_EQ(crossings_after(30), 0U);
 }
 
 TEST_F(SewOnABox, leaves_the_body_inside_the_tube) {
