@@ -14,7 +14,6 @@ namespace {
 constexpr float kRelaxDamping = 12;   // 1/s, while seam tension relaxes
 constexpr float kFinishDamping = 40;  // 1/s, while residual stretch is removed
 constexpr float kFallDamping = 2;     // 1/s, air drag
-constexpr double kLowering = 1;       // s, in which gravity grows to its full value after the relaxation
 
 using Clock = std::chrono::steady_clock;
 
@@ -113,8 +112,8 @@ void DrapeRun::relax_frame(Cloth& cloth, const Collider& body) {
 void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     const float elapsed = static_cast<float>(result_.simulated_seconds - phase_start_);
     StepOptions stepping{.gravity = options_.gravity, .contact = falling_contact(), .may_rest = options_.may_rest};
-    const bool is_lowered = relaxed_ == 0 || lowered_ >= kLowering;
-    if (!is_lowered) stepping.gravity *= static_cast<float>(lowered_ / kLowering);
+    const bool is_lowered = relaxed_ == 0 || lowered_ >= options_.lowering_time;
+    if (!is_lowered) stepping.gravity *= static_cast<float>(lowered_ / options_.lowering_time);
     stepping.extra_damping = kFallDamping + options_.damping_growth * elapsed;
     // The update rates of the biases decrease as the garment comes to rest; otherwise they would keep it moving.
     stepping.stretch_bias_rate *= learning_rate_scale_;

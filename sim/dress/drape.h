@@ -22,6 +22,7 @@ struct DrapeOptions {
     double rest_time = 1.0;               // s for which it must stay at rest
     double relax_time = 0.6;              // s without gravity and friction, at the start
     double coarse_time = 0.2;             // s of relax_time at level 0
+    double lowering_time = 1;             // s after relax_time, if any, in which gravity grows to its full value
     double finish_time = 0.2;             // s of max_seconds in finer sub-steps, at the end; up to 3 x until at rest
     Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
     bool may_rest = false;                // whether steps skip a cloth at rest during the fall (sim/cloth/resting.h)

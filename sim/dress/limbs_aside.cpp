@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "sim/cloth/contact.h"
+#include "sim/dress/drape.h"
 #include "sim/place/limb_pieces.h"
 #include "sim/place/limbs.h"
 
 namespace selvedge::sim {
 namespace {
 
-constexpr float kLowering = 1;         // s, in which gravity grows to its full value
 constexpr float kShortestFall = 1.4F;  // s
 constexpr float kLongestFall = 3.0F;
 constexpr float kCalmSpeed = 0.15F;  // m/s, rms: the cloth has fallen
@@ -60,7 +60,7 @@ bool LimbsAside::advance_phase(SewingRun& sewing) {
             if (!sewing.advance(*collider_)) begin(Phase::Fall, sewing);
             break;
         case Phase::Fall:
-            sewing.fall(*collider_, std::min(1.0F, seconds_ / kLowering));
+            sewing.fall(*collider_, std::min(1.0F, seconds_ / static_cast<float>(DrapeOptions{}.lowering_time)));
             if (seconds_ > kLongestFall || (seconds_ > kShortestFall && sewing.rms_speed() < kCalmSpeed)) {
                 raised_ = clear_angle(sewing);
                 begin(Phase::Raise, sewing);
