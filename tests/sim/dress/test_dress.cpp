@@ -20,15 +20,11 @@
 #include "sim/pattern/pattern_file.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
+#include "tests/support/mannequin.h"
 #include "tests/support/right_wrong.h"
 
 namespace selvedge::sim::test {
 namespace {
-
-const Body& mannequin() {
-    static const Body body = make_mannequin({.subdivisions = 1}).body;
-    return body;
-}
 
 Pattern shipped(const std::string& name) {
     return load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json")).pattern;

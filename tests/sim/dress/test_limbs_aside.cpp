@@ -7,17 +7,12 @@
 #include <string>
 
 #include "sim/dress/dress.h"
-#include "sim/mannequin/mannequin.h"
 #include "sim/mesh/sew.h"
 #include "tests/sim/dress/shapes.h"
+#include "tests/support/mannequin.h"
 
 namespace selvedge::sim::test {
 namespace {
-
-const Body& mannequin() {
-    static const Body body = make_mannequin({.subdivisions = 1}).body;
-    return body;
-}
 
 // Front and back, from the waist down; their sides run out over the hands.
 Pattern wide_skirt(double hem) {

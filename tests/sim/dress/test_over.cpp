@@ -14,22 +14,17 @@
 #include "sim/dress/dress.h"
 #include "sim/dress/garment_sewing.h"
 #include "sim/dress/layer_order.h"
-#include "sim/mannequin/mannequin.h"
 #include "sim/mesh/sew.h"
 #include "sim/pattern/garments.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/sim/dress/shapes.h"
+#include "tests/support/mannequin.h"
 
 namespace selvedge::sim::test {
 namespace {
 
 Pattern shipped(const std::string& name) {
     return load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json")).pattern;
-}
-
-const Body& mannequin() {
-    static const Body body = make_mannequin({.subdivisions = 1}).body;
-    return body;
 }
 
 constexpr DistanceFieldOptions kCoarse{.cell = 0.006F, .band = 0.024F};

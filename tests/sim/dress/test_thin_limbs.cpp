@@ -10,20 +10,15 @@
 #include "sim/collide/body_collider.h"
 #include "sim/collide/penetration.h"
 #include "sim/dress/garment_sewing.h"
-#include "sim/mannequin/mannequin.h"
 #include "sim/mesh/sew.h"
 #include "sim/pattern/fabric.h"
 #include "sim/place/limbs.h"
 #include "sim/place/openings.h"
 #include "tests/sim/dress/shapes.h"
+#include "tests/support/mannequin.h"
 
 namespace selvedge::sim::test {
 namespace {
-
-const Body& mannequin() {
-    static const Body body = make_mannequin({.subdivisions = 1}).body;
-    return body;
-}
 
 const BodyCollider& collider() {
     static const BodyCollider collider(mannequin());

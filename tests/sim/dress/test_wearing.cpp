@@ -10,20 +10,15 @@
 
 #include "sim/cloth/cloth_penetration.h"
 #include "sim/collide/surface_bvh.h"
-#include "sim/mannequin/mannequin.h"
 #include "sim/mesh/sew.h"
 #include "sim/place/limbs.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
+#include "tests/support/mannequin.h"
 #include "tests/support/posed_body.h"
 
 namespace selvedge::sim::test {
 namespace {
-
-const Body& mannequin() {
-    static const Body body = make_mannequin({.subdivisions = 1}).body;
-    return body;
-}
 
 const Body& mannequin_in_t_pose() {
     static const Body body = shapes::in_t_pose(mannequin());

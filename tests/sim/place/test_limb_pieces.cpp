@@ -7,18 +7,13 @@
 #include <utility>
 
 #include "sim/collide/surface_bvh.h"
-#include "sim/mannequin/mannequin.h"
 #include "sim/mesh/sew.h"
 #include "tests/sim/dress/shapes.h"
+#include "tests/support/mannequin.h"
 #include "tests/support/posed_body.h"
 
 namespace selvedge::sim::test {
 namespace {
-
-const Body& mannequin() {
-    static const Body body = make_mannequin({.subdivisions = 1}).body;
-    return body;
-}
 
 const BodyLimbs& limbs() {
     static const BodyLimbs limbs = find_limbs(mannequin());

@@ -9,17 +9,12 @@
 
 #include "sim/body/load_body.h"
 #include "sim/collide/surface_bvh.h"
-#include "sim/mannequin/mannequin.h"
 #include "tests/support/bodies.h"
+#include "tests/support/mannequin.h"
 #include "tests/support/posed_body.h"
 
 namespace selvedge::sim::test {
 namespace {
-
-const Body& mannequin() {
-    static const Body body = make_mannequin({.subdivisions = 1}).body;
-    return body;
-}
 
 Body without_bones(Body body) {
     body.bones.clear();

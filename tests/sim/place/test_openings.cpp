@@ -7,13 +7,13 @@
 #include <numbers>
 #include <vector>
 
-#include "sim/mannequin/mannequin.h"
+#include "tests/support/mannequin.h"
 
 namespace selvedge::sim::test {
 namespace {
 
 const BodyLimbs& limbs() {
-    static const BodyLimbs found = find_limbs(make_mannequin({.subdivisions = 1}).body);
+    static const BodyLimbs found = find_limbs(mannequin());
     return found;
 }
 
