@@ -74,6 +74,7 @@ std::optional<LimbKind> arm_of(const std::vector<std::size_t>& vertices, const s
 // What a tailor calls an opening for these limbs, from its place on the body for which the garment was placed.
 std::string_view call_opening(LimbSet limbs, std::string_view place, bool is_of_sleeve) {
     if (limbs.none()) return "opening";
+    if (limbs.count() > 2 && !limbs[index_of(LimbKind::Head)]) return "hem";  // of a poncho, flat or not
     if (limbs.count() == 1 && limbs[index_of(LimbKind::Head)]) return "neckline";
     if (limbs.count() == 1 && (limbs[index_of(LimbKind::LeftArm)] || limbs[index_of(LimbKind::RightArm)]))
         return is_of_sleeve ? "cuff" : "armhole";
@@ -81,22 +82,27 @@ std::string_view call_opening(LimbSet limbs, std::string_view place, bool is_of_
     return place == "chest" || place == "neck" ? "upper edge" : "hem";
 }
 
-// The limbs that should not be in the opening, and those that should but are not. Both sets of limbs are only defined
-// up to their complement: what leaves through a skirt's waist is all that does not leave through its hem.
+// The limbs that should not be in the opening, and those that should but are not.
 struct Mismatch {
     LimbSet expected;
     LimbSet extra;
     LimbSet missing;
 };
 
+// Both sets are only defined up to their complement: what leaves through a skirt's waist is all that does not leave
+// through its hem. The smaller one is what a tailor names, but for a poncho's hem: all limbs but the head.
 std::optional<Mismatch> compare(LimbSet expected, LimbSet found, LimbSet known) {
     expected &= known;
     found &= known;
-    if (2 * expected.count() > known.count()) {
-        expected = known & ~expected;
-        found = known & ~found;
+    const LimbSet others = known & ~expected;
+    const bool is_for_all_but_head = others.count() == 1 && others[index_of(LimbKind::Head)];
+    if (!is_for_all_but_head || found.none() || found == known) {
+        if (expected.count() > others.count()) {
+            expected = others;
+            found = known & ~found;
+        }
+        if (2 * (expected ^ found).count() > known.count()) found = known & ~found;
     }
-    if (2 * (expected ^ found).count() > known.count()) found = known & ~found;
     if (expected == found) return std::nullopt;
     return Mismatch{.expected = expected, .extra = found & ~expected, .missing = expected & ~found};
 }

@@ -172,6 +172,18 @@ TEST(Wearing, finds_a_hem_that_holds_an_arm) {
     EXPECT_EQ(report.faults[0].value, 1);
 }
 
+// Its lower edge is as wide as the body with its arms.
+Pattern poncho() {
+    return tube(1.9, 0.8, 0.62, 0.25);
+}
+
+TEST(Wearing, finds_an_arm_that_a_hem_for_all_limbs_but_the_head_misses) {
+    EXPECT_EQ(list(report_on(poncho(), stays, mannequin())), "");
+    const auto narrower = [](const Vec3d& x) { return Vec3d(x.x() < 0 ? 0.3 * x.x() : x.x(), x.y(), x.z()); };
+    EXPECT_EQ(list(report_on(poncho(), narrower, mannequin())),
+              "limb_missed: the right arm does not pass through the hem of 'front'\n");
+}
+
 TEST(Wearing, finds_an_empty_sleeve) {
     const DressReport report = report_on(
         sleeve(), [](const Vec3d& x) { return Vec3d(x + Vec3d(0, 0, 0.2)); }, mannequin());
