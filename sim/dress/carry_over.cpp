@@ -129,6 +129,22 @@ PatternChange compare(const Pattern& before, const Pattern& after) {
     return differ(before, after, shown) ? PatternChange::Setts : PatternChange::None;
 }
 
+std::size_t count_worn_under(const Pattern& before, Pattern after) {
+    const auto first = static_cast<int>(before.panels.size());
+    if (after.panels.size() <= before.panels.size() || after.seams.size() < before.seams.size()) return 0;
+    const std::vector<Garment> garments = garments_of(after);
+    const auto outer = std::ranges::find_if(garments, [&](const Garment& one) { return one.panels.front() >= first; });
+    if (std::any_of(garments.begin(), outer, [&](const Garment& one) { return one.panels.back() >= first; })) return 0;
+    if (std::any_of(outer, garments.end(), [&](const Garment& one) { return one.panels.front() < first; })) return 0;
+    for (std::size_t i = before.seams.size(); i < after.seams.size(); ++i) {
+        if (after.seams[i].first.panel < first || after.seams[i].second.panel < first) return 0;
+    }
+    const auto count = static_cast<std::size_t>(outer - garments.begin());
+    after.panels.resize(before.panels.size());
+    after.seams.resize(before.seams.size());
+    return compare(before, after) < PatternChange::Outlines ? count : 0;
+}
+
 std::string restart_reason(const Pattern& before, const Pattern& after) {
     const std::string whole = ": sewn anew from where the panels are placed";
     for (const Panel& panel : after.panels) {

@@ -1,6 +1,7 @@
 #pragma once
 // State transfer when a pattern changes: the new cloth continues from the current drape. Also the map between the
 // panels of the old and the new pattern, and the map from material points to positions on a drape.
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -62,6 +63,10 @@ enum class PatternChange {
     Kind       // panels, edges or seams were added or removed, or garments are worn in another order: restart_reason
 };
 PatternChange compare(const Pattern& before, const Pattern& after);
+
+// The number of garments of `before` if `after` has the same with others over them, which are sewn to none of them;
+// otherwise 0. The panels and seams of the others follow those of `before`, as after put_over().
+std::size_t count_worn_under(const Pattern& before, Pattern after);
 
 // For example "'front' has one edge more: sewn anew from where it is placed". Pre: compare() returns Kind.
 std::string restart_reason(const Pattern& before, const Pattern& after);

@@ -111,18 +111,38 @@ void check_layers(const Pattern& pattern, const DressOptions& options) {
 void Dressing::sew() {
     if (!body_) throw InputError("", "", "there is no body to put it on");
     check_layers(pattern_, options_);
+    begin_sewing({});
+    past_seconds_ = 0;
+}
+
+void Dressing::begin_sewing(std::optional<WornGarments> worn) {
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
     SewingOptions options;
     if (options_.self_collision) options.self_contact.emplace();
-    GarmentSewing sewing(std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),
-                         [this](const GarmentMesh& next, const GarmentMesh& all) {
-                             return LimbsAside::plan(next, all, anchored(), *body_);
-                         });
+    GarmentSewing sewing(
+        std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),
+        [this](const GarmentMesh& next, const GarmentMesh& all) {
+            return LimbsAside::plan(next, all, anchored(), *body_);
+        },
+        std::move(worn));
     clear();
     sewing_.emplace(std::move(sewing));
     std::ranges::copy(anchored_->notes, std::back_inserter(notes_));
     std::ranges::move(sewing_->take_notes(), std::back_inserter(notes_));
-    past_seconds_ = 0;
+}
+
+// Sews garments that were put over those that hang round them. Returns whether there are such.
+bool Dressing::sew_over() {
+    if (!drape_ || has_bad_number() || !options_.self_collision || drape_->meshing != meshing()) return false;
+    const std::size_t count = count_worn_under(drape_->pattern, pattern_);
+    if (count == 0) return false;
+    const double seconds = simulated_seconds();
+    SewingResult result{.sewn = drape_->mesh, .open = drape_->open, .simulated_seconds = seconds, .bad_vertex = {}};
+    for (std::size_t v = 0; v < result.sewn.x.size(); ++v)
+        result.sewn.x[v] = drape_->cloth.x[v].head<3>().cast<double>();
+    begin_sewing(WornGarments{.count = count, .result = std::move(result)});
+    past_seconds_ = seconds;
+    return true;
 }
 
 void Dressing::end_sewing() {
@@ -298,6 +318,7 @@ void Dressing::take_pattern(const Pattern& last) {
         change_cloth(anchored());
         return;
     }
+    if (change == PatternChange::Kind && sew_over()) return;
     if (sewing_ && change <= PatternChange::Setts && !is_placed_otherwise(last, pattern_)) return;
     const std::string why =
         drape_ && change == PatternChange::Kind ? restart_reason(drape_->pattern, pattern_) : std::string();

@@ -4,8 +4,8 @@
 // (thesis 3.6.7, 4.2)
 //
 // Pattern, body and options may change at any time. A changed pattern is meshed and sewn again. If its panels, outline
-// edges and seams are the same in number and kind, the cloth continues from the current drape; otherwise it restarts
-// from the placed panels, and a note says why.
+// edges and seams are the same in number and kind, the cloth continues from the current drape. If garments were put
+// over those that hang, they are sewn round these. Otherwise it restarts from the placed panels, and a note says why.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -138,6 +138,8 @@ class Dressing {
         BodyCollider collider;
     };
 
+    void begin_sewing(std::optional<WornGarments> worn);
+    bool sew_over();
     void end_sewing();
     void hang(Drape drape, double relax_time);
     void apply_options();

@@ -57,7 +57,8 @@ std::vector<bool> panels_of(const Garment& garment, std::size_t panels) {
 }  // namespace
 
 GarmentSewing::GarmentSewing(GarmentMesh unsewn, std::vector<Garment> garments, std::vector<Fabric> fabrics,
-                             const BodyCollider& body, SewingOptions options, PlanLimbs plan_limbs)
+                             const BodyCollider& body, SewingOptions options, PlanLimbs plan_limbs,
+                             std::optional<WornGarments> worn)
     : unsewn_(std::move(unsewn)),
       garments_(std::move(garments)),
       fabrics_(std::move(fabrics)),
@@ -67,7 +68,20 @@ GarmentSewing::GarmentSewing(GarmentMesh unsewn, std::vector<Garment> garments, 
       sewn_vertex_(unsewn_.x.size(), -1) {
     SELVEDGE_ASSERT(!garments_.empty());
     if (garments_.size() > 1 && !options_.self_contact) options_.self_contact.emplace();
+    if (worn) take_worn(std::move(*worn));
     start_next(body);
+}
+
+void GarmentSewing::take_worn(WornGarments worn) {
+    SELVEDGE_ASSERT(worn.count < garments_.size());
+    for (; next_ < worn.count; ++next_) {
+        for (const int p : garments_[next_].panels) is_worn_[static_cast<std::size_t>(p)] = true;
+    }
+    done_ = std::move(worn.result);
+    map_sewn_vertices();
+    for (std::size_t v = 0; v < sewn_vertex_.size(); ++v) {
+        if (sewn_vertex_[v] >= 0) unsewn_.x[v] = done_.sewn.x[static_cast<std::size_t>(sewn_vertex_[v])];
+    }
 }
 
 // Outside of what is worn. Returns the next garment's panels.
@@ -161,6 +175,10 @@ void GarmentSewing::wear() {
     result.open.insert(result.open.begin(), done_.open.begin(), done_.open.end());
     std::ranges::sort(result.open, {}, &OpenSeam::seam);
     done_ = std::move(result);
+    map_sewn_vertices();
+}
+
+void GarmentSewing::map_sewn_vertices() {
     std::size_t sewn = 0;
     for (const GarmentTriangle& t : unsewn_.triangles) {
         if (!is_worn_[static_cast<std::size_t>(t.panel)]) continue;
@@ -168,6 +186,7 @@ void GarmentSewing::wear() {
             sewn_vertex_[static_cast<std::size_t>(t.vertices[k])] = done_.sewn.triangles[sewn].vertices[k];
         ++sewn;
     }
+    SELVEDGE_ASSERT(sewn == done_.sewn.triangles.size());
 }
 
 // Without gravity and friction, the tension of the seams relaxes. Then the next garment is placed.

@@ -2,6 +2,7 @@
 // Sews the garments of a pattern onto the body one after the other, from the innermost to the outermost. Each is worn
 // before the next one is placed round it: its seams are closed, and their tension has relaxed. What is worn stays cloth
 // while the next one is sewn, and contact keeps that one outside.
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -22,15 +23,22 @@ namespace selvedge::sim {
 
 class BodyCollider;
 
+// The inner garments, if they are worn already: sewn, at the positions where they hang.
+struct WornGarments {
+    std::size_t count = 0;
+    SewingResult result;  // its mesh has the triangles of their panels, as they are meshed unsewn
+};
+
 class GarmentSewing {
  public:
     // Plans what to do with arms in the way of panels (LimbsAside::plan).
     using PlanLimbs = std::function<std::unique_ptr<LimbsAside>(const GarmentMesh& unsewn, const GarmentMesh& sewing)>;
 
     // `unsewn`: all panels of the garments, where they are placed. Moves panels to where they can be sewn
-    // (make_sewable). Several garments are always kept apart, whatever the options say.
+    // (make_sewable). Several garments are always kept apart, whatever the options say. Pre: not all of them are worn.
     GarmentSewing(GarmentMesh unsewn, std::vector<Garment> garments, std::vector<Fabric> fabrics,
-                  const BodyCollider& body, SewingOptions options, PlanLimbs plan_limbs = {});
+                  const BodyCollider& body, SewingOptions options, PlanLimbs plan_limbs = {},
+                  std::optional<WornGarments> worn = {});
 
     // One step. Returns false when all garments are sewn, or a value is not finite. Pre: no call returned false.
     bool advance(const BodyCollider& body);
@@ -42,6 +50,8 @@ class GarmentSewing {
     SewingResult result() &&;                                                      // of all garments
 
  private:
+    void take_worn(WornGarments worn);
+    void map_sewn_vertices();
     GarmentMesh place_next(const BodyCollider& body);
     void start_next(const BodyCollider& body);
     bool advance_run(const BodyCollider& body);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "sim/cloth/contact_surface.h"
@@ -12,6 +13,7 @@
 #include "sim/dress/anchor.h"
 #include "sim/dress/carry_over.h"
 #include "sim/dress/dress.h"
+#include "sim/dress/dressing.h"
 #include "sim/dress/garment_sewing.h"
 #include "sim/dress/layer_order.h"
 #include "sim/mesh/sew.h"
@@ -193,6 +195,77 @@ TEST(DressOver, a_vest_sits_over_a_tshirt_everywhere) {
     EXPECT_EQ(report.contact.self_crossings, 0);
     EXPECT_GT(report.contact.on_lower_layer, 200);
     EXPECT_EQ(report.contact.wrong_layer_order, 0);
+}
+
+class PutOverWhatHangs : public testing::Test {
+ protected:
+    PutOverWhatHangs() {
+        dressing_.set_options({.max_level = 1, .max_seconds = 3, .has_gravity = false});
+        dressing_.set_body(std::shared_ptr<const Body>(std::shared_ptr<void>(), &mannequin()));
+        Pattern inner = two_tubes(0.52);
+        inner.panels.resize(2);
+        inner.seams.resize(2);
+        dressing_.set_pattern(inner);
+        while (dressing_.advance()) continue;
+        hanging_ = dressing_.cloth()->x;
+        hanging_.resize(dressing_.sewn_mesh().x.size());
+    }
+
+    Dressing dressing_;
+    std::vector<Vec4f> hanging_;  // m, of level 0
+};
+
+TEST_F(PutOverWhatHangs, a_garment_is_sewn_round_it) {
+    const double seconds = dressing_.simulated_seconds();
+    dressing_.set_pattern(two_tubes(0.52));
+    EXPECT_EQ(dressing_.stage(), DressingStage::Sew);
+    for (std::size_t v = 0; v < hanging_.size(); ++v)
+        ASSERT_EQ(dressing_.cloth()->x[v].head<3>(), hanging_[v].head<3>()) << v;
+    while (dressing_.advance()) continue;
+    EXPECT_TRUE(dressing_.open_seams().empty());
+    EXPECT_GT(dressing_.simulated_seconds(), seconds + 3);
+    const Cloth& cloth = *dressing_.cloth();
+    EXPECT_TRUE(find_crossing_triangles(contact_surface(cloth), cloth.x.front().data()).empty());
+    EXPECT_GT(measure_layer_order(cloth).judged, 30);
+    EXPECT_EQ(measure_layer_order(cloth).wrong, 0);
+    for (const std::string& note : dressing_.take_notes()) EXPECT_EQ(note.find("sewn anew"), std::string::npos) << note;
+}
+
+TEST(PutOverATshirtThatHangs, a_vest_sits_over_it_everywhere) {
+    Dressing dressing;
+    dressing.set_body(std::shared_ptr<const Body>(std::shared_ptr<void>(), &mannequin()));
+    Pattern pattern = shipped("tshirt");
+    dressing.set_pattern(pattern);
+    while (dressing.advance()) continue;
+    put_over(pattern, shipped("vest"));
+    dressing.set_pattern(pattern);
+    EXPECT_EQ(dressing.stage(), DressingStage::Sew);
+    while (dressing.advance()) continue;
+    EXPECT_TRUE(dressing.result().settled);
+    EXPECT_TRUE(dressing.open_seams().empty());
+    const Cloth& cloth = *dressing.cloth();
+    EXPECT_TRUE(find_crossing_triangles(contact_surface(cloth), cloth.x.front().data()).empty());
+    const LayerOrder order = measure_layer_order(cloth);
+    EXPECT_GT(order.judged, 200);
+    EXPECT_EQ(order.wrong, 0);
+}
+
+TEST_F(PutOverWhatHangs, a_garment_is_sewn_with_it_if_it_is_changed_too_or_may_not_touch_it) {
+    Pattern shorter = two_tubes(0.52), joined = shorter;
+    shorter.panels[0].vertices[0].y() += 0.01;
+    joined.seams.push_back({.first = {0, 2}, .second = {2, 2}, .is_reversed = false});
+    Pattern before = shorter;
+    before.panels.resize(2);
+    before.seams.resize(2);
+    EXPECT_EQ(count_worn_under(before, shorter), 1U);
+    EXPECT_EQ(count_worn_under(before, two_tubes(0.52)), 0U) << "other outlines";
+    EXPECT_EQ(count_worn_under(before, before), 0U) << "nothing over it";
+    EXPECT_EQ(count_worn_under(dressing_.pattern(), joined), 0U);
+    Pattern under = two_tubes(0.52);
+    for (const std::size_t p : {2U, 3U}) under.panels[p].layer = -5;
+    EXPECT_EQ(count_worn_under(dressing_.pattern(), under), 0U);
+    dressing_.set_pattern(shorter);
+    EXPECT_EQ(dressing_.stage(), DressingStage::Place);
 }
 
 TEST(DressOver, refuses_layers_without_contact_between_them) {
