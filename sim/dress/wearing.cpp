@@ -117,6 +117,19 @@ std::string describe(const Mismatch& mismatch, const std::string& opening) {
     return (text.empty() ? "" : text + "; ") + list_limbs(mismatch.missing) + lacks + (text.empty() ? opening : "it");
 }
 
+// The body for which a garment was placed, and the one that wears it.
+struct BodyPair {
+    const BodyLimbs& meant_for;
+    const BodyLimbs& worn_by;
+    const Body& wearer;
+};
+
+// The openings of a garment, and the limbs that were meant to leave through each.
+struct MeantOpenings {
+    std::vector<Opening> openings;
+    LimbPassages limbs;
+};
+
 using PanelVertices = std::vector<std::vector<std::size_t>>;  // per panel, ascending
 
 PanelVertices vertices_by_panel(const GarmentMesh& mesh) {
@@ -131,19 +144,19 @@ PanelVertices vertices_by_panel(const GarmentMesh& mesh) {
     return panels;
 }
 
-void validate_openings(const WornGarment& garment, const PanelVertices& panels, const std::vector<Opening>& openings,
-                       const LimbPassages& expected, const BodyLimbs& meant_for, const BodyLimbs& worn_by,
-                       DressReport& report) {
+void validate_openings(const WornGarment& garment, const PanelVertices& panels, const MeantOpenings& meant,
+                       const BodyPair& bodies, DressReport& report) {
+    const std::vector<Opening>& openings = meant.openings;
     // Level 0 cuts the corners that its leaves go round. If no leaf is inside the body, a limb meets cloth only there.
-    const LimbPassages found = find_passages(garment.closed, garment.closed_draped, openings, worn_by,
+    const LimbPassages found = find_passages(garment.closed, garment.closed_draped, openings, bodies.worn_by,
                                              {.ends_at_cloth = report.contact.faces_in_body == 0});
-    const LimbSet known = expected.known & found.known;
+    const LimbSet known = meant.limbs.known & found.known;
     for (std::size_t i = 0; i < openings.size(); ++i) {
-        const auto mismatch = compare(expected.through[i], found.through[i], known);
+        const auto mismatch = compare(meant.limbs.through[i], found.through[i], known);
         if (!mismatch) continue;
         const auto panel = static_cast<std::size_t>(openings[i].panels.front());
-        const bool is_of_sleeve = arm_of(panels[panel], garment.panels.x, meant_for).has_value();
-        const std::string place = place_on_body(meant_for, centre_of(openings[i], garment.closed.x));
+        const bool is_of_sleeve = arm_of(panels[panel], garment.panels.x, bodies.meant_for).has_value();
+        const std::string place = place_on_body(bodies.meant_for, centre_of(openings[i], garment.closed.x));
         const std::string name = "the " + std::string(call_opening(mismatch->expected, place, is_of_sleeve)) + " of '" +
                                  garment.panels.panel_names[panel] + "'";
         report.faults.push_back({.kind = "limb_missed",
@@ -256,15 +269,15 @@ double girth_at(const Body& body, double y) {
 
 // An edge that goes round the trunk is held by what is wider below it: the bust or the hips. It has slipped if it was
 // placed above that and now lies below. It may do so by a waistband's width, because panels settle.
-void validate_upper_edges(const WornGarment& garment, const std::vector<Opening>& openings,
-                          const LimbPassages& expected, const BodyLimbs& meant_for, const Body& wearer,
-                          const BodyLimbs& worn_by, DressReport& report) {
+void validate_upper_edges(const WornGarment& garment, const MeantOpenings& meant, const BodyPair& bodies,
+                          DressReport& report) {
     constexpr double kSettling = 0.04;  // m, a waistband's width
-    const Heights from = heights_of(meant_for), to = heights_of(worn_by);
+    const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
     if (!is_ascending(from) || !is_ascending(to)) return;
     const double hips = to[1], chest = to[3];
+    const std::vector<Opening>& openings = meant.openings;
     for (std::size_t i = 0; i < openings.size(); ++i) {
-        const std::size_t limbs = expected.through[i].count(), others = expected.known.count() - limbs;
+        const std::size_t limbs = meant.limbs.through[i].count(), others = meant.limbs.known.count() - limbs;
         if (limbs < 2 || others < 2) continue;  // a neckline, an armhole, a cuff or a leg's hem
         double placed = 0;
         for (const int v : openings[i].vertices)
@@ -274,7 +287,7 @@ void validate_upper_edges(const WornGarment& garment, const std::vector<Opening>
         const double held_at = placed > chest ? chest : hips;
         if (placed < held_at || draped > held_at || placed - draped < kSettling) continue;
         report.faults.push_back(slip_of(openings[i], garment.panels, placed - draped, placed > chest ? "chest" : "hips",
-                                        girth_at(wearer, placed)));
+                                        girth_at(bodies.wearer, placed)));
     }
 }
 
@@ -283,15 +296,15 @@ void validate_upper_edges(const WornGarment& garment, const std::vector<Opening>
 // at most half of the height from the hips to the waist; a long skirt may have fallen with its bodice by more, and
 // still cover half of its heights. Panels round an arm are left out: they cannot leave it unless their openings miss
 // it.
-void validate_panels(const WornGarment& garment, const PanelVertices& panels, const BodyLimbs& meant_for,
-                     const BodyLimbs& worn_by, DressReport& report) {
-    const Heights from = heights_of(meant_for), to = heights_of(worn_by);
+void validate_panels(const WornGarment& garment, const PanelVertices& panels, const BodyPair& bodies,
+                     DressReport& report) {
+    const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
     if (!is_ascending(from) || !is_ascending(to)) return;
     const std::vector<std::size_t> parts = garment_parts(garment, panels);
     std::vector<std::optional<PanelShift>> shifts(panels.size());
     std::vector<bool> is_at_place(panels.size(), false);  // per part
     for (std::size_t p = 0; p < panels.size(); ++p) {
-        if (panels[p].empty() || arm_of(panels[p], garment.panels.x, meant_for)) continue;
+        if (panels[p].empty() || arm_of(panels[p], garment.panels.x, bodies.meant_for)) continue;
         shifts[p] = measure_shift(garment, panels[p], from, to);
         if (shifts[p]->is_at_place) is_at_place[parts[p]] = true;
     }
@@ -302,22 +315,21 @@ void validate_panels(const WornGarment& garment, const PanelVertices& panels, co
                                  .place = "'" + garment.panels.panel_names[p] + "' lies " +
                                           std::to_string(std::lround(100 * std::abs(moved))) + " cm " +
                                           (moved > 0 ? "higher" : "lower") + " than it was placed, at the " +
-                                          place_on_body(worn_by, shifts[p]->middle),
+                                          place_on_body(bodies.worn_by, shifts[p]->middle),
                                  .value = std::abs(moved)});
     }
 }
 
 // Cloth on the floor has fallen if it was placed above the knees; a hem that was placed lower is only long.
-void validate_floor(const WornGarment& garment, const BodyLimbs& meant_for, const BodyLimbs& worn_by,
-                    DressReport& report) {
+void validate_floor(const WornGarment& garment, const BodyPair& bodies, DressReport& report) {
     constexpr double kNear = 0.02;   // m, above the floor
     constexpr double kShare = 0.01;  // of the vertices
-    const Heights from = heights_of(meant_for), to = heights_of(worn_by);
+    const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
     if (!is_ascending(from) || !is_ascending(to)) return;
     const double knees = (to[0] + to[1]) / 2;  // half the height of the hips
     long lying = 0, fallen = 0;
     for (std::size_t v = 0; v < garment.draped.size(); ++v) {
-        if (garment.draped[v].y() >= worn_by.height.low + kNear) continue;
+        if (garment.draped[v].y() >= bodies.worn_by.height.low + kNear) continue;
         ++lying;
         if (carry_over(garment.panels.x[v].y(), from, to) > knees) ++fallen;
     }
@@ -346,13 +358,13 @@ void validate_wearing(const Cloth& cloth, const GarmentMesh& sewn, const Designe
     note_missing_limbs(worn_by, report);
     if (worn_by.torso.empty() || meant_for.torso.empty()) return;
     const PanelVertices panels = vertices_by_panel(garment.panels);
-    const std::vector<Opening> openings = find_openings(garment.closed);
-    const LimbPassages expected =
-        find_passages(garment.closed, garment.closed.x, openings, meant_for, {.ends_at_cloth = true});
-    validate_openings(garment, panels, openings, expected, meant_for, worn_by, report);
-    validate_panels(garment, panels, meant_for, worn_by, report);
-    validate_upper_edges(garment, openings, expected, meant_for, wearer, worn_by, report);
-    validate_floor(garment, meant_for, worn_by, report);
+    const BodyPair bodies{.meant_for = meant_for, .worn_by = worn_by, .wearer = wearer};
+    MeantOpenings meant{.openings = find_openings(garment.closed), .limbs = {}};
+    meant.limbs = find_passages(garment.closed, garment.closed.x, meant.openings, meant_for, {.ends_at_cloth = true});
+    validate_openings(garment, panels, meant, bodies, report);
+    validate_panels(garment, panels, bodies, report);
+    validate_upper_edges(garment, meant, bodies, report);
+    validate_floor(garment, bodies, report);
 }
 
 }  // namespace selvedge::sim
