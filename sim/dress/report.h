@@ -87,7 +87,7 @@ struct DressFault {
 
 enum class FaultClass {
     Defect,     // the drape is wrong, although the garment may fit
-    DoesNotFit  // the garment is too small for the body, in any drape
+    DoesNotFit  // too small, too large or too stretchy for the body, in any drape
 };
 FaultClass class_of(const DressFault& fault);
 std::string_view name_of(FaultClass fault_class);  // "defect" or "does_not_fit"

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +16,7 @@
 #include "sim/body/section.h"
 #include "sim/core/assert.h"
 #include "sim/core/math.h"
+#include "sim/dress/hoop_support.h"
 #include "sim/mesh/sew.h"
 #include "sim/place/limb_pieces.h"
 #include "sim/place/limbs.h"
@@ -267,10 +270,58 @@ double girth_at(const Body& body, double y) {
     return trunk.points.empty() ? 0 : tape_length(trunk, plane);
 }
 
+// A waist or upper edge that lies lower than it was placed, m.
+struct LoweredEdge {
+    const Opening* edge = nullptr;
+    double placed = 0;
+    double draped = 0;
+    double held_at = 0;  // height of the hips or the chest, which should hold it
+
+    double moved() const { return placed - draped; }
+};
+
+// "too stretchy above the hips: stretched to the fabric's limit, the cloth below the waist of 'wb_front' carries at
+// most 1.2 of the garment's 3.0 N, and it lies 68 cm lower than it was placed". None if its hoop tension and friction
+// can carry the garment anywhere between where the edge was placed and what should hold it.
+std::optional<DressFault> weakness_of(const LoweredEdge& lowered, const WornGarment& garment, const Cloth& cloth,
+                                      const Body& wearer, bool is_of_chest) {
+    constexpr double kStep = 0.02;  // m
+    const std::vector<Fabric>& fabrics = cloth.material.fabrics;
+    std::map<long, double> girths;  // at multiples of kStep, because sections are slow
+    const auto level = [&](long i) {
+        const auto [at, is_new] = girths.try_emplace(i, 0);
+        if (is_new) at->second = girth_at(wearer, static_cast<double>(i) * kStep);
+        return at->second;
+    };
+    const GirthAtHeight girth = [&](double y) {
+        const long below = std::lround(std::floor(y / kStep));
+        const double share = y / kStep - static_cast<double>(below);
+        return (1 - share) * level(below) + share * level(below + 1);
+    };
+    double friction = 0;
+    for (const int p : lowered.edge->panels)
+        friction = std::max(friction, fabrics[static_cast<std::size_t>(p)].friction);
+    const double weight = weight_below(garment.closed, *lowered.edge, fabrics);
+    const double carried = largest_hoop_support(hoop_rows(garment.closed, *lowered.edge, fabrics), girth, friction,
+                                                lowered.held_at, lowered.placed);
+    if (carried >= weight) return std::nullopt;
+    char text[64];
+    std::snprintf(text, sizeof text, "%.1f of the garment's %.1f N", carried, weight);
+    const auto panel = static_cast<std::size_t>(lowered.edge->panels.front());
+    return DressFault{.kind = "does_not_fit",
+                      .place = "too stretchy above the " + std::string(is_of_chest ? "chest" : "hips") +
+                               ": stretched to the fabric's limit, the cloth below the " +
+                               (is_of_chest ? "upper edge" : "waist") + " of '" + garment.panels.panel_names[panel] +
+                               "' carries at most " + text + ", and it lies " +
+                               std::to_string(std::lround(100 * lowered.moved())) + " cm lower than it was placed",
+                      .value = weight - carried};
+}
+
 // An edge that goes round the trunk is held by what is wider below it: the bust or the hips. It has slipped if it was
 // placed above that and now lies below. It may do so by a waistband's width, because panels settle.
-void validate_upper_edges(const WornGarment& garment, const MeantOpenings& meant, const BodyPair& bodies,
-                          DressReport& report) {
+// One that is as wide as the body where it was placed also slides down if the cloth is too stretchy for its weight.
+void validate_upper_edges(const Cloth& cloth, const WornGarment& garment, const MeantOpenings& meant,
+                          const BodyPair& bodies, DressReport& report) {
     constexpr double kSettling = 0.04;  // m, a waistband's width
     const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
     if (!is_ascending(from) || !is_ascending(to)) return;
@@ -283,11 +334,19 @@ void validate_upper_edges(const WornGarment& garment, const MeantOpenings& meant
         for (const int v : openings[i].vertices)
             placed += carry_over(garment.closed.x[static_cast<std::size_t>(v)].y(), from, to);
         placed /= static_cast<double>(openings[i].vertices.size());
-        const double draped = centre_of(openings[i], garment.closed_draped).y();
-        const double held_at = placed > chest ? chest : hips;
-        if (placed < held_at || draped > held_at || placed - draped < kSettling) continue;
-        report.faults.push_back(slip_of(openings[i], garment.panels, placed - draped, placed > chest ? "chest" : "hips",
-                                        girth_at(bodies.wearer, placed)));
+        const bool is_of_chest = placed > chest;
+        const LoweredEdge lowered{.edge = &openings[i],
+                                  .placed = placed,
+                                  .draped = centre_of(openings[i], garment.closed_draped).y(),
+                                  .held_at = is_of_chest ? chest : hips};
+        if (placed < lowered.held_at || lowered.draped > lowered.held_at || lowered.moved() < kSettling) continue;
+        DressFault fault = slip_of(openings[i], garment.panels, lowered.moved(), is_of_chest ? "chest" : "hips",
+                                   girth_at(bodies.wearer, placed));
+        if (class_of(fault) == FaultClass::Defect) {
+            if (auto weakness = weakness_of(lowered, garment, cloth, bodies.wearer, is_of_chest))
+                fault = std::move(*weakness);
+        }
+        report.faults.push_back(std::move(fault));
     }
 }
 
@@ -363,7 +422,7 @@ void validate_wearing(const Cloth& cloth, const GarmentMesh& sewn, const Designe
     meant.limbs = find_passages(garment.closed, garment.closed.x, meant.openings, meant_for, {.ends_at_cloth = true});
     validate_openings(garment, panels, meant, bodies, report);
     validate_panels(garment, panels, bodies, report);
-    validate_upper_edges(garment, meant, bodies, report);
+    validate_upper_edges(cloth, garment, meant, bodies, report);
     validate_floor(garment, bodies, report);
 }
 

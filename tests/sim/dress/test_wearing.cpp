@@ -39,10 +39,11 @@ std::string list(const DressReport& report) {
 using Move = std::function<Vec3d(const Vec3d&)>;
 
 // The report on a garment whose vertices, down to a level, ended where `move` brought them from where they were placed.
-DressReport report_on(const GarmentMesh& unsewn, const Move& move, const Body& wearer, int level = 0) {
+DressReport report_on(const GarmentMesh& unsewn, const Move& move, const Body& wearer, int level = 0,
+                      const Fabric& fabric = {}) {
     GarmentMesh sewn = unsewn;
     merge_seams(sewn);
-    Cloth cloth = make_cloth(sewn, std::vector<Fabric>(sewn.panel_names.size()), {.max_level = level});
+    Cloth cloth = make_cloth(sewn, std::vector<Fabric>(sewn.panel_names.size(), fabric), {.max_level = level});
     std::vector<MinimumLevelDisc> everywhere;
     for (std::uint16_t p = 0; p < sewn.panel_names.size(); ++p)
         everywhere.push_back({.panel = p, .radius = 10, .level = level});
@@ -55,8 +56,8 @@ DressReport report_on(const GarmentMesh& unsewn, const Move& move, const Body& w
     return report;
 }
 
-DressReport report_on(const Pattern& pattern, const Move& move, const Body& wearer) {
-    return report_on(assemble(pattern), move, wearer);
+DressReport report_on(const Pattern& pattern, const Move& move, const Body& wearer, const Fabric& fabric = {}) {
+    return report_on(assemble(pattern), move, wearer, 0, fabric);
 }
 
 Pattern skirt() {
@@ -122,6 +123,25 @@ TEST(Wearing, finds_a_strapless_dress_whose_upper_edge_slipped_below_the_bust) {
     EXPECT_EQ(slipped.faults[0].kind, "displaced") << "72 cm long, less than the body is round";
     EXPECT_NEAR(slipped.faults[0].value, 0.07, 1e-3);
     EXPECT_EQ(slipped.faults[0].place, "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest");
+}
+
+// It weighs 4.9 N in both fabrics.
+TEST(Wearing, of_an_edge_that_slipped_names_cloth_that_is_too_stretchy_to_carry_the_garment) {
+    const double chest = find_limbs(mannequin()).torso[2].centre.y();
+    const Pattern dress = tube(0.36, 0.7, chest + 0.02 - 0.7, 0.2);
+    const auto slips = [](const Vec3d& x) { return Vec3d(x - Vec3d(0, 0.07, 0)); };
+    const Fabric stiff{.area_density = 1};
+    const Fabric weak{.area_density = 1, .stretch_warp = 6, .stretch_weft = 6, .shear = 3};
+    ASSERT_EQ(report_on(dress, slips, mannequin(), stiff).faults.size(), 1U);
+    EXPECT_EQ(report_on(dress, slips, mannequin(), stiff).faults[0].kind, "displaced");
+    EXPECT_EQ(list(report_on(dress, stays, mannequin(), weak)), "") << "it did not slide";
+    const DressReport slipped = report_on(dress, slips, mannequin(), weak);
+    ASSERT_EQ(slipped.faults.size(), 1U) << list(slipped);
+    EXPECT_EQ(slipped.faults[0].kind, "does_not_fit");
+    EXPECT_NE(slipped.faults[0].place.find("too stretchy above the chest"), std::string::npos) << list(slipped);
+    EXPECT_NE(slipped.faults[0].place.find("of the garment's 4.9 N, and it lies 7 cm lower"), std::string::npos)
+        << list(slipped);
+    EXPECT_GT(slipped.faults[0].value, 4);
 }
 
 // GarmentCode places long skirts below the bodice that they are sewn to.
