@@ -33,11 +33,11 @@ std::vector<SeamPull> pulls_of(const std::vector<SeamLink>& links) {
     return pulls;
 }
 
-std::vector<OpenSeam> find_open_seams(const Cloth& cloth, const std::vector<SeamLink>& links, float closed_gap) {
+std::vector<OpenSeam> find_open_seams(const Cloth& cloth, const std::vector<SeamLink>& links, float sewn_gap) {
     std::map<int, float> widest;
     for (const SeamLink& link : links) {
         const float gap = gap_of(cloth, link);
-        if (!(gap <= closed_gap)) widest[link.seam] = std::max(widest[link.seam], gap);
+        if (!(gap <= sewn_gap)) widest[link.seam] = std::max(widest[link.seam], gap);
     }
     std::vector<OpenSeam> open;
     open.reserve(widest.size());
@@ -128,13 +128,13 @@ GarmentMesh SewingRun::unsewn() const {
 
 SewingResult SewingRun::result() && {
     SewingResult result{.sewn = std::move(mesh_),
-                        .open = find_open_seams(cloth_, links_, options_.closed_gap),
+                        .open = find_open_seams(cloth_, links_, options_.sewn_gap),
                         .simulated_seconds = seconds_,
                         .bad_vertex = bad_vertex_};
     GarmentMesh& mesh = result.sewn;
     for (std::size_t v = 0; v < mesh.x.size(); ++v) mesh.x[v] = cloth_.x[v].head<3>().cast<double>();
     std::ranges::copy_if(links_, std::back_inserter(mesh.links),
-                         [&](const SeamLink& link) { return gap_of(cloth_, link) <= options_.closed_gap; });
+                         [&](const SeamLink& link) { return gap_of(cloth_, link) <= options_.sewn_gap; });
     merge_seams(mesh);
     return result;
 }

@@ -16,6 +16,8 @@ namespace selvedge::sim {
 struct SewingOptions {
     float closing_speed = 0.6F;    // m/s, rate at which the allowed gap shrinks
     float closed_gap = 0.006F;     // m, a shorter link is closed: two contact offsets may lie between its ends
+    // m; when the time is up, a shorter link is sewn too: limbs are thicker, so what holds it open are folds of gathers
+    float sewn_gap = 0.02F;
     float extra_pull_time = 1.5F;  // s of further pulling after the allowed gap has reached zero
     ContactOptions contact{};
     std::optional<SelfContactOptions> self_contact{};  // none: panels pass through each other
@@ -23,11 +25,11 @@ struct SewingOptions {
 
 struct OpenSeam {
     int seam = 0;   // index into Pattern::seams
-    float gap = 0;  // m, of its widest link
+    float gap = 0;  // m, of its widest link that was not sewn
 };
 
 struct SewingResult {
-    GarmentMesh sewn;  // merged at the links that closed
+    GarmentMesh sewn;  // merged at the links that closed, or nearly
     std::vector<OpenSeam> open;
     double simulated_seconds = 0;
     std::optional<VertexId> bad_vertex;  // of the unsewn mesh, where a value is not finite; `sewn` is then invalid

@@ -143,6 +143,23 @@ Pattern tube_with_panel_across() {
     return pattern;
 }
 
+// Pinned panels stay as far apart as they were placed.
+TEST(SewingRun, what_folds_hold_open_is_sewn_and_what_is_as_wide_as_a_limb_stays_open) {
+    const auto open_seams_of = [](double apart) {
+        Pattern pattern;
+        pattern.panels = {rectangle("front", {.width = 0.2, .height = 0.2, .z = apart}),
+                          rectangle("back", {.width = 0.2, .height = 0.2, .z = 0, .is_back = true})};
+        pattern.seams = {{.first = {0, 1}, .second = {1, 3}}};
+        GarmentMesh unsewn = assemble(pattern);
+        for (int v = 0; v < static_cast<int>(unsewn.x.size()); ++v) unsewn.pins.push_back(v);
+        SewingRun run(unsewn, std::vector<Fabric>(2, find_fabric("cotton_shirting")), {});
+        while (run.advance(NoBody())) continue;
+        return std::move(run).result().open.size();
+    };
+    EXPECT_EQ(open_seams_of(0.018), 0U);
+    EXPECT_EQ(open_seams_of(0.06), 1U);
+}
+
 TEST_F(SewOnABox, panels_that_cross_come_apart_while_seams_close) {
     const GarmentMesh unsewn = assemble(tube_with_panel_across());
     const std::vector<Fabric> fabrics(3, find_fabric("cotton_shirting"));
