@@ -14,8 +14,8 @@
 namespace selvedge::sim {
 
 struct SewingOptions {
-    float closing_speed = 0.6F;    // m/s, rate at which the allowed gap shrinks
-    float closed_gap = 0.006F;     // m, a shorter link is closed: two contact offsets may lie between its ends
+    float closing_speed = 0.6F;  // m/s, rate at which the allowed gap shrinks
+    float closed_gap = 0.006F;   // m, a shorter link is closed: two contact offsets may lie between its ends
     // m; when the time is up, a shorter link is sewn too: limbs are thicker, so what holds it open are folds of gathers
     float sewn_gap = 0.02F;
     float extra_pull_time = 1.5F;  // s of further pulling after the allowed gap has reached zero
