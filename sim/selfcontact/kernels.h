@@ -71,8 +71,8 @@ struct SelfContactKernels {
 
     // Solves contacts in order. If the sides of one are nearer than its radius, the approaching motion since `before`
     // stops, with friction; the rest of the depth is removed without changing velocities, by at most `longest_push`.
-    // Returns the number of contacts that acted. Pre: `count` contacts are followed by room for fifteen more.
-    std::size_t (*solve_contacts)(const SelfContactPlane* contacts, std::size_t count, float* points, float* before);
+    // Of a block, those act whose sides are too near before its first one acts. Returns the number that acted.
+    std::size_t (*solve_contacts)(std::span<const SelfContactBlock> blocks, float* points, float* before);
 
     // Returns a bit for each pair whose sides are less than `gap_share` times its gap, and less than `radius_share`
     // times its radius, apart along the dividing plane.

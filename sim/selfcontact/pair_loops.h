@@ -238,7 +238,21 @@ unsigned find_undivided(PairKind kind, const PairBlock& block, const float* poin
                : undivided<PairKind::EdgeEdge>(block, points, gap_share, radius_share);
 }
 
-// One contact at a time: four floats per vertex.
+// A bit for each contact whose sides are nearer than its radius.
+[[gnu::always_inline]] inline unsigned too_near(const SelfContactBlock& block, const float* points) {
+    unsigned found = 0;
+    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+        const Four x{{points_at(points, &block.vertices[0][at]), points_at(points, &block.vertices[1][at]),
+                      points_at(points, &block.vertices[2][at]), points_at(points, &block.vertices[3][at])}};
+        const Weights weights{{load_row(block.weight[0], at), load_row(block.weight[1], at),
+                               load_row(block.weight[2], at), load_row(block.weight[3], at)},
+                              Ints{}};
+        found |= lanes::bits(dot(load_rows(block.normal, at), weighted(weights, x)) < load_row(block.radius, at)) << at;
+    }
+    return found;
+}
+
+// The acting ones one at a time: four floats per vertex.
 
 using Point [[gnu::vector_size(16)]] = float;
 
@@ -255,44 +269,51 @@ using Point [[gnu::vector_size(16)]] = float;
     return product[0] + product[1] + product[2];
 }
 
-// The sum of the weighted vertices; its w is meaningless.
-[[gnu::always_inline]] inline Point weighted_sum(const SelfContactPlane& contact, const float* points) {
-    Point sum = load_point(points + contact.vertices[0]) * contact.weight[0];
-    for (std::size_t k = 1; k < 4; ++k) sum += load_point(points + contact.vertices[k]) * contact.weight[k];
+// The sum of the weighted vertices of a contact; its w is meaningless.
+[[gnu::always_inline]] inline Point weighted_sum(const SelfContactBlock& block, std::size_t at, const float* points) {
+    Point sum = load_point(points + block.vertices[0][at]) * block.weight[0][at];
+    for (std::size_t k = 1; k < 4; ++k) sum += load_point(points + block.vertices[k][at]) * block.weight[k][at];
     return sum;
 }
 
-[[gnu::always_inline]] inline bool solve_contact(const SelfContactPlane& contact, float* points, float* before) {
-    const Point normal = load_point(contact.normal.data());
-    const Point now = weighted_sum(contact, points);
-    const float depth = contact.radius - dot3(now, normal);
+[[gnu::always_inline]] inline bool solve_contact(const SelfContactBlock& block, std::size_t at, float* points,
+                                                 float* before) {
+    const Point normal{block.normal[0][at], block.normal[1][at], block.normal[2][at], 0};
+    const Point now = weighted_sum(block, at, points);
+    const float depth = block.radius[at] - dot3(now, normal);
     if (depth <= 0) return false;
-    const Point moved = now - weighted_sum(contact, before);
+    const Point moved = now - weighted_sum(block, at, before);
     const float along = dot3(moved, normal);
     const float stop = along < 0 ? (-along < depth ? -along : depth) : 0;
-    const float push = depth - stop < contact.longest_push ? depth - stop : contact.longest_push;
+    const float longest = block.longest_push[at];
+    const float push = depth - stop < longest ? depth - stop : longest;
     const Point slid = moved - normal * along;
     const float slid_squared = dot3(slid, slid);
-    const float grip = contact.friction * stop;
+    const float grip = block.friction[at] * stop;
     const float taken = slid_squared <= grip * grip ? 1.0F : grip / __builtin_sqrtf(slid_squared);
-    const Point move = (normal * (stop + push) - slid * taken) * contact.inverse;
-    const Point back = normal * (push * contact.inverse);
+    const Point move = (normal * (stop + push) - slid * taken) * block.inverse[at];
+    const Point back = normal * (push * block.inverse[at]);
     for (std::size_t k = 0; k < 4; ++k) {
-        float* const at = points + contact.vertices[k];
-        float* const was = before + contact.vertices[k];
-        const Point p = load_point(at);
-        const float share = contact.weight[k] * p[3];
+        float* const x = points + block.vertices[k][at];
+        float* const was = before + block.vertices[k][at];
+        const Point p = load_point(x);
+        const float share = block.weight[k][at] * p[3];
         Point to = p + move * share;
         to[3] = p[3];
-        store_point(at, to);
+        store_point(x, to);
         store_point(was, load_point(was) + back * share);  // back has a w of 0
     }
     return true;
 }
 
-std::size_t solve_contacts(const SelfContactPlane* contacts, std::size_t count, float* points, float* before) {
+std::size_t solve_contacts(std::span<const SelfContactBlock> blocks, float* points, float* before) {
     std::size_t acted = 0;
-    for (std::size_t i = 0; i < count; ++i) acted += solve_contact(contacts[i], points, before) ? 1U : 0U;
+    for (const SelfContactBlock& block : blocks) {
+        for (unsigned found = too_near(block, points); found != 0; found &= found - 1) {
+            const auto at = static_cast<std::size_t>(__builtin_ctz(found));
+            acted += solve_contact(block, at, points, before) ? 1U : 0U;
+        }
+    }
     return acted;
 }
 

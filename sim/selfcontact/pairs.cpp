@@ -3,6 +3,8 @@
 namespace selvedge::sim {
 namespace {
 
+constexpr float kFar = -1e6F;  // m
+
 void copy_slot(const PairBlock& from, std::size_t at, PairBlock& block, std::size_t to) {
     for (std::size_t k = 0; k < 4; ++k) {
         block.vertices[k][to] = from.vertices[k][at];
@@ -22,7 +24,6 @@ void copy_slot(const PairBlock& from, std::size_t at, PairBlock& block, std::siz
 }  // namespace
 
 void PairList::free_slot(std::size_t pair) {
-    constexpr float kFar = -1e6F;  // m
     PairBlock& block = blocks_[pair / kBlock];
     const std::size_t at = pair % kBlock;
     for (BlockPoints& vertices : block.vertices) vertices[at] = 4 * dummy_;
@@ -57,6 +58,25 @@ void PairList::remove(std::span<const std::size_t> pairs) {
     }
     size_ = end;
     for (std::size_t i = end; i < block_count() * kBlock; ++i) free_slot(i);
+}
+
+void SelfContactList::add(const SelfContactPlane& contact) {
+    const std::size_t at = size_ % kBlock, index = size_++ / kBlock;
+    if (index == blocks_.size()) blocks_.emplace_back();
+    SelfContactBlock& block = blocks_[index];
+    if (at == 0) {
+        block = {};
+        block.radius.fill(kFar);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+        block.vertices[k][at] = contact.vertices[k];
+        block.weight[k][at] = contact.weight[k];
+    }
+    for (std::size_t k = 0; k < 3; ++k) block.normal[k][at] = contact.normal[k];
+    block.radius[at] = contact.radius;
+    block.inverse[at] = contact.inverse;
+    block.friction[at] = contact.friction;
+    block.longest_push[at] = contact.longest_push;
 }
 
 }  // namespace selvedge::sim

@@ -79,15 +79,37 @@ class PairList {
     std::vector<PairBlock> blocks_;
 };
 
-// A contact that a sub-step solves: a pair with its plane, which stays the same until the next refresh.
-struct alignas(16) SelfContactPlane {
-    std::array<float, 4> normal{};  // unit; w: 0
+// Sixteen contacts that sub-steps solve: pairs with their planes, which stay the same until the next refresh. A free
+// slot has weights of 0 and a radius of -1,000 km, so it never acts.
+struct alignas(64) SelfContactBlock {
+    std::array<BlockPoints, 4> vertices{};
+    std::array<BlockFloats, 4> weight{};
+    std::array<BlockFloats, 3> normal{};  // unit
+    BlockFloats radius{};                 // m
+    BlockFloats inverse{};                // 1 / sum of weight^2 times inverse mass, kg
+    BlockFloats friction{};
+    BlockFloats longest_push{};  // m per sub-step, see SelfContactKernels
+};
+
+// One of them.
+struct SelfContactPlane {
+    std::array<std::uint32_t, 4> vertices{};
     std::array<float, 4> weight{};
-    std::array<std::uint32_t, 4> vertices{};  // offsets
-    float radius = 0;                         // m
-    float inverse = 0;                        // 1 / sum of weight^2 times inverse mass, kg
-    float friction = 0;
-    float longest_push = 0;  // m per sub-step, see Kernels
+    std::array<float, 3> normal{};
+    float radius = 0, inverse = 0, friction = 0, longest_push = 0;
+};
+
+// An array of blocks, filled from the front.
+class SelfContactList {
+ public:
+    std::size_t size() const { return size_; }
+    std::span<const SelfContactBlock> blocks() const { return {blocks_.data(), (size_ + kBlock - 1) / kBlock}; }
+    void clear() { size_ = 0; }
+    void add(const SelfContactPlane& contact);
+
+ private:
+    std::size_t size_ = 0;
+    std::vector<SelfContactBlock> blocks_;
 };
 
 }  // namespace selvedge::sim

@@ -72,8 +72,7 @@ void SelfContact::begin_step(const MovingPoints& points, const SelfContactOption
 }
 
 void SelfContact::substep(const MovingPoints& points, const SelfContactOptions& options) {
-    counts_.acted +=
-        static_cast<long>(loops().solve_contacts(contacts_.data(), contacts_.size(), points.now, points.before));
+    counts_.acted += static_cast<long>(loops().solve_contacts(contacts_.blocks(), points.now, points.before));
     ++since_detection_;
     ++since_test_;
     if (since_detection_ % options.refresh_interval == 0) {
@@ -349,7 +348,7 @@ void SelfContact::list_contacts(PairList& pairs, const MovingPoints& points, con
             if (sum <= 0) continue;
             contact.inverse = 1 / sum;
             if (block.side[at] < 0) contact.longest_push /= most_swapped(block, at);
-            contacts_.push_back(contact);
+            contacts_.add(contact);
         }
     }
 }

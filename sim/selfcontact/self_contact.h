@@ -99,7 +99,7 @@ class SelfContact {
     ContactSurface surface_;
     PairSearch search_;
     ContactPairs pairs_;
-    std::vector<SelfContactPlane> contacts_;
+    SelfContactList contacts_;
     DividingPlanes dividers_;
     Untangler untangler_;
     std::vector<Crossing> crossings_;
