@@ -1,6 +1,7 @@
 #include "sim/selfcontact/dividing_planes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -43,21 +44,20 @@ DividerExtremes extremes_of(const PairBlock& block, std::size_t at, std::size_t 
 }
 
 CertificateReport DividingPlanes::certify(const SelfContactKernels& loops, const ContactPairs& pairs,
-                                          std::span<const Vec4f> start, const Motion& mean,
-                                          const MovingPoints& points) {
+                                          const Start& start, const Motion& mean, const MovingPoints& points) {
     CertificateReport report;
     share_.resize(points.count, 1.0F);
     for (int round = 0; round < kPartingRounds; ++round) {
-        if (collect(loops, pairs, points) == 0) return report;
+        if (collect(loops, pairs, start, mean, points) == 0) return report;
         if (!part_all(points, report)) break;
     }
     for (int round = 0; round < kShorteningRounds; ++round) {
-        if (collect(loops, pairs, points) == 0) return report;
+        if (collect(loops, pairs, start, mean, points) == 0) return report;
         if (!shorten_all(start, mean, 1, points, report)) break;
     }
     // What moved back may have got into the way of others. In the end all are where they started.
     stopped_.assign(points.count, 0);
-    while (collect(loops, pairs, points) != 0 && shorten_all(start, mean, 0, points, report)) {
+    while (collect(loops, pairs, start, mean, points) != 0 && shorten_all(start, mean, 0, points, report)) {
     }
     return report;
 }
@@ -74,8 +74,8 @@ bool DividingPlanes::part_all(const MovingPoints& points, CertificateReport& rep
 }
 
 // Takes back a part of their movement from the vertices of undivided pairs: as much as is necessary, or 1 - `most`.
-bool DividingPlanes::shorten_all(std::span<const Vec4f> start, const Motion& mean, float most,
-                                 const MovingPoints& points, CertificateReport& report) {
+bool DividingPlanes::shorten_all(const Start& start, const Motion& mean, float most, const MovingPoints& points,
+                                 CertificateReport& report) {
     touched_.clear();
     bool changed = false;
     for (const Undivided& pair : undivided_) changed |= shorten(pair, points, most);
@@ -83,11 +83,12 @@ bool DividingPlanes::shorten_all(std::span<const Vec4f> start, const Motion& mea
     return changed;
 }
 
-void DividingPlanes::take_back(std::span<const Vec4f> start, const Motion& mean, const MovingPoints& points,
+void DividingPlanes::take_back(const Start& start, const Motion& mean, const MovingPoints& points,
                                CertificateReport& report) {
     for (const std::uint32_t v : touched_) {
         const float share = std::exchange(share_[v], 1.0F);
-        const Vec3f origin = start[v].head<3>() + mean.displacement, now = points.at(v), was = points.was_at(v);
+        const Vec3f origin = start.positions[v].head<3>() + mean.displacement, now = points.at(v),
+                    was = points.was_at(v);
         const Vec3f to = origin + (now - origin) * share;
         const Vec3f before = to - (now - was) * share - mean.per_substep * (1 - share);
         points.shift(v, to - now);
@@ -96,20 +97,50 @@ void DividingPlanes::take_back(std::span<const Vec4f> start, const Motion& mean,
     report.truncated += static_cast<int>(touched_.size());
 }
 
-// Lists the pairs that are not divided; returns how many.
-std::size_t DividingPlanes::collect(const SelfContactKernels& loops, const ContactPairs& pairs,
-                                    const MovingPoints& points) {
+// Lists the pairs that are not divided; returns how many. Blocks whose slack is greater than all motion since the last
+// look are divided still; if these are few, this is a new look.
+std::size_t DividingPlanes::collect(const SelfContactKernels& loops, const ContactPairs& pairs, const Start& start,
+                                    const Motion& mean, const MovingPoints& points) {
     undivided_.clear();
+    const std::size_t blocks = pairs.vertex_triangle.block_count() + pairs.edge_edge.block_count();
+    if (blocks == 0) return 0;
+    const bool is_look = slack_.size() != blocks || 4 * tested_ > blocks;
+    if (is_look) look(start, mean, points);
+    slack_.resize(blocks);
+    constexpr float kRounding = 1e-6F;  // m, of positions some metres from the origin
+    const float closed = is_look ? 0 : 2 * moved(start, mean, points) + kRounding;  // by the motion of both sides
+    tested_ = 0;
+    float* slack = slack_.data();
     for (const PairList* const list : {&pairs.vertex_triangle, &pairs.edge_edge}) {
         const std::size_t first = first_side(list->kind());
-        for (std::size_t i = 0; i < list->block_count(); ++i) {
+        for (std::size_t i = 0; i < list->block_count(); ++i, ++slack) {
+            if (!is_look && *slack > closed) continue;
+            if (!is_look) ++tested_;
             const PairBlock& block = list->blocks()[i];
-            unsigned found = loops.find_undivided(list->kind(), block, points.now, kGapShare, kRadiusShare);
+            float now = 0;
+            unsigned found = loops.find_undivided(list->kind(), block, points.now, kGapShare, kRadiusShare, now);
+            if (is_look) *slack = now;
             for (; found != 0; found &= found - 1)
                 undivided_.push_back({&block, static_cast<std::size_t>(__builtin_ctz(found)), first});
         }
     }
     return undivided_.size();
+}
+
+void DividingPlanes::look(const Start& start, const Motion& mean, const MovingPoints& points) {
+    seen_.resize(points.count);
+    seen_shared_ = mean.displacement;
+    for (const std::uint32_t v : start.vertices) seen_[v] = with_zero_w(points.at(v));
+}
+
+// The longest displacement of a vertex since the last look, in a frame that travels with the cloth, m.
+float DividingPlanes::moved(const Start& start, const Motion& mean, const MovingPoints& points) const {
+    const Vec4f shared = with_zero_w(mean.displacement - seen_shared_);
+    float farthest = 0;
+    for (const std::uint32_t v : start.vertices) {
+        farthest = std::max(farthest, (with_zero_w(points.at(v)) - seen_[v] - shared).squaredNorm());
+    }
+    return std::sqrt(farthest);
 }
 
 // Moves the two nearest vertices apart along the divider, weighted by inverse masses.

@@ -37,8 +37,17 @@ class DividingPlanes {
         Vec3f per_substep = Vec3f::Zero();   // m
     };
 
-    // Makes all pairs divided by their planes. start: positions at the last detection.
-    CertificateReport certify(const SelfContactKernels& loops, const ContactPairs& pairs, std::span<const Vec4f> start,
+    // The positions at a detection, by vertex, and the vertices of the surface.
+    struct Start {
+        std::span<const std::uint32_t> vertices;
+        std::span<const Vec4f> positions;
+    };
+
+    // To be called after each detection: the pairs are others, or have other planes.
+    void forget() { slack_.clear(); }
+
+    // Makes all pairs divided by their planes. start: of the last detection.
+    CertificateReport certify(const SelfContactKernels& loops, const ContactPairs& pairs, const Start& start,
                               const Motion& mean, const MovingPoints& points);
 
  private:
@@ -47,16 +56,24 @@ class DividingPlanes {
         std::size_t at;
         std::size_t first_side;
     };
-    std::size_t collect(const SelfContactKernels& loops, const ContactPairs& pairs, const MovingPoints& points);
+    std::size_t collect(const SelfContactKernels& loops, const ContactPairs& pairs, const Start& start,
+                        const Motion& mean, const MovingPoints& points);
+    float moved(const Start& start, const Motion& mean, const MovingPoints& points) const;
+    void look(const Start& start, const Motion& mean, const MovingPoints& points);
     bool part_all(const MovingPoints& points, CertificateReport& report);
-    bool shorten_all(std::span<const Vec4f> start, const Motion& mean, float most, const MovingPoints& points,
+    bool shorten_all(const Start& start, const Motion& mean, float most, const MovingPoints& points,
                      CertificateReport& report);
-    void take_back(std::span<const Vec4f> start, const Motion& mean, const MovingPoints& points,
-                   CertificateReport& report);
+    void take_back(const Start& start, const Motion& mean, const MovingPoints& points, CertificateReport& report);
     bool part(const Undivided& pair, const MovingPoints& points, CertificateReport& report);
     bool shorten(const Undivided& pair, const MovingPoints& points, float most);
 
     std::vector<Undivided> undivided_;
+
+    // At the last look, which tested all pairs:
+    std::vector<float> slack_;            // m, by block: the least of its pairs
+    std::vector<Vec4f> seen_;             // by vertex: position
+    Vec3f seen_shared_ = Vec3f::Zero();   // m: Motion::displacement
+    std::size_t tested_ = 0;              // blocks that the last collection after it tested
     std::vector<std::uint8_t> stopped_;   // by vertex: whether it is back where it started
     std::vector<float> share_;            // by vertex, of its movement that is kept
     std::vector<std::uint32_t> touched_;  // vertices with a share below 1

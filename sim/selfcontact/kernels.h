@@ -75,9 +75,10 @@ struct SelfContactKernels {
     std::size_t (*solve_contacts)(std::span<const SelfContactBlock> blocks, float* points, float* before);
 
     // Returns a bit for each pair whose sides are less than `gap_share` times its gap, and less than `radius_share`
-    // times its radius, apart along the dividing plane.
+    // times its radius, apart along the dividing plane. least_slack: how much farther apart they are than that, m, in
+    // the pair for which it is least.
     unsigned (*find_undivided)(PairKind kind, const PairBlock& block, const float* points, float gap_share,
-                               float radius_share);
+                               float radius_share, float& least_slack);
 };
 
 const SelfContactKernels& self_contact_kernels(SimdLevel level);

@@ -219,23 +219,30 @@ unsigned refresh_pairs(PairKind kind, PairBlock& block, const float* points, con
 
 template <PairKind kind>
 [[gnu::always_inline]] inline unsigned undivided(const PairBlock& block, const float* points, float gap_share,
-                                                 float radius_share) {
+                                                 float radius_share, float& least_slack) {
+    constexpr float kFar = 1e6F;  // m
     unsigned found = 0;
+    Floats least = lanes::broadcast(kFar);
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
         Four x = vertices_of(block, at, points);
         for (int k = 3; k >= 0; --k) x.p[k] = minus(x.p[k], x.p[0]);  // so that little is lost to rounding
         const Extents sides = extents<kind>(load_rows(block.divider, at), x);
         const Floats asked = lanes::min(gap_share * load_row(block.gap, at), radius_share * load_row(block.radius, at));
-        found |= lanes::bits((sides.first - sides.second < asked) & (load_row(block.side, at) > 0.0F)) << at;
+        const Floats slack = sides.first - sides.second - asked;
+        const Ints is_known = load_row(block.side, at) > 0.0F;
+        found |= lanes::bits((slack < 0.0F) & is_known) << at;
+        least = lanes::min(least, either(is_known, slack, lanes::broadcast(kFar)));
     }
+    least_slack = least[0];
+    for (std::size_t k = 1; k < lanes::kCount; ++k) least_slack = least[k] < least_slack ? least[k] : least_slack;
     return found;
 }
 
-unsigned find_undivided(PairKind kind, const PairBlock& block, const float* points, float gap_share,
-                        float radius_share) {
+unsigned find_undivided(PairKind kind, const PairBlock& block, const float* points, float gap_share, float radius_share,
+                        float& least_slack) {
     return kind == PairKind::VertexTriangle
-               ? undivided<PairKind::VertexTriangle>(block, points, gap_share, radius_share)
-               : undivided<PairKind::EdgeEdge>(block, points, gap_share, radius_share);
+               ? undivided<PairKind::VertexTriangle>(block, points, gap_share, radius_share, least_slack)
+               : undivided<PairKind::EdgeEdge>(block, points, gap_share, radius_share, least_slack);
 }
 
 // A bit for each contact whose sides are nearer than its radius.

@@ -159,6 +159,7 @@ void SelfContact::list_pairs(const Sweep& sweep, const MovingPoints& points, con
                           options.thickness_scale, pairs_);
     counts_.pairs += static_cast<long>(pairs_.size());
     judge_sides();
+    dividers_.forget();
     has_detected_ = true;
     since_detection_ = 0;
     refresh(points, options);
@@ -355,8 +356,8 @@ void SelfContact::list_contacts(PairList& pairs, const MovingPoints& points, con
 
 void SelfContact::certify(const MovingPoints& points, const SelfContactOptions& options) {
     if (!options.certifies || !has_detected_) return;
-    const CertificateReport report =
-        dividers_.certify(loops(), pairs_, start_, {paths_.frame(points) - start_frame_, paths_.mean_move()}, points);
+    const CertificateReport report = dividers_.certify(
+        loops(), pairs_, {used_, start_}, {paths_.frame(points) - start_frame_, paths_.mean_move()}, points);
     counts_.parted += report.parted;
     counts_.truncated += report.truncated;
 }
