@@ -130,7 +130,7 @@ std::size_t DividingPlanes::collect(const SelfContactKernels& loops, const Conta
 void DividingPlanes::look(const Start& start, const Motion& mean, const MovingPoints& points) {
     seen_.resize(points.count);
     seen_shared_ = mean.displacement;
-    for (const std::uint32_t v : start.vertices) seen_[v] = with_zero_w(points.at(v));
+    for (const std::uint32_t v : start.vertices) seen_[v] = points.wide_at(v);
 }
 
 // The longest displacement of a vertex since the last look, in a frame that travels with the cloth, m.
@@ -138,7 +138,7 @@ float DividingPlanes::moved(const Start& start, const Motion& mean, const Moving
     const Vec4f shared = with_zero_w(mean.displacement - seen_shared_);
     float farthest = 0;
     for (const std::uint32_t v : start.vertices) {
-        farthest = std::max(farthest, (with_zero_w(points.at(v)) - seen_[v] - shared).squaredNorm());
+        farthest = std::max(farthest, (points.wide_at(v) - seen_[v] - shared).squaredNorm());
     }
     return std::sqrt(farthest);
 }

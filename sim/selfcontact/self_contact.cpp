@@ -93,7 +93,7 @@ void SelfContact::substep(const MovingPoints& points, const SelfContactOptions& 
 void SelfContact::look_back(const MovingPoints& points, int substeps) {
     mean_moves_.resize(points.count, Vec4f::Zero());
     for (const std::uint32_t v : used_) {
-        const Vec4f now = with_zero_w(points.at(v));
+        const Vec4f now = points.wide_at(v);
         mean_moves_[v] = (now - seen_[v]) / static_cast<float>(substeps);
         seen_[v] = now;
     }
@@ -106,8 +106,8 @@ MovingPoints SelfContact::expected(const MovingPoints& points) {
     if (mean_moves_.empty()) return points;
     expected_.resize(points.count + 1, Vec4f::Zero());
     for (const std::uint32_t v : used_) {
-        const Vec3f now = points.at(v), last = now - points.was_at(v), mean = mean_moves_[v].head<3>();
-        expected_[v] = with_zero_w(now - (mean.squaredNorm() < last.squaredNorm() ? mean : last));
+        const Vec4f now = points.wide_at(v), last = now - points.wide_was_at(v), &mean = mean_moves_[v];
+        expected_[v] = now - (mean.squaredNorm() < last.squaredNorm() ? mean : last);
     }
     return {.now = points.now, .before = expected_.front().data(), .count = points.count};
 }
@@ -152,7 +152,7 @@ void SelfContact::list_pairs(const Sweep& sweep, const MovingPoints& points, con
     counts_.triangle_pairs += static_cast<long>(search_.new_triangle_pairs().size());
     start_.resize(points.count, Vec4f::Zero());
     seen_.resize(points.count, Vec4f::Zero());
-    for (const std::uint32_t v : used_) seen_[v] = start_[v] = with_zero_w(points.at(v));
+    for (const std::uint32_t v : used_) seen_[v] = start_[v] = points.wide_at(v);
     start_frame_ = paths_.frame(points);
     search_.find_elements(loops(), surface_, points.now, sweep,
                           {.margin = options.margin, .least = has_layers_ && !is_clean_ ? reach(options) : 0},
@@ -230,7 +230,7 @@ void SelfContact::test_exactly(const MovingPoints& points) {
 
 void SelfContact::keep_clean_state(const MovingPoints& points) {
     clean_.resize(points.count, Vec4f::Zero());
-    for (const std::uint32_t v : used_) clean_[v] = with_zero_w(points.at(v));
+    for (const std::uint32_t v : used_) clean_[v] = points.wide_at(v);
 }
 
 // While the cloth crosses itself, sides are not always known. A pair whose sides both touch a crossing is neither
