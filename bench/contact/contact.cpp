@@ -244,7 +244,7 @@ std::vector<Table> tables_of(const ContactBenchReport& report) {
                      "Per step of 12 sub-steps. Asked: share of the cloth that was asked, summed over all detections; "
                      "candidates per detection, contacts per refresh."};
     counts.columns = {"scene",      "detections", "local", "asked",  "tests",     "local tests", "triangle pairs",
-                      "candidates", "contacts",   "acted", "parted", "truncated", "rounds"};
+                      "candidates", "contacts",   "acted", "parted", "truncated", "iterations"};
     for (const ContactBenchReport::SceneRow& row : report.scenes) {
         const sim::SelfContactCounts& c = row.with.counts;
         const auto per = [](long count, long of) {
@@ -257,7 +257,7 @@ std::vector<Table> tables_of(const ContactBenchReport& report) {
                         Cell(per(c.triangle_pairs, c.steps), 0), Cell(per(c.pairs, detections), 0),
                         Cell(per(c.contacts, c.refreshes), 0), Cell(per(c.acted, c.steps), 0),
                         Cell(per(c.parted, c.steps), 1), Cell(per(c.truncated, c.steps), 1),
-                        Cell(per(c.untangling_rounds, c.steps), 1)});
+                        Cell(per(c.untangling_iterations, c.steps), 1)});
     }
     return {scenes, counts, garments};
 }

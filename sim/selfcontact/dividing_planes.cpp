@@ -11,7 +11,7 @@ namespace {
 // A pair is divided while its sides are this far apart along its plane: a share of the gap that it had, and of its
 // radius. So a gap of any size never closes, and pairs at their radius are left to the contacts.
 constexpr float kGapShare = 0.5F, kRadiusShare = 0.1F;
-constexpr int kPartingSweeps = 4, kPartingRounds = 6, kShorteningRounds = 8;
+constexpr int kPartingSweeps = 4, kPartingIterations = 6, kShorteningIterations = 8;
 
 Vec3f divider_of(const PairBlock& block, std::size_t at) {
     return {block.divider[0][at], block.divider[1][at], block.divider[2][at]};
@@ -47,11 +47,11 @@ CertificateReport DividingPlanes::certify(const SelfContactKernels& loops, const
                                           const Start& start, const Motion& mean, const MovingPoints& points) {
     CertificateReport report;
     share_.resize(points.count, 1.0F);
-    for (int round = 0; round < kPartingRounds; ++round) {
+    for (int i = 0; i < kPartingIterations; ++i) {
         if (collect(loops, pairs, start, mean, points) == 0) return report;
         if (!part_all(points, report)) break;
     }
-    for (int round = 0; round < kShorteningRounds; ++round) {
+    for (int i = 0; i < kShorteningIterations; ++i) {
         if (collect(loops, pairs, start, mean, points) == 0) return report;
         if (!shorten_all(start, mean, 1, points, report)) break;
     }
@@ -98,28 +98,28 @@ void DividingPlanes::take_back(const Start& start, const Motion& mean, const Mov
 }
 
 // Lists the pairs that are not divided; returns how many. Blocks whose slack is greater than all motion since the last
-// look are divided still; if these are few, this is a new look.
+// full test are divided still; if these are few, this is the next full test.
 std::size_t DividingPlanes::collect(const SelfContactKernels& loops, const ContactPairs& pairs, const Start& start,
                                     const Motion& mean, const MovingPoints& points) {
     undivided_.clear();
     const std::size_t blocks = pairs.vertex_triangle.block_count() + pairs.edge_edge.block_count();
     if (blocks == 0) return 0;
-    const bool is_look = slack_.size() != blocks || 4 * tested_ > blocks;
-    if (is_look) look(start, mean, points);
+    const bool is_full = slack_.size() != blocks || 4 * tested_ > blocks;
+    if (is_full) begin_full_test(start, mean, points);
     slack_.resize(blocks);
     constexpr float kRounding = 1e-6F;  // m, of positions some metres from the origin
-    const float closed = is_look ? 0 : 2 * moved(start, mean, points) + kRounding;  // by the motion of both sides
+    const float closed = is_full ? 0 : 2 * moved(start, mean, points) + kRounding;  // by the motion of both sides
     tested_ = 0;
     float* slack = slack_.data();
     for (const PairList* const list : {&pairs.vertex_triangle, &pairs.edge_edge}) {
         const std::size_t first = first_side(list->kind());
         for (std::size_t i = 0; i < list->block_count(); ++i, ++slack) {
-            if (!is_look && *slack > closed) continue;
-            if (!is_look) ++tested_;
+            if (!is_full && *slack > closed) continue;
+            if (!is_full) ++tested_;
             const PairBlock& block = list->blocks()[i];
             float now = 0;
             unsigned found = loops.find_undivided(list->kind(), block, points.now, kGapShare, kRadiusShare, now);
-            if (is_look) *slack = now;
+            if (is_full) *slack = now;
             for (; found != 0; found &= found - 1)
                 undivided_.push_back({&block, static_cast<std::size_t>(__builtin_ctz(found)), first});
         }
@@ -127,18 +127,18 @@ std::size_t DividingPlanes::collect(const SelfContactKernels& loops, const Conta
     return undivided_.size();
 }
 
-void DividingPlanes::look(const Start& start, const Motion& mean, const MovingPoints& points) {
-    seen_.resize(points.count);
-    seen_shared_ = mean.displacement;
-    for (const std::uint32_t v : start.vertices) seen_[v] = points.wide_at(v);
+void DividingPlanes::begin_full_test(const Start& start, const Motion& mean, const MovingPoints& points) {
+    tested_at_.resize(points.count);
+    shared_then_ = mean.displacement;
+    for (const std::uint32_t v : start.vertices) tested_at_[v] = points.wide_at(v);
 }
 
-// The longest displacement of a vertex since the last look, in a frame that travels with the cloth, m.
+// The longest displacement of a vertex since the last full test, in a frame that travels with the cloth, m.
 float DividingPlanes::moved(const Start& start, const Motion& mean, const MovingPoints& points) const {
-    const Vec4f shared = with_zero_w(mean.displacement - seen_shared_);
+    const Vec4f shared = with_zero_w(mean.displacement - shared_then_);
     float farthest = 0;
     for (const std::uint32_t v : start.vertices) {
-        farthest = std::max(farthest, (points.wide_at(v) - seen_[v] - shared).squaredNorm());
+        farthest = std::max(farthest, (points.wide_at(v) - tested_at_[v] - shared).squaredNorm());
     }
     return std::sqrt(farthest);
 }

@@ -59,7 +59,7 @@ class DividingPlanes {
     std::size_t collect(const SelfContactKernels& loops, const ContactPairs& pairs, const Start& start,
                         const Motion& mean, const MovingPoints& points);
     float moved(const Start& start, const Motion& mean, const MovingPoints& points) const;
-    void look(const Start& start, const Motion& mean, const MovingPoints& points);
+    void begin_full_test(const Start& start, const Motion& mean, const MovingPoints& points);
     bool part_all(const MovingPoints& points, CertificateReport& report);
     bool shorten_all(const Start& start, const Motion& mean, float most, const MovingPoints& points,
                      CertificateReport& report);
@@ -69,10 +69,10 @@ class DividingPlanes {
 
     std::vector<Undivided> undivided_;
 
-    // At the last look, which tested all pairs:
+    // Of the last full test, of all pairs:
     std::vector<float> slack_;            // m, by block: the least of its pairs
-    std::vector<Vec4f> seen_;             // by vertex: position
-    Vec3f seen_shared_ = Vec3f::Zero();   // m: Motion::displacement
+    std::vector<Vec4f> tested_at_;        // by vertex: position
+    Vec3f shared_then_ = Vec3f::Zero();   // m: Motion::displacement
     std::size_t tested_ = 0;              // blocks that the last collection after it tested
     std::vector<std::uint8_t> stopped_;   // by vertex: whether it is back where it started
     std::vector<float> share_;            // by vertex, of its movement that is kept

@@ -51,8 +51,13 @@ void PairSearch::set_surface(const ContactSurface& surface, std::uint32_t dummy)
     flat_.assign(padded_, 0);
     u_.assign(padded_, 0);
     v_.assign(padded_, 0);
-    std::vector<std::uint8_t> vertex_seen(dummy, 0), edge_seen(surface.edges.size(), 0);
-    for (std::size_t t = 0; t < count; ++t) {
+    assign_owners(surface);
+}
+
+// Each vertex and edge belongs to the first of its triangles.
+void PairSearch::assign_owners(const ContactSurface& surface) {
+    std::vector<std::uint8_t> vertex_seen(dummy_, 0), edge_seen(surface.edges.size(), 0);
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
         const ContactTriangle& triangle = surface.triangles[t];
         sheet_[t] = triangle.sheet;
         u_[t] = triangle.middle.x();

@@ -68,6 +68,7 @@ class PairSearch {
 
  private:
     TriangleRows rows();
+    void assign_owners(const ContactSurface& surface);
     void find_flat(const ContactSurface& surface);
     void find_sharp(const ContactSurface& surface, std::uint32_t edge);
     void bound_elements(const ContactSurface& surface, const float* points, const Sweep& sweep, float grow);

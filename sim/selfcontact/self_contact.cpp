@@ -84,7 +84,7 @@ void SelfContact::substep(const MovingPoints& points, const SelfContactOptions& 
         if (off_path <= limit) {
             if (from_mark > 0.125F * options.margin) refresh(points, options);
         } else {
-            certify(points, options);
+            certify(points);
             is_clean_ ? detect_where_off_path(points, limit, options) : detect(points, options);
         }
     }
@@ -114,7 +114,7 @@ MovingPoints SelfContact::expected(const MovingPoints& points) {
 
 void SelfContact::end_step(const MovingPoints& points, const SelfContactOptions& options) {
     if (is_clean_) {
-        certify(points, options);
+        certify(points);
     } else {
         untangle(points, options);
     }
@@ -169,8 +169,8 @@ void SelfContact::list_pairs(const Sweep& sweep, const MovingPoints& points, con
 void SelfContact::look_for_crossings(const MovingPoints& points, const SelfContactOptions& options) {
     if (is_clean_ && !is_doubtful_ && since_test_ < kTestInterval) return;
     test_exactly(points);
-    for (int round = 0; !clean_.empty() && !is_clean_ && round < options.untangling_rounds; ++round) {
-        ++counts_.untangling_rounds;
+    for (int i = 0; !clean_.empty() && !is_clean_ && i < options.untangling_iterations; ++i) {
+        ++counts_.untangling_iterations;
         find_suspects(points);
         untangler_.separate(surface_, crossings_, clean_, points);
         test_suspects(points);
@@ -354,8 +354,8 @@ void SelfContact::list_contacts(PairList& pairs, const MovingPoints& points, con
     }
 }
 
-void SelfContact::certify(const MovingPoints& points, const SelfContactOptions& options) {
-    if (!options.certifies || !has_detected_) return;
+void SelfContact::certify(const MovingPoints& points) {
+    if (!has_detected_) return;
     const CertificateReport report = dividers_.certify(
         loops(), pairs_, {used_, start_}, {paths_.frame(points) - start_frame_, paths_.mean_move()}, points);
     counts_.parted += report.parted;
@@ -364,14 +364,14 @@ void SelfContact::certify(const MovingPoints& points, const SelfContactOptions& 
 
 // When the last crossing is gone, contacts must hold at once, or the next sub-step draws the tangle shut again.
 void SelfContact::untangle(const MovingPoints& points, const SelfContactOptions& options) {
-    for (int round = 0; !is_clean_ && round < options.untangling_rounds; ++round) {
-        ++counts_.untangling_rounds;
-        if (round > 0) find_suspects(points);
+    for (int i = 0; !is_clean_ && i < options.untangling_iterations; ++i) {
+        ++counts_.untangling_iterations;
+        if (i > 0) find_suspects(points);
         untangler_.separate(surface_, crossings_, clean_, points);
-        if (clean_.empty() || 2 * round >= options.untangling_rounds) untangler_.smooth(surface_, crossings_, points);
-        round == 0 ? test_exactly(points) : test_suspects(points);
+        if (clean_.empty() || 2 * i >= options.untangling_iterations) untangler_.smooth(surface_, crossings_, points);
+        i == 0 ? test_exactly(points) : test_suspects(points);
     }
-    if (!is_clean_) return certify(points, options);
+    if (!is_clean_) return certify(points);
     keep_clean_state(points);
     detect(points, options);
 }

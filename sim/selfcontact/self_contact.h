@@ -37,7 +37,7 @@ struct SelfContactCounts {
     long acted = 0;  // contacts that moved something, sum over the sub-steps
     long parted = 0;
     long truncated = 0;
-    long untangling_rounds = 0;
+    long untangling_iterations = 0;
 };
 
 class SelfContact {
@@ -67,7 +67,6 @@ class SelfContact {
 
     bool is_clean() const { return is_clean_; }  // whether the last exact test found no crossing
     const ContactSurface& surface() const { return surface_; }
-    std::span<const Crossing> crossings() const { return crossings_; }
     const SelfContactCounts& counts() const { return counts_; }
 
  private:
@@ -88,7 +87,7 @@ class SelfContact {
     void refresh(const MovingPoints& points, const SelfContactOptions& options);
     float most_swapped(const PairBlock& block, std::size_t at) const;
     void list_contacts(PairList& pairs, const MovingPoints& points, const SelfContactOptions& options);
-    void certify(const MovingPoints& points, const SelfContactOptions& options);
+    void certify(const MovingPoints& points);
     void look_back(const MovingPoints& points, int substeps);
     MovingPoints expected(const MovingPoints& points);
     void untangle(const MovingPoints& points, const SelfContactOptions& options);
