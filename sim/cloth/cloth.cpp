@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/adaptive/surface_normals.h"
 #include "sim/cloth/material_frame.h"
@@ -150,6 +151,12 @@ float rms_speed(const Cloth& cloth, const std::vector<Vec4f>& before, double sec
         total += mass;
     }
     return total > 0 ? static_cast<float>(std::sqrt(energy / total) / seconds) : 0.0F;
+}
+
+float lowest_height(const Cloth& cloth) {
+    float lowest = std::numeric_limits<float>::infinity();
+    for (const VertexId v : cloth.mesh.leaf_vertices()) lowest = std::min(lowest, cloth.x[v.value].y());
+    return lowest;
 }
 
 std::optional<VertexId> find_bad_vertex(const Cloth& cloth) {

@@ -76,6 +76,9 @@ void update_normals(Cloth& cloth);
 // was split or rejoined in between.
 float rms_speed(const Cloth& cloth, const std::vector<Vec4f>& before, double seconds);
 
+// The height of the lowest leaf vertex, m; infinity if there is none.
+float lowest_height(const Cloth& cloth);
+
 // The first leaf vertex with a coordinate that is not finite or at least 100 m from the origin, if any.
 std::optional<VertexId> find_bad_vertex(const Cloth& cloth);
 

@@ -44,7 +44,7 @@ struct Stepper {
     void limit_stretch();
     void update_bias();
     void pull_seams(float gap);
-    void hold();
+    void hold(const ContactOptions& contact);
     MovingPoints moving_points() const { return {points(), before(), cloth.x.size()}; }
     void apply_internal_damping();
 };
@@ -84,13 +84,15 @@ void Stepper::substep(int i) {
     push_out_faces(cloth, body, options.contact);
     const float to_go = static_cast<float>(options.substeps - 1 - i);
     const float gap = options.seam_gap + to_go * options.seam_gap_rate;
+    ContactOptions contact = options.contact;
+    contact.floor -= to_go * options.floor_rate;
     pull_seams(gap);
-    hold();
+    hold(contact);
     if (options.seams.empty()) return;
     // Vertices that a seam pulled deep into the body may come out on different sides of a ridge. The second iteration
     // closes the seam along the surface.
     pull_seams(gap);
-    hold();
+    hold(contact);
 }
 
 // Copies positions and inverse masses. The dummy vertex is placed 10 km away.
@@ -224,8 +226,8 @@ void Stepper::pull_seams(float gap) {
     }
 }
 
-void Stepper::hold() {
-    hold_vertices(cloth, loops, body, options.max_move_per_substep, options.contact);
+void Stepper::hold(const ContactOptions& contact) {
+    hold_vertices(cloth, loops, body, options.max_move_per_substep, contact);
 }
 
 void Stepper::apply_internal_damping() {

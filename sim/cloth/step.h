@@ -40,6 +40,7 @@ struct StepOptions {
     std::span<const SeamPull> seams{};                 // open seams
     float seam_gap = 0;                                // m, allowed at the end of this step
     float seam_gap_rate = 0;                           // m per sub-step by which the gap shrinks within the step
+    float floor_rate = 0;                              // m per sub-step by which the floor rises to contact.floor
     std::span<const KinematicVertex> kinematic{};
     // Optional: solves constraints of the caller in each sub-step, as the last of stretch. points: by vertex, x, y, z
     // (m) and the inverse mass (1/kg), then the dummy vertex. Such a cloth never rests. See

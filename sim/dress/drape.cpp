@@ -14,6 +14,7 @@ namespace {
 constexpr float kRelaxDamping = 12;   // 1/s, while seam tension relaxes
 constexpr float kFinishDamping = 40;  // 1/s, while residual stretch is removed
 constexpr float kFallDamping = 2;     // 1/s, air drag
+constexpr float kFloorSpeed = 0.2F;   // m/s: slow against falling cloth, so that it folds what it meets as a fall does
 
 using Clock = std::chrono::steady_clock;
 
@@ -33,6 +34,7 @@ DrapeRun::DrapeRun(Cloth& cloth, const DrapeOptions& options) : options_(options
     refresh_contacts(cloth, options_.contact);
     free_standoffs(cloth, standoffs(0));
     result_.bad_vertex = find_bad_vertex(cloth);
+    if (!result_.bad_vertex) lowered_floor_ = std::max(0.0F, options_.contact.floor - lowest_height(cloth));
     change_phase(cloth);
 }
 
@@ -127,7 +129,7 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     run_steps(cloth, body, stepping);
     may_rejoin_ = result_.rms_speed >= options_.calm_speed;
     learning_rate_scale_ = std::min(1.0F, result_.rms_speed / options_.calm_speed);
-    const bool rests = is_lowered && result_.rms_speed < options_.rest_speed;
+    const bool rests = is_lowered && lowered_floor_ <= 0 && result_.rms_speed < options_.rest_speed;
     at_rest_ = rests ? at_rest_ + frame_seconds(cloth, stepping) : 0;
     lowered_ += frame_seconds(cloth, stepping);
     const double end = options_.max_seconds - options_.finish_time;
@@ -189,6 +191,7 @@ void DrapeRun::run_steps(Cloth& cloth, const Collider& body, StepOptions steppin
         const auto start = Clock::now();
         if (options_.kinematic_vertices)
             stepping.kinematic = options_.kinematic_vertices(cloth, step_seconds(cloth, stepping));
+        raise_floor(cloth, stepping);
         step(cloth, body, stepping);
         result_.step_ms.push_back(ms_since(start));
         result_.simulated_seconds += step_seconds(cloth, stepping);
@@ -197,8 +200,17 @@ void DrapeRun::run_steps(Cloth& cloth, const Collider& body, StepOptions steppin
     result_.bad_vertex = find_bad_vertex(cloth);
 }
 
+// Hems that hang below the floor when the drape begins are taken along by it.
+void DrapeRun::raise_floor(const Cloth& cloth, StepOptions& stepping) {
+    const float rise = std::min(lowered_floor_, kFloorSpeed * step_seconds(cloth, stepping));
+    lowered_floor_ -= rise;
+    stepping.contact.floor = options_.contact.floor - lowered_floor_;
+    stepping.floor_rate = rise / static_cast<float>(stepping.substeps);
+}
+
 ContactOptions DrapeRun::falling_contact() const {
     ContactOptions contact = options_.contact;
+    contact.floor -= lowered_floor_;
     contact.offset = std::min(options_.rest_offset, options_.contact.offset);
     return contact;
 }

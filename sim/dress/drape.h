@@ -92,6 +92,7 @@ class DrapeRun {
     void project(Cloth& cloth, const Collider& body, const StepOptions& stepping);
     void update_contacts_between_frames(Cloth& cloth, const Collider& body, const StepOptions& stepping);
     void adapt_once(Cloth& cloth, const Collider& body, const AdaptClothOptions& adapting);
+    void raise_floor(const Cloth& cloth, StepOptions& stepping);
     void run_steps(Cloth& cloth, const Collider& body, StepOptions stepping);
     ContactOptions falling_contact() const;
     ContactOptions finishing_contact() const;
@@ -108,6 +109,7 @@ class DrapeRun {
     double fraction_ = 0;            // 0..1
     bool may_rejoin_ = true;         // it still moves fast enough
     float learning_rate_scale_ = 1;  // of the biases of stretch and shear
+    float lowered_floor_ = 0;        // m, by which the floor is lower than it will be
     float usual_substep_ = 0;        // s
 };
 

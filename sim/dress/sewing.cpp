@@ -65,7 +65,8 @@ SewingRun::SewingRun(GarmentMesh unsewn, const std::vector<Fabric>& fabrics, con
       pulls_(pulls_of(links_)),
       start_gap_(widest_gap(cloth_, links_)),
       limit_(start_gap_ / options.closing_speed + options.extra_pull_time) {
-    refresh_contacts(cloth_, options.contact);
+    options_.contact.floor = std::min(options.contact.floor, lowest_height(cloth_));
+    refresh_contacts(cloth_, options_.contact);
     const std::vector<int> as_sewn = representatives_of_links(mesh_.x.size(), links_);
     cloth_.solver.self_contact->sewn.assign(as_sewn.begin(), as_sewn.end());
 }

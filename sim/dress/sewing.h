@@ -35,7 +35,8 @@ struct SewingResult {
     std::optional<VertexId> bad_vertex;  // of the unsewn mesh, where a value is not finite; `sewn` is then invalid
 };
 
-// Sewing in progress: one step per advance().
+// Sewing in progress: one step per advance(). The floor is below all panels: hems that it bends up while they are sewn
+// stay so.
 class SewingRun {
  public:
     SewingRun(GarmentMesh unsewn, const std::vector<Fabric>& fabrics, const SewingOptions& options);
@@ -49,7 +50,6 @@ class SewingRun {
     void hold(const Collider& body);
     // Vertices that meet the trunk of a JointedCollider only (ContactState::is_trunk_only).
     void meet_trunk_only(std::vector<bool> vertices);
-    void set_floor(float height) { options_.contact.floor = height; }  // m
     // One of these is to be called when the collider has moved, the second if by at most that (m).
     void forget_contacts() { selvedge::sim::forget_contacts(cloth_); }
     void keep_far_contacts(float by) { selvedge::sim::keep_far_contacts(cloth_, by); }

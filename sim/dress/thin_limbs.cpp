@@ -50,8 +50,8 @@ std::vector<LimbKind> limbs_at(const std::vector<Vec3f>& points, const BodyLimbs
 
 }  // namespace
 
-ThinLimbs::ThinLimbs(std::unique_ptr<JointedCollider> collider, std::vector<Shapes> limbs, float lowest)
-    : collider_(std::move(collider)), limbs_(std::move(limbs)), lowest_(lowest) {
+ThinLimbs::ThinLimbs(std::unique_ptr<JointedCollider> collider, std::vector<Shapes> limbs)
+    : collider_(std::move(collider)), limbs_(std::move(limbs)) {
     double longest = 0;  // m
     for (const Shapes& limb : limbs_) {
         for (std::size_t v = 0; v < limb.thin.size(); ++v)
@@ -68,8 +68,6 @@ std::unique_ptr<ThinLimbs> ThinLimbs::plan(const SewingRun& done, const BodyColl
     BodyInPieces parts = cut_off(body.body(), limbs, limbs_at(faults, limbs));
     if (parts.limbs.empty()) return nullptr;
     GarmentMesh closed = done.unsewn();
-    float lowest = 0;
-    for (const Vec3d& x : closed.x) lowest = std::min(lowest, static_cast<float>(x.y()));
     merge_seams(closed);
     std::vector<Shapes> shapes;
     for (const LimbPiece& limb : parts.limbs)
@@ -77,7 +75,7 @@ std::unique_ptr<ThinLimbs> ThinLimbs::plan(const SewingRun& done, const BodyColl
     std::vector<BodyPiece> pieces;
     for (const LimbPiece& limb : parts.limbs) pieces.push_back(limb.piece);
     auto collider = std::make_unique<JointedCollider>(std::move(parts.trunk), pieces);
-    return std::unique_ptr<ThinLimbs>(new ThinLimbs(std::move(collider), std::move(shapes), lowest));
+    return std::unique_ptr<ThinLimbs>(new ThinLimbs(std::move(collider), std::move(shapes)));
 }
 
 std::size_t ThinLimbs::count_faults(const SewingRun& done, const BodyCollider& body) {
@@ -92,16 +90,13 @@ ContactOptions ThinLimbs::contact(const ContactOptions& usual) {
 
 bool ThinLimbs::advance(SewingRun& sewing) {
     if (steps_ == 0) {
-        sewing.set_floor(lowest_);
         if (!sewing.advance(*collider_)) ++steps_;
         return !sewing.has_bad_number();
     }
     const int size = 1 + (steps_ - 1) / kStepsPerSize;
     if (size > sizes_ && (sewing.is_closed() || steps_ > kStepsPerSize * sizes_ + kStepsToClose)) return false;
     if (size <= sizes_ && steps_ % kStepsPerSize == 1) {
-        const double share = static_cast<double>(size) / sizes_;
-        grow(share);
-        sewing.set_floor(static_cast<float>(1 - share) * lowest_);
+        grow(static_cast<double>(size) / sizes_);
         sewing.keep_far_contacts(kLargestMove);
     }
     sewing.hold(*collider_);

@@ -2,8 +2,7 @@
 // Sews round thin limbs where seams would close through them. Panels that stand loosely before and behind a limb, or
 // beside it, draw together in a way that may leave a part of it, such as an ankle or a hand, outside. Then the garment
 // is sewn anew: the arms and legs are thin, and lie where the sleeves and trouser legs are, until the seams are closed.
-// After that they grow and move to where the body has them, and push the cloth along. Hems that were placed below the
-// floor hang down until then.
+// After that they grow and move to where the body has them, and push the cloth along.
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -38,13 +37,12 @@ class ThinLimbs {
         std::vector<Vec3d> thin;  // m
     };
 
-    ThinLimbs(std::unique_ptr<JointedCollider> collider, std::vector<Shapes> limbs, float lowest);
+    ThinLimbs(std::unique_ptr<JointedCollider> collider, std::vector<Shapes> limbs);
 
     void grow(double share);
 
     std::unique_ptr<JointedCollider> collider_;
     std::vector<Shapes> limbs_;  // by piece
-    float lowest_ = 0;           // m, height of the floor while the seams close
     int sizes_ = 0;              // through which the limbs grow
     int steps_ = 0;              // since they began to; 0: seams are still closing
 };

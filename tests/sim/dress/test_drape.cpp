@@ -98,6 +98,36 @@ TEST(DrapeRun, ends_with_no_face_inside_the_body) {
     EXPECT_TRUE(find_crossing_triangles(contact_surface(cloth), cloth.x.front().data()).empty());
 }
 
+// A square that hangs from its upper edge, with its lower edge 0.15 m below the floor.
+Cloth cloth_that_hangs_through_the_floor() {
+    Pattern pattern;
+    pattern.panels = {rectangle("curtain", {.width = 0.4, .height = 0.4, .y = -0.15})};
+    GarmentMesh mesh = assemble(pattern);
+    for (std::size_t v = 0; v < mesh.x.size(); ++v) {
+        if (mesh.x[v].y() > 0.249) mesh.pins.push_back(static_cast<int>(v));
+    }
+    return make_cloth(mesh, {find_fabric("cotton_shirting")}, {.max_level = 1});
+}
+
+TEST(DrapeRun, takes_a_hem_that_begins_below_the_floor_along_slowly) {
+    Cloth cloth = cloth_that_hangs_through_the_floor();
+    DrapeRun run(cloth, {.max_seconds = 6, .self_contact = SelfContactOptions{}});
+    ASSERT_LT(lowest_height(cloth), -0.149F);
+    float fastest = 0, lowest = lowest_height(cloth), frame = 4 * step_seconds(cloth, {});
+    for (int i = 0; i < 15; ++i) {
+        run.advance(cloth, NoBody());
+        fastest = std::max(fastest, (lowest_height(cloth) - lowest) / frame);
+        lowest = lowest_height(cloth);
+    }
+    EXPECT_LT(lowest, -0.01F);
+    EXPECT_LT(fastest, 0.3F) << "m/s";
+    EXPECT_GT(fastest, 0.1F) << "m/s";
+    while (run.advance(cloth, NoBody())) continue;
+    EXPECT_GT(lowest_height(cloth), -1e-5F);
+    EXPECT_TRUE(run.result().settled);
+    EXPECT_TRUE(find_crossing_triangles(contact_surface(cloth), cloth.x.front().data()).empty());
+}
+
 // A box of 0.2 x 0.12 m, so with a girth of 0.64 m, standing on the floor.
 class SewOnABox : public testing::Test {
  protected:
@@ -132,6 +162,18 @@ TEST_F(SewOnABox, closes_two_panels_into_a_tube_that_is_long_enough) {
     EXPECT_EQ(topology.euler, 0);
     EXPECT_GT(deepest(result.sewn), -0.0005);
     EXPECT_GT(result.simulated_seconds, 0);
+}
+
+// A hem that the floor bends up while the seams close stays so.
+TEST_F(SewOnABox, closes_a_tube_that_was_placed_below_the_floor_without_bending_it) {
+    const SewingResult result = sew(tube(0.40, 0.4, -0.15, 0.15));
+    EXPECT_TRUE(result.open.empty());
+    double lowest = 0, highest = 0;
+    for (const Vec3d& x : result.sewn.x) {
+        lowest = std::min(lowest, x.y());
+        highest = std::max(highest, x.y());
+    }
+    EXPECT_GT(highest - lowest, 0.39);
 }
 
 // A third panel cuts through the front one, at an angle of 0.5 radians.

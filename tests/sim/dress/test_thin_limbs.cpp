@@ -70,7 +70,7 @@ SewingRun sewn_once(const Pattern& pattern) {
 }
 
 TEST(ThinLimbs, keep_an_ankle_in_a_trouser_leg_that_stands_beside_it) {
-    for (const TrouserLeg& leg : {TrouserLeg{.width = 0.3, .y = -0.06, .x = 0.2},
+    for (const TrouserLeg& leg : {TrouserLeg{.width = 0.3, .y = -0.06, .x = 0.21},
                                   TrouserLeg{.width = 0.35, .height = 0.6, .y = 0.05, .x = 0.23},
                                   TrouserLeg{.width = 0.35, .y = 0, .x = 0.23}}) {
         const Pattern pattern = make(leg);
