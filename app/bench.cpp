@@ -137,6 +137,11 @@ void add_bench_contact(CLI::App& bench, int& exit_code) {
         ->add_option("--scene", arguments->experiment.only,
                      "Run this scene only (\"garments\": the garment, once and over another)")
         ->type_name("NAME");
+    command
+        ->add_option("--rest", arguments->experiment.rest_seconds,
+                     "Time in s by which the scenes go on after what is measured (default 0)")
+        ->check(CLI::Range(0.0, 60.0))
+        ->type_name("S");
     add_json_option(*command, arguments->json);
     command->footer("Example: selvedge bench contact --json contact.json");
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

@@ -87,41 +87,73 @@ sim::Cloth start_of(const ContactScene& scene) {
 
 }  // namespace
 
-ContactRun run_contact_scene(const ContactScene& scene, bool with) {
+namespace {
+
+// A scene in progress.
+class SceneRun {
+ public:
+    SceneRun(const ContactScene& scene, bool with) : scene_(scene), with_(with), cloth_(start_of(scene)) {
+        contact_ = {.offset = 0.001F, .floor = scene.floor};
+        refresh_contacts(cloth_, contact_);
+    }
+    const sim::Cloth& cloth() const { return cloth_; }
+    float rms_speed() const { return rms_speed_; }  // m/s, of the last step
+    // One step. Returns the processor time that it took, s.
+    double advance() {
+        sim::StepOptions stepping{.gravity = scene_.gravity, .contact = contact_};
+        const float time = static_cast<float>(steps_) * step_seconds(cloth_, stepping);
+        stepping.extra_damping = scene_.damping + 4 * time;  // as a drape, so that it comes to rest
+        if (with_) stepping.self_contact.emplace();
+        std::vector<sim::KinematicVertex> kinematic;
+        if (scene_.kinematic) kinematic = scene_.kinematic(cloth_, time + step_seconds(cloth_, stepping));
+        stepping.kinematic = kinematic;
+        const std::vector<Vec4f> before = cloth_.x;
+        const double start = thread_seconds();
+        if (scene_.is_adaptive && steps_ % 4 == 0)
+            adapt_cloth(cloth_, *scene_.body, {.shortest_edge = 0.012F}, contact_);
+        step(cloth_, *scene_.body, stepping);
+        ++steps_;
+        const double taken = thread_seconds() - start;
+        rms_speed_ = sim::rms_speed(cloth_, before, static_cast<double>(step_seconds(cloth_, stepping)));
+        return taken;
+    }
+
+ private:
+    const ContactScene& scene_;
+    bool with_;
+    sim::Cloth cloth_;
+    sim::ContactOptions contact_;
+    int steps_ = 0;
+    float rms_speed_ = 0;
+};
+
+}  // namespace
+
+ContactRun run_contact_scene(const ContactScene& scene, bool with, int further_steps) {
     ContactRun run;
-    sim::Cloth cloth = start_of(scene);
-    const sim::ContactOptions contact{.offset = 0.001F, .floor = scene.floor};
-    refresh_contacts(cloth, contact);
+    SceneRun running(scene, with);
+    const sim::Cloth& cloth = running.cloth();
     run.crossings_at_start = crossings_of(cloth);
     double seconds = 0, seconds_at_end = 0;
     const int last_quarter = scene.steps - scene.steps / 4;
     for (int i = 0; i < scene.steps; ++i) {
-        sim::StepOptions stepping{.gravity = scene.gravity, .contact = contact};
-        const float time = static_cast<float>(i) * step_seconds(cloth, stepping);
-        stepping.extra_damping = scene.damping + 4 * time;  // as a drape, so that it comes to rest
-        if (with) stepping.self_contact.emplace();
-        std::vector<sim::KinematicVertex> kinematic;
-        if (scene.kinematic) kinematic = scene.kinematic(cloth, time + step_seconds(cloth, stepping));
-        stepping.kinematic = kinematic;
-        const std::vector<Vec4f> before = cloth.x;
-        const double start = thread_seconds();
-        if (scene.is_adaptive && i % 4 == 0) adapt_cloth(cloth, *scene.body, {.shortest_edge = 0.012F}, contact);
-        step(cloth, *scene.body, stepping);
-        const double taken = thread_seconds() - start;
+        const double taken = running.advance();
         seconds += taken;
         if (i >= last_quarter) seconds_at_end += taken;
-        if (i + 1 == scene.steps)
-            run.rms_speed_at_end = static_cast<double>(rms_speed(cloth, before, step_seconds(cloth, stepping)));
         if (i % 10 == 9 || i + 1 == scene.steps) {
             run.crossings_at_end = crossings_of(cloth);
             run.worst_crossings = std::max(run.worst_crossings, run.crossings_at_end);
         }
     }
+    run.rms_speed_at_end = static_cast<double>(running.rms_speed());
     run.triangles = static_cast<int>(cloth.mesh.leaf_triangles().size());
     run.counts = cloth.solver.self_contact->contact.counts();
     run.ms_per_step = 1e3 * seconds / scene.steps;
     run.ms_at_end = 1e3 * seconds_at_end / (scene.steps - last_quarter);
     for (int i = 0; i + 1 < scene.sheets; ++i) count_order(cloth, i, run);
+    for (int i = 0; i < further_steps; ++i) running.advance();
+    run.rms_speed_at_rest = static_cast<double>(running.rms_speed());
+    run.crossings_at_rest = crossings_of(cloth);
     return run;
 }
 
@@ -194,7 +226,8 @@ ContactBenchReport measure_contact(const ContactExperiment& experiment, const si
     for (const ContactScene& scene : scenes) {
         if (!experiment.only.empty() && experiment.only != scene.name) continue;
         sim::report(progress, scene.name, static_cast<double>(report.scenes.size()) / parts);
-        report.scenes.push_back({scene.name, run_contact_scene(scene, true), run_contact_scene(scene, false)});
+        const int further = static_cast<int>(std::lround(120 * experiment.rest_seconds));
+        report.scenes.push_back({scene.name, run_contact_scene(scene, true, further), run_contact_scene(scene, false)});
     }
     if (!experiment.only.empty() && experiment.only != kGarments) {
         if (report.scenes.empty())
@@ -228,6 +261,12 @@ std::vector<Table> tables_of(const ContactBenchReport& report) {
                         Cell(with.ms_per_step / without.ms_per_step - 1, 2),
                         Cell(with.ms_at_end / without.ms_at_end - 1, 2), Cell(1e3 * with.rms_speed_at_end, 1)});
     }
+    Table rest{.name = "rest",
+               .title = "Cloth against itself: the scenes later",
+               .note = "After the further time that was asked for; 0: at the end of the scenes."};
+    rest.columns = {"scene", "crossings", "rms, mm/s"};
+    for (const ContactBenchReport::SceneRow& row : report.scenes)
+        rest.add_row({row.name, row.with.crossings_at_rest, Cell(1e3 * row.with.rms_speed_at_rest, 1)});
     Table garments{
         .name = "garments",
         .title = "Cloth against itself: garments, by processor time of one thread",
@@ -259,7 +298,7 @@ std::vector<Table> tables_of(const ContactBenchReport& report) {
                         Cell(per(c.parted, c.steps), 1), Cell(per(c.truncated, c.steps), 1),
                         Cell(per(c.untangling_iterations, c.steps), 1)});
     }
-    return {scenes, counts, garments};
+    return {scenes, counts, rest, garments};
 }
 
 }  // namespace selvedge::bench

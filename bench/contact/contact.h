@@ -17,19 +17,22 @@ struct ContactRun {
     int crossings_at_end = 0;
     int wrong_order = 0;  // vertices of a sheet that lie on the wrong side of the sheet below, within 20 mm
     int in_order = 0;
-    double ms_per_step = 0;       // processor time
-    double ms_at_end = 0;         // the same in the last quarter
-    double rms_speed_at_end = 0;  // m/s, of the last step
+    double ms_per_step = 0;        // processor time
+    double ms_at_end = 0;          // the same in the last quarter
+    double rms_speed_at_end = 0;   // m/s, of the last step
+    double rms_speed_at_rest = 0;  // m/s, after further steps
+    int crossings_at_rest = 0;
     sim::SelfContactCounts counts{};
 };
 
-// with: whether the cloth meets itself.
-ContactRun run_contact_scene(const ContactScene& scene, bool with);
+// with: whether the cloth meets itself. further_steps: after those of the scene.
+ContactRun run_contact_scene(const ContactScene& scene, bool with, int further_steps = 0);
 
 struct ContactExperiment {
     std::filesystem::path pattern = "patterns/tshirt.json";
-    int rest_frames = 120;  // of four steps, after the drape; the second half is measured
-    std::string only{};     // the one scene to run, or "garments": the garment, once and twice; empty: all
+    int rest_frames = 120;    // of four steps, after the drape; the second half is measured
+    double rest_seconds = 0;  // by which scenes go on with contact, beyond the time that is measured
+    std::string only{};       // the one scene to run, or "garments": the garment, once and twice; empty: all
 };
 
 // What was sewn, draped with and without contact of the cloth with itself, and then stepped on at rest.
