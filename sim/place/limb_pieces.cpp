@@ -338,6 +338,7 @@ std::vector<bool> panels_without_arms(const GarmentMesh& unsewn, const Pattern& 
     const std::vector<std::vector<Vec3d>> points = points_of_panels(unsewn);
     bool is_any = false;
     for (std::size_t p = 0; p < without.size(); ++p) {
+        if (points[p].empty()) continue;
         const std::string& label = pattern.panels[p].label;
         const auto is_bodice = [&](const Vec3d& x) { return is_over_chest(x, limbs); };
         without[p] =

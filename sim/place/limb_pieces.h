@@ -54,7 +54,7 @@ std::optional<LimbKind> arm_of_panel(std::string_view label, const std::vector<V
 // Whether the panels ignore the arms while they are sewn, per panel. They are those through which an arm would pass if
 // all seams closed where they stand, as wide skirts whose front and back stand before and behind the hands; and with
 // them all others that are labelled "leg", or are placed neither over the chest nor round an arm. None if no arm passes
-// through a panel.
+// through a panel. Panels without triangles in the mesh, as those that are worn already, do not.
 std::vector<bool> panels_without_arms(const GarmentMesh& unsewn, const Pattern& pattern, const BodyLimbs& limbs);
 
 }  // namespace selvedge::sim

@@ -4,10 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
+#include <utility>
 
+#include "sim/cloth/cloth_penetration.h"
+#include "sim/collide/body_collider.h"
 #include "sim/dress/dress.h"
+#include "sim/dress/dressing.h"
+#include "sim/dress/garment_sewing.h"
 #include "sim/mesh/sew.h"
+#include "sim/pattern/garments.h"
+#include "sim/pattern/pattern_file.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/mannequin.h"
 
@@ -43,6 +51,22 @@ TEST(LimbsAside, let_a_wide_skirt_hang_below_the_arms) {
     }
     const auto widest = std::ranges::max(dressed.mesh.x, {}, [](const Vec3f& x) { return std::abs(x.x()); });
     EXPECT_LT(std::abs(widest.x()), 0.8) << "it spreads over the arms";
+}
+
+// Sewn only: what it looks like under the skirt is decided then.
+TEST(LimbsAside, leave_the_sleeves_of_what_is_worn_round_the_arms) {
+    const std::filesystem::path tshirt = std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / "tshirt.json";
+    Pattern pattern = load_pattern(tshirt).pattern;
+    put_over(pattern, wide_skirt(2.6));
+    const BodyCollider collider(mannequin());
+    GarmentSewing sewing(assemble(pattern), garments_of(pattern), fabrics_of(pattern), collider, {},
+                         [&](const GarmentMesh& next, const GarmentMesh& all) {
+                             return LimbsAside::plan(next, all, pattern, mannequin());
+                         });
+    while (sewing.advance(collider)) continue;
+    const Cloth cloth = make_cloth(std::move(sewing).result().sewn, fabrics_of(pattern), {.max_level = 0});
+    const Penetration found = find_penetration(cloth, collider.surface(), {.depth = 0.003F});
+    EXPECT_EQ(found.faces, 0) << found.deepest;
 }
 
 }  // namespace

@@ -160,5 +160,16 @@ TEST(PanelsWithoutArms, are_told_by_their_labels) {
     EXPECT_EQ(without_arms(pattern), (std::vector<bool>{false, false, false}));
 }
 
+// As while a garment is sewn over others: the mesh has the panels of the outer one only.
+TEST(PanelsWithoutArms, are_none_of_those_that_the_mesh_does_not_have) {
+    Pattern pattern = skirt(2.5);
+    pattern.panels.push_back(rectangle("sleeve", {.width = 0.3, .height = 0.2, .y = 1.2, .z = 0.2}));
+    GarmentMesh mesh = assemble(pattern);
+    std::erase_if(mesh.triangles, [](const GarmentTriangle& t) { return t.panel == 2; });
+    EXPECT_EQ(panels_without_arms(mesh, pattern, limbs()), (std::vector<bool>{true, true, false}));
+    pattern.panels.back().label = "leg";
+    EXPECT_EQ(panels_without_arms(mesh, pattern, limbs()), (std::vector<bool>{true, true, false}));
+}
+
 }  // namespace
 }  // namespace selvedge::sim::test
