@@ -24,9 +24,9 @@ std::string garment_name(const std::string& file) {
     return name;
 }
 
-// The canonical path of a body file that a garment file names.
+// The canonical path of a body file that a garment file names; as it is named if the garment has no file.
 std::string resolve_body(const std::string& body, const std::filesystem::path& file) {
-    if (!is_body_file(body)) return body;
+    if (!is_body_file(body) || file.empty()) return body;
     std::error_code error;
     const std::filesystem::path path =
         std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path() / body, error);

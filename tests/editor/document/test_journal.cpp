@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "editor/document/command.h"
 #include "editor/document/document.h"
 #include "sim/core/error.h"
@@ -15,8 +17,9 @@ sim::PatternDocument shipped(const std::string& name) {
 
 // A document with its journal as text.
 struct Journaled {
-    explicit Journaled(const std::string& name) : document(shipped(name)) {
-        text = journal_head(name, document.text()) + "\n";
+    explicit Journaled(const std::string& name) : Journaled(shipped(name), name) {}
+    Journaled(sim::PatternDocument source, const std::string& file) : document(std::move(source)) {
+        text = journal_head(file, document.text()) + "\n";
         document.set_journal([this](std::string_view line) { text += std::string(line) + "\n"; });
     }
     Document document;
@@ -49,6 +52,15 @@ TEST(Journal, gives_back_garments_that_were_put_on_and_taken_off) {
     ASSERT_TRUE(recovery);
     EXPECT_EQ(recovery->text, journaled.document.text());
     EXPECT_NE(recovery->text.find("skirt_2"), std::string::npos);
+}
+
+TEST(Journal, of_a_document_that_was_never_saved_can_be_opened_with_the_body_file_that_it_names) {
+    Journaled journaled(shipped("tshirt.json"), "");
+    journaled.document.run(SetBody{.body = "/scans/anna.obj"});
+    const auto recovery = recover(journaled.text);
+    ASSERT_TRUE(recovery);
+    EXPECT_EQ(recovery->file, "");
+    EXPECT_EQ(sim::parse_pattern(recovery->text, recovery->file).pattern.body, "/scans/anna.obj");
 }
 
 TEST(Journal, gives_back_a_drag_that_was_under_way) {

@@ -109,6 +109,16 @@ TEST(GarmentInspector, lists_garments_that_are_worn_over_each_other_hides_and_re
     EXPECT_EQ(inspector.document().pattern().panels.size(), 8U);
 }
 
+TEST(WearOver, takes_a_garment_whose_file_names_a_body_file) {
+    InspectorFixture inspector(shipped_pattern("tshirt.json"), draw_properties);
+    std::string text = write_pattern(shipped_pattern("skirt.json"));
+    const std::string body = "\"body\": \"mannequin:sex=female\"";
+    ASSERT_NE(text.find(body), std::string::npos) << text;
+    text.replace(text.find(body), body.size(), "\"body\": \"none.obj\"");
+    EXPECT_TRUE(inspector.workspace.wear_over(sim::parse_pattern(text, "skirt.json")));
+    EXPECT_EQ(inspector.document().pattern().panels.size(), 8U);
+}
+
 TEST(Workspace, tells_what_it_assumes_about_a_garment_that_is_worn_over_another) {
     Workspace workspace(shipped_pattern("tshirt.json"), sim::SessionDrive::Caller, make_mannequin_body);
     sim::PatternDocument skirt = shipped_pattern("skirt.json");

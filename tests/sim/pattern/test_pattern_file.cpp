@@ -142,6 +142,14 @@ TEST(PatternFile, names_a_body_file_relative_to_itself) {
     EXPECT_EQ(body_of(""), "");
 }
 
+TEST(PatternFile, that_has_no_name_keeps_the_body_file_as_it_is_named) {
+    for (const char* body : {"/scans/anna.obj", "anna.obj"}) {
+        const PatternDocument document = parse_pattern(for_body(body), "");
+        EXPECT_EQ(document.pattern.body, body);
+        EXPECT_EQ(parse_pattern(write_pattern(document), "").pattern, document.pattern);
+    }
+}
+
 TEST(PatternFile, keeps_a_body_files_name_and_names_another_from_where_it_is_stored) {
     const TemporaryFolder folder;
     const std::string place = std::filesystem::canonical((folder / "x").parent_path()).string();
