@@ -32,6 +32,11 @@ MannequinOptions mannequin_of(const Pattern& pattern) {
     return mean;
 }
 
+// Whether the panels are taken as placed for a body with its origin at the chest: a body file has its own frame.
+bool has_chest_origin(const Pattern& pattern) {
+    return pattern.body.empty() && is_placed_below_floor(pattern);
+}
+
 std::string describe_rise(const char* why, double lift) {
     char text[160];
     std::snprintf(text, sizeof text, "%s: all panels moved %s %.0f mm", why, lift > 0 ? "up" : "down",
@@ -97,7 +102,7 @@ AnchoredPattern PatternAnchor::anchor(const Pattern& pattern, const Body& onto) 
             named_by.body.clear();
         }
     }
-    if (named_by.body.empty() && is_placed_below_floor(pattern)) {
+    if (has_chest_origin(named_by)) {
         const bool is_for_this_file = onto.lift > kRaisedFrame;
         const double lift = is_for_this_file ? onto.lift : kChestOrigin;
         raise_panels(anchored.pattern, lift);
@@ -114,9 +119,8 @@ AnchoredPattern PatternAnchor::anchor(const Pattern& pattern, const Body& onto) 
 }
 
 Pattern moved_to_body_of(const Pattern& pattern, const Pattern& outer, std::vector<std::string>& notes) {
-    const bool is_low = is_placed_below_floor(pattern);
-    if (outer.body == pattern.body && outer.body_height == pattern.body_height &&
-        is_placed_below_floor(outer) == is_low) {
+    const bool is_low = has_chest_origin(pattern);
+    if (outer.body == pattern.body && outer.body_height == pattern.body_height && has_chest_origin(outer) == is_low) {
         return outer;
     }
     AnchoredPattern moved = PatternAnchor().anchor(outer, placed_for(pattern));

@@ -23,13 +23,17 @@ class PatternForAFile : public testing::Test {
  protected:
     // A post whose origin is at its chest, with panels placed about it in the file's frame.
     PatternForAFile() {
-        Body post = shapes::box({-0.15, 0, -0.1}, {0.15, 1.6, 0.1}, 6);
-        std::ostringstream text;
-        for (const Vec3d& p : post.x) text << "v " << p.x() << ' ' << p.y() - kChest << ' ' << p.z() << '\n';
-        for (const auto& [a, b, c] : post.triangles) text << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
-        std::ofstream(file_) << text.str();
+        write_post(file_, kChest);
         pattern_ = tube(0.5, 0.4, -0.2, 0.2);
         pattern_.body = canonical_name(file_);
+    }
+    // origin: m, over its lower end
+    static void write_post(const std::filesystem::path& file, double origin) {
+        const Body post = shapes::box({-0.15, 0, -0.1}, {0.15, 1.6, 0.1}, 6);
+        std::ostringstream text;
+        for (const Vec3d& p : post.x) text << "v " << p.x() << ' ' << p.y() - origin << ' ' << p.z() << '\n';
+        for (const auto& [a, b, c] : post.triangles) text << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+        std::ofstream(file) << text.str();
     }
     AnchoredPattern anchored(const Body& onto) const { return PatternAnchor().anchor(pattern_, onto); }
     void expect_raised(const AnchoredPattern& anchored, double lift) const {
@@ -72,6 +76,21 @@ TEST_F(PatternForAFile, is_dressed_on_another_body_without_its_file_and_says_so)
     ASSERT_FALSE(moved.notes.empty());
     EXPECT_NE(moved.notes[0].find("post.obj"), std::string::npos) << moved.notes[0];
     for (const Panel& panel : moved.pattern.panels) EXPECT_GT(panel.translation.y(), 0.6);
+}
+
+// The frame of a body file may have its origin at the chest, but says so itself.
+TEST_F(PatternForAFile, takes_a_garment_over_it_in_the_frame_of_the_file) {
+    ASSERT_TRUE(is_placed_below_floor(pattern_));
+    Pattern outer = tube(0.6, 0.4, 0.92, 0.25);  // as high over the floor as the other in its frame
+    outer.body = canonical_name(folder_ / "standing.obj");
+    write_post(folder_ / "standing.obj", 0);
+    std::vector<std::string> notes;
+    const Pattern moved = moved_to_body_of(pattern_, outer, notes);
+    for (std::size_t p = 0; p < moved.panels.size(); ++p)
+        EXPECT_NEAR(moved.panels[p].translation.y(), pattern_.panels[p].translation.y(), 1e-5);
+    Pattern low = tube(0.6, 0.4, -0.2, 0.25);
+    low.body = pattern_.body;
+    EXPECT_EQ(moved_to_body_of(pattern_, low, notes), low);
 }
 
 TEST(PlacedBelowFloor, are_panels_for_a_body_with_its_origin_at_the_chest) {
