@@ -1,6 +1,7 @@
 // The section of the garments that are worn over each other, the outermost first.
 #include <imgui.h>
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -40,11 +41,18 @@ void draw_garment(InspectorContext& context, const sim::Garment& garment) {
     if (row.button({.name = select.c_str(), .title = "Select", .tip = "Selects its panels."})) {
         context.workspace.document->select(panels_of(context.pattern(), garment));
     } else if (row.button({.name = remove.c_str(), .title = "Remove", .tip = "Its panels and all seams to them."})) {
-        context.workspace.run(TakeOff{garment.name});
+        if (context.workspace.run(TakeOff{garment.name})) hidden.erase(garment.name);
     }
 }
 
 }  // namespace
+
+bool has_garments_section(const InspectorContext& context) {
+    const std::vector<sim::Garment> garments = garments_of(context.pattern());
+    const std::set<std::string>& hidden = context.workspace.look.hidden_garments;
+    return garments.size() > 1 ||
+           std::ranges::any_of(garments, [&](const auto& one) { return hidden.contains(one.name); });
+}
 
 void draw_garments_section(InspectorContext& context) {
     std::vector<sim::Garment> garments = garments_of(context.pattern());

@@ -604,8 +604,7 @@ void draw_properties(InspectorContext& context) {
     }
     draw_selected(context, selected);
     if (folding("Garment", Fold::Open)) draw_pattern_section(context);
-    const bool has_several = garments_of(context.pattern()).size() > 1;
-    if (has_several && folding("Worn over each other", Fold::Open)) draw_garments_section(context);
+    if (has_garments_section(context) && folding("Worn over each other", Fold::Open)) draw_garments_section(context);
 }
 
 }  // namespace selvedge::editor

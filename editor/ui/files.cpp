@@ -44,6 +44,7 @@ void show_document(AppState& state, sim::PatternDocument source, const std::stri
     document->continue_revisions(*state.workspace.document);
     state.workspace.document = std::move(document);
     state.workspace.file = file;
+    state.workspace.look.hidden_garments.clear();
     state.workspace.drape.begin_document();
     state.tools.choose(tool_host_context(state.workspace), default_tool());
     state.shows_start_page = false;

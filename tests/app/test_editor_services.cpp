@@ -4,6 +4,8 @@
 #include <fstream>
 
 #include "app/editor_services.h"
+#include "editor/ui/app_state.h"
+#include "editor/ui/editor.h"
 #include "render/image/image.h"
 #include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
@@ -100,6 +102,15 @@ TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_h
     EXPECT_EQ(left[0].age, "a moment ago");
     services_.discard_journal(left[0].id);
     EXPECT_FALSE(fs::exists(journal));
+}
+
+TEST_F(EditorServices, a_document_that_is_opened_has_no_hidden_garments) {
+    editor::Editor editor(std::move(services_),
+                          {.drive = sim::SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true});
+    editor::AppState& state = editor.state();
+    state.workspace.look.hidden_garments = {"skirt"};
+    open_example(state, state.services.examples.front());
+    EXPECT_TRUE(state.workspace.look.hidden_garments.empty());
 }
 
 }  // namespace

@@ -109,6 +109,24 @@ TEST(GarmentInspector, lists_garments_that_are_worn_over_each_other_hides_and_re
     EXPECT_EQ(inspector.document().pattern().panels.size(), 8U);
 }
 
+TEST(GarmentInspector, a_garment_that_is_hidden_can_be_shown_again) {
+    InspectorFixture inspector(shipped_pattern("tshirt.json"), draw_properties);
+    EXPECT_TRUE(inspector.workspace.wear_over(shipped_pattern("skirt.json")));
+    inspector.document().select({});
+    inspector.frame();
+    inspector.click("garment.show.tshirt");
+    inspector.click("garment.show.skirt");
+    inspector.click("garment.remove.skirt");
+    EXPECT_EQ(inspector.workspace.look.hidden_garments, std::set<std::string>{"tshirt"});
+    inspector.document().select({});
+    inspector.frame();
+    ASSERT_TRUE(inspector.widgets.contains("garment.show.tshirt")) << "alone, but hidden";
+    inspector.click("garment.show.tshirt");
+    EXPECT_TRUE(inspector.workspace.look.hidden_garments.empty());
+    inspector.frame();
+    EXPECT_FALSE(inspector.widgets.contains("garment.show.tshirt"));
+}
+
 TEST(WearOver, takes_a_garment_whose_file_names_a_body_file) {
     InspectorFixture inspector(shipped_pattern("tshirt.json"), draw_properties);
     std::string text = write_pattern(shipped_pattern("skirt.json"));
