@@ -14,6 +14,11 @@ float distance_to_box(const SurfaceBvh& surface, const Vec3f& p) {
     return (surface.low() - p).cwiseMax(p - surface.high()).cwiseMax(0.0F).norm();
 }
 
+// The largest depth that a point in the bounding box can have inside the surface, m: its distance from the box's faces.
+float deepest_in_box(const SurfaceBvh& surface, const Vec3f& p) {
+    return (p - surface.low()).cwiseMin(surface.high() - p).minCoeff();
+}
+
 }  // namespace
 
 JointedCollider::JointedCollider(Body trunk, const std::vector<BodyPiece>& pieces,
@@ -37,7 +42,7 @@ bool JointedCollider::meets_piece(std::size_t piece, const Vec3f& from, const Ve
 // Beyond `reach` the result may be too small: then it is the distance from the piece's box, or as far as was searched.
 void JointedCollider::take_nearer(const Piece& piece, const Vec3f& p, float reach, Contact& contact) const {
     constexpr float kMargin = 0.001F;  // m, so that a distance of exactly the reach is found
-    constexpr float kDeepest = 0.05F;  // m: no point of a limb is farther from its surface
+    constexpr float kFar = 0.05F;      // m, searched in the box: contact caches last longer with a larger distance
     const Vec3f at = piece.to_rest(p);
     const float from_box = distance_to_box(piece.surface, at);
     if (from_box >= contact.distance) return;
@@ -45,8 +50,9 @@ void JointedCollider::take_nearer(const Piece& piece, const Vec3f& p, float reac
         contact.distance = from_box;
         return;
     }
-    const float searched = from_box > 0 ? reach + kMargin : std::max(reach + kMargin, kDeepest);
-    const auto closest = piece.surface.closest(at, std::min(searched, contact.distance + kMargin));
+    const float deepest = from_box > 0 ? 0 : deepest_in_box(piece.surface, at) + kMargin;
+    const float searched = from_box > 0 ? reach + kMargin : std::max({reach + kMargin, kFar, deepest});
+    const auto closest = piece.surface.closest(at, std::max(deepest, std::min(searched, contact.distance + kMargin)));
     if (!closest) {
         contact.distance = std::min(contact.distance, searched);
     } else if (closest->distance < contact.distance) {

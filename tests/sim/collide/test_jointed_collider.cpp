@@ -50,6 +50,17 @@ TEST(JointedCollider, gives_a_piece_another_shape) {
     EXPECT_GE(body.contact({0.5F, 0, 0}).distance, body.band());
 }
 
+TEST(JointedCollider, knows_how_deep_a_point_is_in_a_thick_piece) {
+    JointedCollider body = cube_with_bar();
+    body.reshape(0, shapes::box(Vec3d(0.05, -0.09, -0.09), Vec3d(0.5, 0.09, 0.09), 4));
+    EXPECT_NEAR(body.contact({0.3F, 0, 0}).distance, -0.09F, 1e-5F);
+    EXPECT_NEAR(body.contact({0.105F, 0, 0}).distance, -0.055F, 1e-5F) << "near the trunk";
+    ContactBlock block;
+    for (std::size_t i = 0; i < kContactLanes; ++i) block.set_point(i, {0.3F, 0, 0});
+    body.contacts({&block, 1}, 0.0032F);
+    for (const float distance : block.distance) EXPECT_NEAR(distance, -0.09F, 1e-5F);
+}
+
 // The contact cache lets a point move by the distance that it was given.
 TEST(JointedCollider, gives_no_distance_that_is_too_large) {
     const JointedCollider body = cube_with_bar();
