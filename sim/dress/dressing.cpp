@@ -37,7 +37,7 @@ std::vector<Fabric> fabrics_of(const Pattern& pattern, const std::optional<Fabri
         std::vector<Fabric> interlinings;
         for (const std::string& name : panel.interlinings) interlinings.push_back(find_fabric(name));
         const Fabric own = shell ? *shell : find_fabric(panel.fabric.empty() ? pattern.fabric : panel.fabric);
-        fabrics.push_back(bonded(own, interlinings));
+        fabrics.push_back(bonded(own, interlinings, "panel '" + panel.name + "'"));
     }
     return fabrics;
 }

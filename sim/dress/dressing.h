@@ -181,7 +181,7 @@ class Dressing {
 inline constexpr int kSewingSteps = 4;  // per frame, as many as per adaptation
 
 // One fabric per panel: `shell`, the panel's own or else the pattern's, with the panel's interlinings. Throws
-// InputError for an unknown fabric.
+// InputError for an unknown fabric, and as bonded() does.
 std::vector<Fabric> fabrics_of(const Pattern& pattern, const std::optional<Fabric>& shell = {});
 
 }  // namespace selvedge::sim

@@ -60,6 +60,16 @@ Fabric read_fabric(const JsonView& root, const std::string& file) {
     return fabric;
 }
 
+void require_in_range(const Fabric& bonded, const std::string& place) {
+    for (const Figure& figure : kFigures) {
+        const double value = bonded.*figure.value;
+        if (value >= figure.least && value <= figure.most) continue;
+        throw InputError("", place,
+                         "with its interlinings, '" + std::string(figure.key) + "' is " + Json(value).number_text() +
+                             ": at most " + Json(figure.most).number_text());
+    }
+}
+
 }  // namespace
 
 Fabric parse_fabric(std::string_view text, const std::string& file) {
@@ -80,7 +90,7 @@ Fabric find_fabric(std::string_view name_or_file) {
                      "no fabric '" + name + "': known are " + joined(fabric_names()) + ", or name a .json file");
 }
 
-Fabric bonded(Fabric shell, std::span<const Fabric> interlinings) {
+Fabric bonded(Fabric shell, std::span<const Fabric> interlinings, const std::string& place) {
     for (const Fabric& interlining : interlinings) {
         for (double Fabric::*value : {&Fabric::area_density, &Fabric::stretch_warp, &Fabric::stretch_weft,
                                       &Fabric::shear, &Fabric::bending_warp, &Fabric::bending_weft,
@@ -90,6 +100,7 @@ Fabric bonded(Fabric shell, std::span<const Fabric> interlinings) {
         shell.strain_limit = std::min(shell.strain_limit, interlining.strain_limit);
         shell.name += " + " + interlining.name;
     }
+    if (!interlinings.empty()) require_in_range(shell, place);
     return shell;
 }
 

@@ -38,8 +38,9 @@ Fabric find_fabric(std::string_view name_or_file);
 
 // The fabric with others fused to it, all with the same grain: masses, thicknesses, stiffnesses and internal frictions
 // add up, and the least extensible one limits the strain. The bending stiffness is a lower bound: fabrics that cannot
-// slide on each other resist bending by more. Surface, appearance and damping are those of `shell`.
-Fabric bonded(Fabric shell, std::span<const Fabric> interlinings);
+// slide on each other resist bending by more. Surface, appearance and damping are those of `shell`. Throws InputError
+// if a sum is out of the range of fabric files; `place` is what the fabric is for, in the message.
+Fabric bonded(Fabric shell, std::span<const Fabric> interlinings, const std::string& place = {});
 
 // The names of the shipped fabrics, in alphabetical order.
 std::vector<std::string> fabric_names();

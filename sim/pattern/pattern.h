@@ -111,6 +111,7 @@ struct MatchedSett {
     bool operator==(const MatchedSett&) const = default;
 };
 
+inline constexpr std::size_t kMostInterlinings = 16;              // of a panel
 inline constexpr int kHighestLayer = 1000;                        // of Panel::layer; the lowest is -kHighestLayer
 inline constexpr double kSmallestSett = 0.001, kLargestSett = 5;  // m, accepted range of Pattern::sett_size
 

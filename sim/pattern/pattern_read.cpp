@@ -97,12 +97,7 @@ class Reader : private FaultReader {
         if (const Node grain = node.member("grainline")) panel.grain_angle = number(grain).value_or(0) * kDegree;
         if (const Node offset = node.member("sett_offset")) panel.sett_offset = point(offset).value_or(Vec2d::Zero());
         if (const Node fabric = node.member("fabric")) panel.fabric = read_fabric_name(fabric);
-        if (const Node bonded = node.member("interlinings"); bonded && expect(bonded, Json::Kind::Array)) {
-            for (std::size_t i = 0; i < bonded.size(); ++i) {
-                panel.interlinings.push_back(read_fabric_name(bonded.element(i)));
-                if (panel.interlinings.back().empty()) error(bonded.element(i), "an interlining names a fabric");
-            }
-        }
+        if (const Node interlinings = node.member("interlinings")) read_interlinings(interlinings, panel);
         if (const Node layer = node.member("layer")) {
             const auto value = number(layer);
             if (value && (*value != std::floor(*value) || std::abs(*value) > kHighestLayer)) {
@@ -130,6 +125,18 @@ class Reader : private FaultReader {
             panel.mirror_of = name.value_or("");
         }
         if (const Node position = node.member("sheet_position")) panel.sheet_position = point(position);
+    }
+
+    void read_interlinings(const Node& node, Panel& panel) {
+        if (!expect(node, Json::Kind::Array)) return;
+        if (node.size() > kMostInterlinings) {
+            return error(node,
+                         std::to_string(node.size()) + " interlinings: at most " + std::to_string(kMostInterlinings));
+        }
+        for (std::size_t i = 0; i < node.size(); ++i) {
+            panel.interlinings.push_back(read_fabric_name(node.element(i)));
+            if (panel.interlinings.back().empty()) error(node.element(i), "an interlining names a fabric");
+        }
     }
 
     // [{"edge": INDEX, "at": FRACTION}]. The fraction is measured from the start of the edge, which is the same vertex

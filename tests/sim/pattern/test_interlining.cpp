@@ -1,6 +1,8 @@
 // Fabrics that are fused together.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "sim/core/error.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/pattern_file.h"
@@ -21,6 +23,33 @@ TEST(Bonded, adds_mass_thickness_and_stiffness_exactly) {
     EXPECT_EQ(all.friction, shell.friction);
     EXPECT_EQ(all.gloss, shell.gloss);
     EXPECT_EQ(bonded(shell, {}), shell);
+}
+
+// 32 mm of denim is no cloth: it would be in contact with itself everywhere.
+TEST(Bonded, refuses_what_no_fabric_file_may_say) {
+    const Fabric denim = find_fabric("denim");
+    EXPECT_NO_THROW(bonded(denim, std::vector<Fabric>(8, denim)));
+    try {
+        bonded(denim, std::vector<Fabric>(39, denim), "panel 'front'");
+        FAIL();
+    } catch (const InputError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("panel 'front'"), std::string::npos) << text;
+        EXPECT_EQ(text.find('\n'), std::string::npos);
+    }
+}
+
+TEST(Interlinings, are_sixteen_at_most) {
+    for (const int count : {16, 17}) {
+        std::string list = "\"silk\"";
+        for (int i = 1; i < count; ++i) list += ", \"silk\"";
+        const std::vector<Fault> faults = check_pattern_text(
+            replaced(sample_text(), R"("back": {)", R"("back": {"selvedge": {"interlinings": [)" + list + "]}, "),
+            "f.json");
+        const bool is_refused = std::ranges::any_of(
+            faults, [](const Fault& fault) { return fault.problem == "17 interlinings: at most 16"; });
+        EXPECT_EQ(is_refused, count == 17);
+    }
 }
 
 TEST(Interlinings, of_a_panel_survive_a_round_trip_through_a_file) {
