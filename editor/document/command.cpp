@@ -233,6 +233,7 @@ void visit_fields(sim::Panel& panel, Visitor&& visit) {
     visit("interlinings", panel.interlinings);
     visit("layer", panel.layer);
     visit("garment", panel.garment);
+    visit("label", panel.label);
     visit("pins", panel.pins);
     visit("internal_lines", panel.internal_lines);
     visit("notches", panel.notches);

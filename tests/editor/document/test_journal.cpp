@@ -112,6 +112,7 @@ TEST(CommandJson, every_command_survives) {
         {.start = 1, .end = 2, .kind = sim::CurveKind::Arc, .arc_radius = 0.4, .turns_right = true},
         {.start = 2, .end = 0, .label = "side"}};
     panel.notches = {{.edge = 1, .t = 0.25}};
+    panel.label = "leg";
     panel.sheet_position = Vec2d(1, 2);
     panel.internal_lines = {{"pocket", {{0.05, 0.05}, {0.1, 0.05}}}};
     const std::vector<Command> commands{
