@@ -149,7 +149,8 @@ void raise_degenerate_counts(const FlatPattern& flat, DisjointSets& groups, std:
 }
 
 // Edges that are shorter than a stitch, on both sides of their seams, become points: a triangle at such an edge would
-// be stretched to a multiple by corners that meet a millimetre beside it.
+// be stretched to a multiple by corners that meet a millimetre beside it. But a panel of which fewer than three
+// segments would be left keeps its edges.
 void drop_shortest(const FlatPattern& flat, DisjointSets& groups, std::vector<int>& counts) {
     constexpr double kStitch = 0.002;  // m
     std::vector<bool> is_short(counts.size(), true);
@@ -157,6 +158,16 @@ void drop_shortest(const FlatPattern& flat, DisjointSets& groups, std::vector<in
         const Panel& panel = flat.pattern.panels[static_cast<std::size_t>(side.panel)];
         if (panel.edges.size() > 3 && outline_length(panel, flat.outline_edge(side)) < kStitch) continue;
         is_short[static_cast<std::size_t>(groups.find(flat.edge(side)))] = false;
+    }
+    for (std::size_t p = 0; p < flat.pattern.panels.size(); ++p) {
+        std::vector<std::size_t> edges;  // their groups
+        int left = 0;
+        for (std::size_t e = 0; e < flat.pattern.panels[p].edges.size(); ++e) {
+            edges.push_back(static_cast<std::size_t>(groups.find(flat.first_edge[p] + static_cast<int>(e))));
+            if (!is_short[edges.back()]) left += counts[edges.back()];
+        }
+        if (left >= 3) continue;
+        for (const std::size_t group : edges) is_short[group] = false;
     }
     for (std::size_t group = 0; group < counts.size(); ++group) {
         if (is_short[group]) counts[group] = 0;

@@ -113,6 +113,18 @@ TEST(CountSegments, makes_a_point_of_an_edge_that_is_shorter_than_a_stitch) {
     EXPECT_EQ(count_segments(pattern, {.target_edge = 0.1})[0][2], 1) << "sewn to an edge that is not";
 }
 
+// A trapezoid like a stick, with ends of 1 mm: two segments would be left, and a triangle has three.
+TEST(CountSegments, leaves_a_narrow_panel_three_corners) {
+    Pattern pattern;
+    pattern.panels = {polygon("stick", {{0, 0}, {0.05, 0}, {0.05, 0.001}, {0, 0.001}})};
+    EXPECT_EQ(count_segments(pattern, {.target_edge = 0.05})[0], (std::vector<int>{1, 1, 1, 1}));
+    const GarmentMesh mesh = assemble(pattern, {.target_edge = 0.05});
+    EXPECT_GE(mesh.triangles.size(), 2U);
+    EXPECT_TRUE(check_mesh(mesh).empty());
+    pattern.panels = {polygon("speck", {{0, 0}, {0.0015, 0}, {0.0015, 0.001}, {0, 0.001}})};
+    EXPECT_EQ(count_segments(pattern, {.target_edge = 0.05})[0], (std::vector<int>{1, 1, 1, 1}));
+}
+
 TEST(CountSegments, refuses_seams_that_cannot_be) {
     Pattern pattern;
     pattern.panels = {rectangle("only", 0.5, 0.3)};
