@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/mesh/sew.h"
+#include "sim/core/disjoint_sets.h"
 
 namespace selvedge::sim {
 namespace {

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "sim/body/triangle_edges.h"
+#include "sim/core/disjoint_sets.h"
 
 namespace selvedge::sim {
 namespace {
@@ -91,7 +92,7 @@ std::vector<Leaf> leaves_about(EdgeSides edge, const std::vector<Vec3d>& x, cons
 }
 
 // Joins corners of triangles that stay connected across the surface. Corner k of triangle t has the index 3 t + k.
-void join_across(const TriangleSide& a, const TriangleSide& b, const Triangles& triangles, UnionFind& corners) {
+void join_across(const TriangleSide& a, const TriangleSide& b, const Triangles& triangles, DisjointSets& corners) {
     const auto corner = [&](const TriangleSide& side, int vertex) {
         const int next = (side.k + 1) % 3;
         return 3 * side.triangle +
@@ -102,7 +103,7 @@ void join_across(const TriangleSide& a, const TriangleSide& b, const Triangles& 
 
 // Joins each pair of leaves that have the solid between them, the outermost first: what is left lies inside the solid,
 // as a wall across it does, and stays apart.
-void join_pairs(const std::vector<Leaf>& leaves, const Triangles& triangles, UnionFind& corners) {
+void join_pairs(const std::vector<Leaf>& leaves, const Triangles& triangles, DisjointSets& corners) {
     const std::size_t count = leaves.size();
     const auto begins = [&](std::size_t i) { return leaves[i % count].has_solid_behind; };
     std::size_t first = 0;
@@ -123,7 +124,7 @@ void join_pairs(const std::vector<Leaf>& leaves, const Triangles& triangles, Uni
 void part_vertices(std::vector<Vec3d>& x, std::vector<int>& origin, Triangles& triangles,
                    const std::vector<EdgeSides>& edges) {
     const bool faces_outward = volume_under(x, triangles) >= 0;
-    UnionFind corners(3 * triangles.size());
+    DisjointSets corners(3 * triangles.size());
     std::set<int> parted;
     for (const EdgeSides edge : edges) {
         if (edge.size() == 2) join_across(edge[0], edge[1], triangles, corners);

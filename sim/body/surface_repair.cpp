@@ -13,6 +13,7 @@
 
 #include "sim/body/triangle_edges.h"
 #include "sim/core/assert.h"
+#include "sim/core/disjoint_sets.h"
 #include "sim/core/error.h"
 
 namespace selvedge::sim {
@@ -302,7 +303,7 @@ Topology connect(const Triangles& triangles) {
     const std::vector<TriangleSide> sides = sorted_sides(triangles);
     Topology topology;
     topology.neighbours.assign(triangles.size(), {kNone, kNone, kNone});
-    UnionFind groups(triangles.size());
+    DisjointSets groups(triangles.size());
     for (std::size_t first = 0; first < sides.size();) {
         std::size_t last = first + 1;
         while (last < sides.size() && sides[last].same_edge(sides[first])) ++last;

@@ -1,8 +1,7 @@
 #pragma once
-// The edges of a triangle soup, with the triangles that meet at each, and a union-find over its parts.
+// The edges of a triangle soup, with the triangles that meet at each.
 #include <array>
 #include <compare>
-#include <cstddef>
 #include <vector>
 
 namespace selvedge::sim {
@@ -19,16 +18,5 @@ struct TriangleSide {
 
 // All sides, sorted, so that those of an undirected edge are adjacent.
 std::vector<TriangleSide> sorted_sides(const std::vector<std::array<int, 3>>& triangles);
-
-// The lowest member represents its group.
-class UnionFind {
- public:
-    explicit UnionFind(std::size_t count);
-    int find(int i);
-    void join(int a, int b);
-
- private:
-    std::vector<int> parent_;
-};
 
 }  // namespace selvedge::sim

@@ -15,6 +15,7 @@
 #include "sim/body/landmarks.h"
 #include "sim/body/section.h"
 #include "sim/core/assert.h"
+#include "sim/core/disjoint_sets.h"
 #include "sim/core/math.h"
 #include "sim/dress/hoop_support.h"
 #include "sim/mesh/sew.h"

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "sim/core/assert.h"
+#include "sim/core/disjoint_sets.h"
 #include "sim/mesh/sample_outline.h"
-#include "sim/mesh/sew.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::sim {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "sim/core/assert.h"
+#include "sim/core/disjoint_sets.h"
 #include "sim/core/error.h"
-#include "sim/mesh/sew.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::sim {

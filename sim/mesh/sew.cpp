@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "sim/core/assert.h"
+#include "sim/core/disjoint_sets.h"
 #include "sim/mesh/sample_outline.h"
 #include "sim/mesh/triangulate.h"
 
@@ -126,25 +126,6 @@ GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options, PanelMe
     }
     separate_coinciding_edges(garment);
     return garment;
-}
-
-DisjointSets::DisjointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-}
-
-int DisjointSets::find(int element) {
-    auto at = static_cast<std::size_t>(element);
-    while (parent_[at] != static_cast<int>(at)) {
-        parent_[at] = parent_[static_cast<std::size_t>(parent_[at])];
-        at = static_cast<std::size_t>(parent_[at]);
-    }
-    return static_cast<int>(at);
-}
-
-void DisjointSets::join(int a, int b) {
-    const int root_a = find(a);
-    const int root_b = find(b);
-    parent_[static_cast<std::size_t>(std::max(root_a, root_b))] = std::min(root_a, root_b);
 }
 
 std::vector<int> representatives_of_links(std::size_t vertices, std::span<const SeamLink> links) {

@@ -12,18 +12,6 @@
 
 namespace selvedge::sim {
 
-// Union-find. The representative is the lowest index of each group, so that results do not depend on the order of
-// joins.
-class DisjointSets {
- public:
-    explicit DisjointSets(std::size_t count);
-    int find(int element);
-    void join(int a, int b);
-
- private:
-    std::vector<int> parent_;
-};
-
 // For each of that many vertices, the lowest vertex that it is connected to by a chain of links (itself if it has no
 // links). Pre: links are in range.
 std::vector<int> representatives_of_links(std::size_t vertices, std::span<const SeamLink> links);

@@ -11,6 +11,7 @@
 
 #include "sim/body/section.h"
 #include "sim/collide/surface_bvh.h"
+#include "sim/core/disjoint_sets.h"
 #include "sim/mesh/sew.h"
 #include "sim/place/openings.h"
 

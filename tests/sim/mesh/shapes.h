@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/core/disjoint_sets.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/mesh/sew.h"
 #include "sim/mesh/triangulate.h"
