@@ -117,7 +117,7 @@ void Dressing::sew() {
 
 void Dressing::begin_sewing(std::optional<WornGarments> worn) {
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
-    SewingOptions options;
+    SewingOptions options{.gravity = draping().gravity};
     if (options_.self_collision) options.self_contact.emplace();
     GarmentSewing sewing(
         std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),

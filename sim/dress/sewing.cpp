@@ -95,7 +95,7 @@ bool SewingRun::is_closed() const {
 void SewingRun::fall(const Collider& body, float weight) {
     const StepOptions usual;
     StepOptions stepping = stepping_for(options_, pulls_);
-    stepping.gravity = weight * usual.gravity;
+    stepping.gravity = weight * options_.gravity;
     stepping.stretch_bias_rate = usual.stretch_bias_rate;
     stepping.shear_bias_rate = usual.shear_bias_rate;
     stepping.contact.friction_scale = options_.contact.friction_scale;

@@ -18,7 +18,8 @@ struct SewingOptions {
     float closed_gap = 0.006F;   // m, a shorter link is closed: two contact offsets may lie between its ends
     // m; when the time is up, a shorter link is sewn too: limbs are thicker, so what holds it open are folds of gathers
     float sewn_gap = 0.02F;
-    float extra_pull_time = 1.5F;  // s of further pulling after the allowed gap has reached zero
+    float extra_pull_time = 1.5F;           // s of further pulling after the allowed gap has reached zero
+    Vec3f gravity = StepOptions{}.gravity;  // m/s^2, of SewingRun::fall()
     ContactOptions contact{};
     std::optional<SelfContactOptions> self_contact{};  // none: panels pass through each other
 };
@@ -45,7 +46,7 @@ class SewingRun {
     // false.
     bool advance(const Collider& body);
 
-    // After advance() has returned false: one step with the seams held closed, under this share of gravity or without.
+    // After advance() has returned false: one step with the seams held closed, under this share of gravity or none.
     void fall(const Collider& body, float weight = 1);
     void hold(const Collider& body);
     // Vertices that meet the trunk of a JointedCollider only (ContactState::is_trunk_only).

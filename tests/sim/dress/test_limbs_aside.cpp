@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -51,6 +52,22 @@ TEST(LimbsAside, let_a_wide_skirt_hang_below_the_arms) {
     }
     const auto widest = std::ranges::max(dressed.mesh.x, {}, [](const Vec3f& x) { return std::abs(x.x()); });
     EXPECT_LT(std::abs(widest.x()), 0.8) << "it spreads over the arms";
+}
+
+float lowest_when_sewn(bool has_gravity) {
+    Dressing dressing;
+    dressing.set_options({.has_gravity = has_gravity, .self_collision = false});
+    dressing.set_body(std::shared_ptr<const Body>(std::shared_ptr<void>(), &mannequin()));
+    dressing.set_pattern(wide_skirt(2.2));
+    do {
+        dressing.advance();
+    } while (dressing.stage() == DressingStage::Sew);
+    return std::ranges::min(dressing.cloth()->x, {}, [](const Vec4f& x) { return x.y(); }).y();
+}
+
+TEST(LimbsAside, let_cloth_fall_only_where_there_is_gravity) {
+    EXPECT_LT(lowest_when_sewn(true), 0.3F);
+    EXPECT_GT(lowest_when_sewn(false), 0.5F);
 }
 
 // Sewn only: what it looks like under the skirt is decided then.
