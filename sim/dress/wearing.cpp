@@ -12,7 +12,6 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/body/landmarks.h"
 #include "sim/body/section.h"
 #include "sim/core/assert.h"
 #include "sim/core/disjoint_sets.h"
@@ -263,11 +262,12 @@ DressFault slip_of(const Opening& edge, const GarmentMesh& mesh, double moved, c
             .value = edge.length - girth};
 }
 
-// The girth of the trunk, m.
-double girth_at(const Body& body, double y) {
+// The girth of the wearer's trunk at this height, m.
+double girth_at(const BodyPair& bodies, double y) {
     const Plane plane{.point = Vec3d(0, y, 0)};
+    const HeightRange& height = bodies.worn_by.height;
     SectionLoop trunk;
-    trunk.points = trunk_points(body, y, find_stature(body).height());
+    trunk.points = trunk_points(bodies.wearer, y, height.high - height.low);
     return trunk.points.empty() ? 0 : tape_length(trunk, plane);
 }
 
@@ -285,13 +285,13 @@ struct LoweredEdge {
 // most 1.2 of the garment's 3.0 N, and it lies 68 cm lower than it was placed". None if its hoop tension and friction
 // can carry the garment anywhere between where the edge was placed and what should hold it.
 std::optional<DressFault> weakness_of(const LoweredEdge& lowered, const WornGarment& garment, const Cloth& cloth,
-                                      const Body& wearer, bool is_of_chest) {
+                                      const BodyPair& bodies, bool is_of_chest) {
     constexpr double kStep = 0.02;  // m
     const std::vector<Fabric>& fabrics = cloth.material.fabrics;
     std::map<long, double> girths;  // at multiples of kStep, because sections are slow
     const auto level = [&](long i) {
         const auto [at, is_new] = girths.try_emplace(i, 0);
-        if (is_new) at->second = girth_at(wearer, static_cast<double>(i) * kStep);
+        if (is_new) at->second = girth_at(bodies, static_cast<double>(i) * kStep);
         return at->second;
     };
     const GirthAtHeight girth = [&](double y) {
@@ -342,10 +342,9 @@ void validate_upper_edges(const Cloth& cloth, const WornGarment& garment, const 
                                   .held_at = is_of_chest ? chest : hips};
         if (placed < lowered.held_at || lowered.draped > lowered.held_at || lowered.moved() < kSettling) continue;
         DressFault fault = slip_of(openings[i], garment.panels, lowered.moved(), is_of_chest ? "chest" : "hips",
-                                   girth_at(bodies.wearer, placed));
+                                   girth_at(bodies, placed));
         if (class_of(fault) == FaultClass::Defect) {
-            if (auto weakness = weakness_of(lowered, garment, cloth, bodies.wearer, is_of_chest))
-                fault = std::move(*weakness);
+            if (auto weakness = weakness_of(lowered, garment, cloth, bodies, is_of_chest)) fault = std::move(*weakness);
         }
         report.faults.push_back(std::move(fault));
     }
