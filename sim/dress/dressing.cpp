@@ -117,12 +117,12 @@ void Dressing::sew() {
 
 void Dressing::begin_sewing(std::optional<WornGarments> worn) {
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
-    SewingOptions options{.gravity = draping().gravity};
+    SewingOptions options{.gravity = draping().gravity, .interrupt = interrupt_};
     if (options_.self_collision) options.self_contact.emplace();
     GarmentSewing sewing(
         std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),
         [this](const GarmentMesh& next, const GarmentMesh& all) {
-            return LimbsAside::plan(next, all, anchored(), *body_);
+            return LimbsAside::plan(next, all, anchored(), *body_, interrupt_);
         },
         std::move(worn));
     clear();

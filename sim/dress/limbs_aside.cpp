@@ -28,7 +28,8 @@ LimbsAside::LimbsAside(std::unique_ptr<JointedCollider> collider, std::vector<bo
     : collider_(std::move(collider)), is_below_(std::move(is_below)) {}
 
 std::unique_ptr<LimbsAside> LimbsAside::plan(const GarmentMesh& unsewn, const GarmentMesh& sewing,
-                                             const Pattern& pattern, const Body& body) {
+                                             const Pattern& pattern, const Body& body,
+                                             const std::function<void()>& interrupt) {
     const BodyLimbs limbs = find_limbs(body);
     if (limbs.torso.empty()) return nullptr;
     const std::vector<bool> panels = panels_without_arms(unsewn, pattern, limbs);
@@ -41,7 +42,8 @@ std::unique_ptr<LimbsAside> LimbsAside::plan(const GarmentMesh& unsewn, const Ga
             is_below[static_cast<std::size_t>(v)] = panels[static_cast<std::size_t>(t.panel)];
     }
     auto collider = std::make_unique<JointedCollider>(
-        std::move(parts.trunk), std::vector{std::move(parts.limbs[0].piece), std::move(parts.limbs[1].piece)});
+        std::move(parts.trunk), std::vector{std::move(parts.limbs[0].piece), std::move(parts.limbs[1].piece)},
+        interrupt);
     return std::unique_ptr<LimbsAside>(new LimbsAside(std::move(collider), std::move(is_below)));
 }
 

@@ -3,6 +3,7 @@
 // would close round the arms. Its panels therefore ignore the arms while the seams close and until the cloth has
 // fallen. Then the arms are raised, whatever covers them with them, until they are clear of these panels, and are
 // brought down again outside of them, as a person does who puts on a skirt.
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,9 +19,10 @@ namespace selvedge::sim {
 class LimbsAside {
  public:
     // Null if no seam of these panels, unsewn and as placed, would close round an arm, or the body's arms were not
-    // found. `sewing`: the mesh of the run, which may have other panels too.
+    // found. `sewing`: the mesh of the run, which may have other panels too. interrupt: see DistanceField.
     static std::unique_ptr<LimbsAside> plan(const GarmentMesh& unsewn, const GarmentMesh& sewing,
-                                            const Pattern& pattern, const Body& body);
+                                            const Pattern& pattern, const Body& body,
+                                            const std::function<void()>& interrupt = {});
 
     // One step of the run, which closes the seams first. Returns false when the arms are where the body has them.
     // Pre: the run is of the planned mesh; no call returned false.

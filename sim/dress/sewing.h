@@ -3,6 +3,7 @@
 // Each collides with the body from its own side. Closed seams are merged. (thesis fig. 4.3 merges seams at once, which
 // can put seam vertices inside the body.)
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct SewingOptions {
     Vec3f gravity = StepOptions{}.gravity;  // m/s^2, of SewingRun::fall()
     ContactOptions contact{};
     std::optional<SelfContactOptions> self_contact{};  // none: panels pass through each other
+    std::function<void()> interrupt{};                 // called during long preparations: see DistanceField
 };
 
 struct OpenSeam {

@@ -61,7 +61,8 @@ ThinLimbs::ThinLimbs(std::unique_ptr<JointedCollider> collider, std::vector<Shap
     grow(0);
 }
 
-std::unique_ptr<ThinLimbs> ThinLimbs::plan(const SewingRun& done, const BodyCollider& body) {
+std::unique_ptr<ThinLimbs> ThinLimbs::plan(const SewingRun& done, const BodyCollider& body,
+                                           const std::function<void()>& interrupt) {
     const std::vector<Vec3f> faults = find_faults(done, body.surface());
     if (faults.empty()) return nullptr;
     const BodyLimbs limbs = find_limbs(body.body());
@@ -74,7 +75,7 @@ std::unique_ptr<ThinLimbs> ThinLimbs::plan(const SewingRun& done, const BodyColl
         shapes.push_back({limb.piece.surface, bend_limb(limb, limbs, way_out(closed, limb, limbs), kThin).x});
     std::vector<BodyPiece> pieces;
     for (const LimbPiece& limb : parts.limbs) pieces.push_back(limb.piece);
-    auto collider = std::make_unique<JointedCollider>(std::move(parts.trunk), pieces);
+    auto collider = std::make_unique<JointedCollider>(std::move(parts.trunk), pieces, interrupt);
     return std::unique_ptr<ThinLimbs>(new ThinLimbs(std::move(collider), std::move(shapes)));
 }
 

@@ -4,6 +4,7 @@
 // is sewn anew: the arms and legs are thin, and lie where the sleeves and trouser legs are, until the seams are closed.
 // After that they grow and move to where the body has them, and push the cloth along.
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -18,8 +19,9 @@ class BodyCollider;
 class ThinLimbs {
  public:
     // Null if all seams closed and none closed through a limb, or the limbs could not be cut off.
-    // Pre: the run is done, and all its values are finite.
-    static std::unique_ptr<ThinLimbs> plan(const SewingRun& done, const BodyCollider& body);
+    // interrupt: see DistanceField. Pre: the run is done, and all its values are finite.
+    static std::unique_ptr<ThinLimbs> plan(const SewingRun& done, const BodyCollider& body,
+                                           const std::function<void()>& interrupt = {});
 
     // The number of places where the cloth of a run that is done passes through the body, or a link is open.
     static std::size_t count_faults(const SewingRun& done, const BodyCollider& body);

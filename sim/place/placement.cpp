@@ -5,9 +5,13 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <set>
+#include <span>
 #include <string_view>
+#include <utility>
 
 #include "sim/body/section.h"
 #include "sim/collide/body_collider.h"
@@ -48,13 +52,15 @@ struct PlacedPanel {
 
 std::vector<PlacedPanel> placed_panels(const GarmentMesh& unsewn) {
     std::vector<PlacedPanel> panels(unsewn.panel_names.size());
+    std::set<std::pair<int, int>> known;  // edges, and vertices as edges from them to themselves
     for (const GarmentTriangle& triangle : unsewn.triangles) {
         PlacedPanel& panel = panels[static_cast<std::size_t>(triangle.panel)];
         std::array<Vec3d, 3> x;
         for (std::size_t i = 0; i < 3; ++i) x[i] = unsewn.x[static_cast<std::size_t>(triangle.vertices[i])];
         for (std::size_t i = 0; i < 3; ++i) {
-            panel.points.push_back(x[i]);
-            panel.points.push_back((x[i] + x[(i + 1) % 3]) * 0.5);
+            const int from = triangle.vertices[i], to = triangle.vertices[(i + 1) % 3];
+            if (known.insert({from, from}).second) panel.points.push_back(x[i]);
+            if (known.insert(std::minmax(from, to)).second) panel.points.push_back((x[i] + x[(i + 1) % 3]) * 0.5);
         }
         panel.normal += (x[1] - x[0]).cross(x[2] - x[0]);
     }
@@ -97,12 +103,56 @@ bool is_before(const Vec3d& x, const Vec3d& along, const BodyCollider& body) {
 
 using Triangles = std::vector<std::array<Vec3d, 3>>;  // positions of the corners, m
 
+// Triangles as seen along a direction, in square cells: lines along it meet no others than those of their cell.
+class TrianglesInCells {
+ public:
+    TrianglesInCells(const Triangles& triangles, const Vec3d& along)
+        : across_(along.unitOrthogonal()), other_(along.cross(across_)) {
+        constexpr double kSmallest = 0.005;  // m
+        constexpr double kRounding = 1e-9;   // m
+        std::vector<Eigen::AlignedBox2d> boxes(triangles.size());
+        double sum = 0;
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            for (const Vec3d& x : triangles[t]) boxes[t].extend(seen(x));
+            sum += boxes[t].sizes().maxCoeff();
+        }
+        size_ = std::max(kSmallest, sum / static_cast<double>(std::max<std::size_t>(1, triangles.size())));
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            const Cell low = cell_at(boxes[t].min() - Vec2d::Constant(kRounding));
+            const Cell high = cell_at(boxes[t].max() + Vec2d::Constant(kRounding));
+            for (long i = low.first; i <= high.first; ++i) {
+                for (long j = low.second; j <= high.second; ++j) cells_[{i, j}].push_back(t);
+            }
+        }
+    }
+
+    // Those of the cell of x, ascending.
+    std::span<const std::size_t> at(const Vec3d& x) const {
+        const auto found = cells_.find(cell_at(seen(x)));
+        return found == cells_.end() ? std::span<const std::size_t>() : found->second;
+    }
+
+ private:
+    using Cell = std::pair<long, long>;
+
+    Vec2d seen(const Vec3d& x) const { return {x.dot(across_), x.dot(other_)}; }
+    Cell cell_at(const Vec2d& p) const {
+        return {static_cast<long>(std::floor(p.x() / size_)), static_cast<long>(std::floor(p.y() / size_))};
+    }
+
+    Vec3d across_, other_;  // unit
+    double size_ = 0;       // m, of a cell
+    std::map<Cell, std::vector<std::size_t>> cells_;
+};
+
 // How far the panel must move outward to be outside of this cloth, m: 0 if it is.
 double move_outside(const PlacedPanel& panel, const Triangles& cloth, const BodyCollider& body) {
+    if (panel.points.empty() || cloth.empty()) return 0;
+    const TrianglesInCells cells(cloth, panel.normal);
     double move = 0;
     for (const Vec3d& from : panel.points) {
-        for (const std::array<Vec3d, 3>& x : cloth) {
-            const auto distance = distance_along(from, panel.normal, x);
+        for (const std::size_t t : cells.at(from)) {
+            const auto distance = distance_along(from, panel.normal, cloth[t]);
             if (!distance || *distance + kClearance <= move || *distance > kLongestMove) continue;
             if (is_before(from + *distance * panel.normal, panel.normal, body)) move = *distance + kClearance;
         }

@@ -54,6 +54,12 @@ TEST(LimbsAside, let_a_wide_skirt_hang_below_the_arms) {
     EXPECT_LT(std::abs(widest.x()), 0.8) << "it spreads over the arms";
 }
 
+TEST(LimbsAside, can_be_interrupted_while_they_are_planned) {
+    struct Stop {};
+    const GarmentMesh unsewn = assemble(wide_skirt(2.2));
+    EXPECT_THROW(LimbsAside::plan(unsewn, unsewn, wide_skirt(2.2), mannequin(), [] { throw Stop(); }), Stop);
+}
+
 float lowest_when_sewn(bool has_gravity) {
     Dressing dressing;
     dressing.set_options({.has_gravity = has_gravity, .self_collision = false});

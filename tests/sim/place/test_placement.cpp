@@ -191,6 +191,25 @@ TEST(ClearPanels, moves_a_panel_outside_of_those_of_lower_layers) {
     }
 }
 
+// A tent whose ridge runs askew, so that one edge of the panel's mesh crosses it.
+TEST(ClearPanels, finds_the_farthest_place_of_the_cloth_that_is_worn) {
+    const Body body = column(1.7);
+    const BodyCollider collider(body, kCoarse);
+    GarmentMesh worn = assemble(tube(0.5, 0.4, 0.9, 0.25));
+    const auto height_at = [](const Vec3d& x) { return 0.25 + 0.1 * (1 - std::abs(x.x() + 0.3 * (x.y() - 1.1))); };
+    for (Vec3d& x : worn.x) x.z() = std::copysign(height_at(x), x.z());
+    GarmentMesh after = assemble(tube(0.6, 0.2, 1.0, 0.2));
+    double farthest = 0;  // the cloth is convex: nowhere farther than at a point of its mesh
+    for (const Vec3d& x : worn.x) {
+        if (std::abs(x.x()) < 0.3 && x.y() >= 1.0 && x.y() <= 1.2) farthest = std::max(farthest, std::abs(x.z()));
+    }
+    EXPECT_EQ(clear_panels(after, collider, worn).size(), 2U);
+    for (const Vec3d& x : after.x) {
+        EXPECT_GT(std::abs(x.z()), farthest - 0.005);
+        EXPECT_LE(std::abs(x.z()), farthest + 0.01 + 1e-9);
+    }
+}
+
 TEST(ClearPanels, leaves_clear_panels_alone_and_says_nothing) {
     const Body body = column(1.7);
     const BodyCollider collider(body, kCoarse);
