@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "sim/cloth/cloth_penetration.h"
 #include "sim/cloth/contact_surface.h"
 #include "sim/cloth/standoff.h"
 #include "sim/cloth/strain_projection.h"
-#include "sim/collide/penetration.h"
 #include "sim/selfcontact/crossings.h"
 #include "tests/sim/cloth/fixtures.h"
 #include "tests/support/bodies.h"
@@ -46,12 +46,7 @@ Cloth falling_patch() {
 }
 
 Penetration penetration(const Cloth& cloth, const BodyCollider& body) {
-    std::vector<Vec3f> x;
-    for (const Vec4f& point : cloth.x) x.push_back(point.head<3>());
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles())
-        triangles.push_back({leaf.v[0].value, leaf.v[1].value, leaf.v[2].value});
-    return find_penetration(x, triangles, body.surface(), {.depth = 0.0004F});
+    return find_penetration(cloth, body.surface(), {.depth = 0.0004F});
 }
 
 // The largest depth of a face in the finger until the next adaptation would split it.
