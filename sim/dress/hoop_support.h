@@ -22,7 +22,8 @@ struct HoopRow {
     double limit = 0;       // m, its extension at its fabrics' strain limits
 };
 
-inline constexpr double kHoopRowHeight = 0.005;  // m, a tenth of a waistband's
+inline constexpr double kWaistbandWidth = 0.04;                // m
+inline constexpr double kHoopRowHeight = kWaistbandWidth / 8;  // m: 5 mm
 
 // The rows below an edge, by distance. Distances are lengths along mesh edges, so bands count as slightly higher than
 // they are. Pre: the mesh is sewn; one fabric per panel.

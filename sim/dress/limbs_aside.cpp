@@ -14,13 +14,13 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr float kShortestFall = 1.4F;  // s
-constexpr float kLongestFall = 3.0F;
-constexpr float kCalmSpeed = 0.15F;  // m/s, rms: the cloth has fallen
-constexpr float kTurnSpeed = 1.0F;   // rad/s: the hand moves by 6 mm per step, half its thickness
+constexpr float kShortestFall = 1.4F;  // s: gravity grows for 1 s of it, and cloth that does not fall yet is calm too
+constexpr float kLongestFall = 3.0F;   // s: cloth that swings for longer is not waited for
+constexpr float kCalmSpeed = 0.15F;    // m/s, rms: the cloth has fallen
+constexpr float kTurnSpeed = 1.0F;     // rad/s: the hand moves by 6 mm per step, half its thickness
 constexpr float kAngleStep = std::numbers::pi_v<float> / 36;  // rad, between tested angles
 constexpr float kHighest = 24 * kAngleStep;                   // 120 degrees: from 45 below to 75 above the horizontal
-constexpr float kClear = 0.005F;                              // m
+constexpr float kClear = 0.005F;  // m, from raised arms: more than the offset of contact, which would push the cloth
 
 }  // namespace
 

@@ -83,7 +83,7 @@ Number clamped(Number value, Number low, Number high, Number otherwise) {
 
 // Clamps options to their valid ranges.
 SessionOptions within_limits(SessionOptions options) {
-    static const SessionOptions usual;
+    const SessionOptions usual;
     if (options.edge_length) options.edge_length = clamped(*options.edge_length, 0.005, 0.5, MeshOptions{}.target_edge);
     options.max_level = std::clamp(options.max_level, 0, kDeepestSessionLevel);
     options.shortest_edge = clamped(options.shortest_edge, 0.002, 1.0, usual.shortest_edge);
@@ -190,7 +190,7 @@ class SessionState {
     void sew();
     void sew_if_running();
     void say(std::string message);
-    void report_open_seams();
+    void report_sewing();
     void advance_dressing();
 
     Dressing dressing_;
@@ -316,14 +316,14 @@ void SessionState::advance_dressing() {
         dressing_.reset();
         return fail("a value is not finite while it was sewn: do its panels stand where they can be sewn?");
     }
-    if (was_sewing) report_open_seams();
+    if (was_sewing) report_sewing();
     if (after.bad_vertex) {
         fail("a value is not finite " +
              describe_place(*dressing_.cloth(), dressing_.drape().pattern, *after.bad_vertex));
     }
 }
 
-void SessionState::report_open_seams() {
+void SessionState::report_sewing() {
     for (std::string& note : dressing_.take_notes()) say(std::move(note));
     const Pattern& pattern = dressing_.pattern();
     for (const OpenSeam& open : dressing_.open_seams()) {

@@ -323,7 +323,6 @@ std::optional<DressFault> weakness_of(const LoweredEdge& lowered, const WornGarm
 // One that is as wide as the body where it was placed also slides down if the cloth is too stretchy for its weight.
 void validate_upper_edges(const Cloth& cloth, const WornGarment& garment, const MeantOpenings& meant,
                           const BodyPair& bodies, DressReport& report) {
-    constexpr double kSettling = 0.04;  // m, a waistband's width
     const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
     if (!is_ascending(from) || !is_ascending(to)) return;
     const double hips = to[1], chest = to[3];
@@ -340,7 +339,7 @@ void validate_upper_edges(const Cloth& cloth, const WornGarment& garment, const 
                                   .placed = placed,
                                   .draped = centre_of(openings[i], garment.closed_draped).y(),
                                   .held_at = is_of_chest ? chest : hips};
-        if (placed < lowered.held_at || lowered.draped > lowered.held_at || lowered.moved() < kSettling) continue;
+        if (placed < lowered.held_at || lowered.draped > lowered.held_at || lowered.moved() < kWaistbandWidth) continue;
         DressFault fault = slip_of(openings[i], garment.panels, lowered.moved(), is_of_chest ? "chest" : "hips",
                                    girth_at(bodies, placed));
         if (class_of(fault) == FaultClass::Defect) {

@@ -19,7 +19,8 @@ struct DesignedGarment {
     const Body* body = nullptr;  // for which it was placed
 };
 
-// Adds the faults "limb_missed", "displaced" and "on_floor" to the report, and notes on what could not be checked.
+// Adds the faults "limb_missed", "displaced", "does_not_fit" (what is too large or too stretchy to hang where it was
+// placed) and "on_floor" to the report, and notes on what could not be checked.
 // `sewn` is the mesh from which the cloth was made. Pre: it has the triangles of the designed garment, in their order;
 // the cloth's positions are finite; the report has the faces inside the body.
 void validate_wearing(const Cloth& cloth, const GarmentMesh& sewn, const DesignedGarment& designed, const Body& wearer,
