@@ -10,6 +10,7 @@
 #include "sim/core/file.h"
 #include "sim/core/json.h"
 #include "sim/exchange/mesh_file.h"
+#include "sim/pattern/pattern.h"
 
 namespace selvedge::app {
 std::span<const sim::EmbeddedFile> embedded_examples();
@@ -37,7 +38,7 @@ editor::FolderListing list_folder(const std::string& folder) {
 }
 
 editor::CurrentBody make_body(const std::string& text) {
-    if (text.starts_with("mannequin")) return editor::make_mannequin_body(text);
+    if (!sim::is_body_file(text)) return editor::make_mannequin_body(text);
     sim::LoadBodyReport report;
     editor::CurrentBody made{.text = text,
                              .body = std::make_shared<const sim::Body>(sim::load_body(text, {}, &report)),

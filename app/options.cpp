@@ -16,13 +16,10 @@
 #include "sim/collide/body_collider.h"
 #include "sim/core/error.h"
 #include "sim/mannequin/mannequin.h"
+#include "sim/pattern/pattern.h"
 
 namespace selvedge::app {
 namespace {
-
-bool is_mannequin(std::string_view source) {
-    return source == "mannequin" || source.starts_with("mannequin:");
-}
 
 // Returns the value with this name; the error for an unknown name lists the known ones.
 template <class T>
@@ -43,7 +40,7 @@ const std::map<std::string, sim::UpAxis> kUpAxes{
 }  // namespace
 
 bool BodyOptions::is_file() const {
-    return !source.empty() && !is_mannequin(source);
+    return sim::is_body_file(source);
 }
 
 void add_body_options(CLI::App& command, BodyOptions& options, const std::string& help) {
@@ -52,7 +49,7 @@ void add_body_options(CLI::App& command, BodyOptions& options, const std::string
         return command.add_option_function<std::string>(name, read, text)->group("Body");
     };
     add("-b,--body", help, [&](Text text) {
-        if (is_mannequin(text)) sim::parse_mannequin(text);
+        if (!text.empty() && !sim::is_body_file(text)) sim::parse_mannequin(text);
         options.source = text;
     })->type_name("BODY");
     add("--body-unit", "Unit of a body's file: auto, m, dm, cm, mm, in (default auto: by its size)", [&](Text text) {

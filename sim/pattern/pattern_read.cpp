@@ -101,7 +101,8 @@ class Reader : private FaultReader {
         if (const Node layer = node.member("layer")) {
             const auto value = number(layer);
             if (value && (*value != std::floor(*value) || std::abs(*value) > kHighestLayer)) {
-                error(layer, "a layer is a whole number from -1000 to 1000");
+                const std::string most = std::to_string(kHighestLayer);
+                error(layer, "a layer is a whole number from -" + most + " to " + most);
             } else {
                 panel.layer = static_cast<int>(value.value_or(0));
             }

@@ -59,7 +59,7 @@ LinePoint nearest_on(const std::vector<LimbJoint>& joints, const Vec3d& x) {
     double length = 0;
     for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
         const Vec3d along = joints[i + 1].centre - joints[i].centre;
-        const double share = std::clamp(along.dot(x - joints[i].centre) / along.squaredNorm(), 0.0, 1.0);
+        const double share = nearest_share(joints[i], joints[i + 1], x);
         const Vec3d point = joints[i].centre + share * along;
         if ((point - x).squaredNorm() < (nearest.x - x).squaredNorm()) nearest = {point, length + share * along.norm()};
         length += along.norm();

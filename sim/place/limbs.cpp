@@ -36,12 +36,6 @@ double radius_of(const SectionLoop& loop) {
     return std::sqrt(loop.area / std::numbers::pi);
 }
 
-Vec3d middle_of_box(const std::vector<Vec3d>& points) {
-    Eigen::AlignedBox3d box;
-    for (const Vec3d& p : points) box.extend(p);
-    return box.center();
-}
-
 double stature_of(const HeightRange& height) {
     return height.high - height.low;
 }
@@ -348,6 +342,11 @@ std::vector<Vec3d> line_to_end(const BodyLimbs& limbs, LimbKind kind) {
     return line;
 }
 
+double nearest_share(const LimbJoint& from, const LimbJoint& to, const Vec3d& x) {
+    const Vec3d along = to.centre - from.centre;
+    return std::clamp(along.dot(x - from.centre) / along.squaredNorm(), 0.0, 1.0);
+}
+
 namespace {
 
 struct NearestOnLine {
@@ -360,7 +359,7 @@ NearestOnLine nearest_on_line(const std::vector<LimbJoint>& joints, const Vec3d&
     NearestOnLine nearest;
     for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
         const Vec3d along = joints[i + 1].centre - joints[i].centre;
-        const double share = std::clamp(along.dot(x - joints[i].centre) / along.squaredNorm(), 0.0, 1.0);
+        const double share = nearest_share(joints[i], joints[i + 1], x);
         const double distance = (joints[i].centre + share * along - x).norm() - joints[i].radius;
         if (distance < nearest.distance) nearest = {distance, i, share};
     }
@@ -413,6 +412,12 @@ std::string place_on_body(const BodyLimbs& limbs, const Vec3d& x) {
 }
 
 // Torso.
+
+Vec3d middle_of_box(const std::vector<Vec3d>& points) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3d& p : points) box.extend(p);
+    return box.center();
+}
 
 std::vector<Vec3d> trunk_points(const Body& body, double y, double stature) {
     const std::vector<SectionLoop> loops = section(body, {.point = Vec3d(0, y, 0)});

@@ -57,6 +57,9 @@ BodyLimbs find_limbs(const Body& body);
 // The centre line to a limb's end: from the hips through the torso, then along the limb. Pre: the limb was found.
 std::vector<Vec3d> line_to_end(const BodyLimbs& limbs, LimbKind kind);
 
+// Where the straight line from one joint to the next is nearest to a point, as a share of it, 0..1.
+double nearest_share(const LimbJoint& from, const LimbJoint& to, const Vec3d& x);
+
 // The place on a centre line whose section, taken for round, is nearest to a point.
 struct LimbPosition {
     std::optional<LimbKind> limb;  // none: the torso
@@ -81,5 +84,8 @@ TorsoHeights torso_heights(const Body& body, const Stature& stature);
 // Section points of the trunk or of both legs at height y (m), for a body of that stature (m). Arms and hands are
 // excluded: they are thin or far from the centre.
 std::vector<Vec3d> trunk_points(const Body& body, double y, double stature);
+
+// The centre of the bounding box of section points, m.
+Vec3d middle_of_box(const std::vector<Vec3d>& points);
 
 }  // namespace selvedge::sim

@@ -389,12 +389,6 @@ double widest_x(const std::vector<Vec3d>& points, const Vec3d& centre) {
 
 // Torso.
 
-Vec3d middle_of_box(const std::vector<Vec3d>& points) {
-    Eigen::AlignedBox3d box;
-    for (const Vec3d& p : points) box.extend(p);
-    return box.center();
-}
-
 struct TorsoLevel {
     std::string_view name;
     double y = 0;      // m

@@ -104,6 +104,15 @@ TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_h
     EXPECT_FALSE(fs::exists(journal));
 }
 
+TEST_F(EditorServices, a_body_file_may_be_called_mannequin) {
+    try {
+        services_.make_body("mannequin.obj");
+        FAIL();
+    } catch (const sim::InputError& error) {
+        EXPECT_EQ(error.file(), "mannequin.obj") << error.what();
+    }
+}
+
 TEST_F(EditorServices, a_document_that_is_opened_has_no_hidden_garments) {
     editor::Editor editor(std::move(services_),
                           {.drive = sim::SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true});
