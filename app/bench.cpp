@@ -510,7 +510,7 @@ void add_bench_tshirt(CLI::App& bench, int& exit_code) {
         ->check(CLI::Range(1e-4, 1.0));
     command->add_option("--substeps", experiment.substeps, "Per step, instead of searching for the fewest")
         ->check(CLI::Range(1, 1000));
-    command->add_option("--cycles", experiment.sway.cycles, "Adaptions that are measured (default 90)")
+    command->add_option("--cycles", experiment.sway.cycles, "Adaptations that are measured (default 90)")
         ->check(CLI::Range(1, 100000));
     command->add_flag(
         "--no-growth{false}", experiment.has_growth,

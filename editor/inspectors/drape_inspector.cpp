@@ -161,7 +161,7 @@ void draw_spark(InspectorContext& context, const char* label, const std::string&
 void draw_times(InspectorContext& context, const sim::SessionFrame& frame) {
     const sim::SessionTimes& times = frame.statistics.times;
     const DrapeTrace& trace = context.state.drape.trace;
-    fact(context, "Adaption", milliseconds_text(times.adaptation), "Splitting and rejoining edges, once per frame.");
+    fact(context, "Adaptation", milliseconds_text(times.adaptation), "Splitting and rejoining edges, once per frame.");
     fact(context, "Steps", milliseconds_text(times.steps), "All steps of one frame: forces, constraints, contacts.");
     draw_spark(context, "Frame", milliseconds_text(times.frame),
                {.value = [&](std::size_t i) { return trace.frame_ms(i); }, .tip = "What the last 120 frames took."});

@@ -162,21 +162,21 @@ std::set<int> triangles_at_crowded_edges(const std::vector<EdgeSides>& edges) {
 
 EdgeCuts cut_crowded_edges(std::vector<Vec3d>& x, std::vector<int>& origin,
                            std::vector<std::array<int, 3>>& triangles) {
-    constexpr int kRounds = 8;  // of dropping fins that stand on fins; the rest goes with the edges
+    constexpr int kIterations = 8;  // of dropping fins that stand on fins; the rest goes with the edges
     EdgeCuts cuts;
     bool is_parted = false;
-    for (int round = 0; !triangles.empty(); ++round) {
+    for (int iteration = 0; !triangles.empty(); ++iteration) {
         const std::vector<TriangleSide> sides = sorted_sides(triangles);
         const std::vector<EdgeSides> edges = edges_of(sides);
         const auto first = std::find_if(edges.begin(), edges.end(), is_crowded);
         if (first == edges.end()) break;
-        if (round == 0) {
+        if (iteration == 0) {
             cuts.edges = int(std::count_if(edges.begin(), edges.end(), is_crowded));
             cuts.at = (x[std::size_t((*first)[0].low)] + x[std::size_t((*first)[0].high)]) / 2;
         }
         std::set<int> dropped;
         if (is_parted) dropped = triangles_at_crowded_edges(edges);
-        if (!is_parted && round < kRounds) dropped = find_fins(triangles, edges);
+        if (!is_parted && iteration < kIterations) dropped = find_fins(triangles, edges);
         cuts.dropped += int(dropped.size());
         if (!dropped.empty()) {
             drop(triangles, dropped);

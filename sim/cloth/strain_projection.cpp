@@ -144,17 +144,17 @@ StrainProjectionReport project_strain(Cloth& cloth, const Collider& body, const 
         self_contact.begin_step(moving, *stepping.self_contact);
     }
     std::vector<Vec4f> start, best = solver.points;  // a garment that is too small has no solution
-    while (report.rounds < options.rounds &&
+    while (report.iterations < options.iterations &&
            (report.worst_over > options.tolerance || report.deepest_face > options.depth)) {
         solver.before = solver.points;
-        for (int i = 0; i < options.sweeps_per_round; ++i) yarns.sweep(solver.points);
+        for (int i = 0; i < options.sweeps_per_iteration; ++i) yarns.sweep(solver.points);
         push_out_samples(cloth, kernels(simd_level()), body, contact);
         start = solver.before;
         push_out_faces(cloth, body, contact);
         solver.before = start;  // so that the next two limit the whole move
         hold_vertices(cloth, kernels(simd_level()), body, options.longest_move, contact);
         if (stepping.self_contact) self_contact.substep(moving, *stepping.self_contact);
-        ++report.rounds;
+        ++report.iterations;
         const float worst = yarns.look(solver.points), deepest = deepest_watched_face(cloth, body);
         const float deeper = std::max(deepest, options.depth) - std::max(report.deepest_face, options.depth);
         if (deeper > 0 || (deeper == 0 && worst >= report.worst_over)) continue;

@@ -111,7 +111,7 @@ TEST(FaceContact, what_an_exact_test_finds_is_projected_out_without_a_crossing) 
     StrainProjectionReport report;
     for (int test = 0; test < 4 && watch_faces_inside(cloth, finger(), 0.0004F) > 0; ++test)
         report = project_strain(cloth, finger(), stepping);
-    EXPECT_GT(report.rounds, 0);
+    EXPECT_GT(report.iterations, 0);
     EXPECT_LE(report.deepest_face, StrainProjectionOptions{}.depth);
     EXPECT_LE(report.worst_over, StrainProjectionOptions{}.tolerance);
     EXPECT_EQ(penetration(cloth, finger()).faces, 0);

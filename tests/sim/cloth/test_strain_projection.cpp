@@ -51,7 +51,7 @@ TEST(StrainProjection, brings_a_stretched_triangle_back_to_the_limit) {
     const StrainProjectionReport report = project_strain(cloth, nothing_near(), without_gravity(), options);
     EXPECT_LT(worst_strain(cloth), kLimit + options.tolerance + 1e-4F);
     EXPECT_NEAR(report.worst_over, worst_strain(cloth) - kLimit, 1e-4F);
-    EXPECT_GT(report.rounds, 0);
+    EXPECT_GT(report.iterations, 0);
 }
 
 TEST(StrainProjection, keeps_the_cloth_out_of_itself_and_of_the_body) {
@@ -92,7 +92,7 @@ TEST(StrainProjection, leaves_cloth_within_its_limits_as_it_is) {
     Cloth cloth = patch(nothing_near());
     const std::vector<Vec4f> x = cloth.x;
     const StrainProjectionReport report = project_strain(cloth, nothing_near(), without_gravity());
-    EXPECT_EQ(report.rounds, 0);
+    EXPECT_EQ(report.iterations, 0);
     EXPECT_EQ(cloth.x, x);
 }
 
@@ -108,7 +108,7 @@ TEST(StrainProjection, stretches_nothing_further_where_there_is_no_solution) {
     const StrainProjectionReport report = project_strain(cloth, nothing_near(), without_gravity());
     EXPECT_LE(worst_strain(cloth), before + 1e-4F);
     EXPECT_GT(worst_strain(cloth), 0.15F);
-    EXPECT_EQ(report.rounds, StrainProjectionOptions{}.rounds);
+    EXPECT_EQ(report.iterations, StrainProjectionOptions{}.iterations);
 }
 
 }  // namespace
