@@ -83,7 +83,7 @@ Number clamped(Number value, Number low, Number high, Number otherwise) {
 
 // Clamps options to their valid ranges.
 SessionOptions within_limits(SessionOptions options) {
-    const SessionOptions usual;
+    static const SessionOptions usual;  // GCC 12 warns of uninitialised values in a local one
     if (options.edge_length) options.edge_length = clamped(*options.edge_length, 0.005, 0.5, MeshOptions{}.target_edge);
     options.max_level = std::clamp(options.max_level, 0, kDeepestSessionLevel);
     options.shortest_edge = clamped(options.shortest_edge, 0.002, 1.0, usual.shortest_edge);
