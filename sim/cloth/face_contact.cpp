@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "sim/cloth/cloth.h"
@@ -163,10 +164,16 @@ int watch_faces_inside(Cloth& cloth, const Collider& body, float depth) {
     const SurfaceBvh* const surface = body.exact_surface();
     if (surface == nullptr) return 0;
     const Penetration found = find_penetration(cloth, *surface, {.depth = depth});
+    std::vector<FaceContact>& faces = cloth.solver.contacts.faces;
+    std::map<std::array<std::uint32_t, 3>, std::size_t> watched;
+    for (std::size_t i = 0; i < faces.size(); ++i) watched.emplace(faces[i].vertices, i);
     for (const DeepFace& deep : found.deep_faces) {
         const LeafTriangle& leaf = cloth.mesh.leaf_triangles()[deep.triangle];
         const auto at = [&](std::size_t k) -> Vec3f { return cloth.x[leaf.v[k].value].head<3>(); };
-        watch(cloth, leaf).shares = barycentric(deep.at, at(0), at(1), at(2));
+        const auto known = watched.find({leaf.v[0].value, leaf.v[1].value, leaf.v[2].value});
+        FaceContact& face = known != watched.end() ? faces[known->second] : watch(cloth, leaf);
+        face.shares = barycentric(deep.at, at(0), at(1), at(2));
+        face.slack = FaceContact::kUnknown;
     }
     return found.faces;
 }

@@ -37,8 +37,9 @@ struct FaceContact {
 // an adaptation; any adaptation that changes the mesh ends the watch.
 void watch_faces_near_thin_parts(Cloth& cloth, const Collider& body, float seconds);
 
-// Watches also the leaf triangles of which a part is inside the body by more than `depth` (m), by an exact test.
-// Returns their number; 0 for a collider without an exact surface.
+// Watches also the leaf triangles of which a part is inside the body by more than `depth` (m), by an exact test. One
+// that is watched already starts its next query from where the test found it deepest. Returns their number; 0 for a
+// collider without an exact surface.
 int watch_faces_inside(Cloth& cloth, const Collider& body, float depth);
 
 // Moves the watched faces in Cloth::solver at least `offset` away from the body, with friction as for samples. Depth

@@ -106,6 +106,8 @@ TEST(FaceContact, what_an_exact_test_finds_is_projected_out_without_a_crossing) 
     const int found = watch_faces_inside(cloth, finger(), 0.0004F);
     EXPECT_EQ(found, before.faces);
     EXPECT_EQ(cloth.solver.contacts.faces.size(), std::size_t(found));
+    EXPECT_EQ(watch_faces_inside(cloth, finger(), 0.0004F), found) << "nothing has moved";
+    EXPECT_EQ(cloth.solver.contacts.faces.size(), std::size_t(found)) << "each is watched once";
     StepOptions stepping = without_samples();
     stepping.self_contact.emplace();
     StrainProjectionReport report;
