@@ -68,7 +68,7 @@ float lowest_when_sewn(bool has_gravity) {
     do {
         dressing.advance();
     } while (dressing.stage() == DressingStage::Sew);
-    return std::ranges::min(dressing.cloth()->x, {}, [](const Vec4f& x) { return x.y(); }).y();
+    return lowest_height(*dressing.cloth());
 }
 
 TEST(LimbsAside, let_cloth_fall_only_where_there_is_gravity) {
