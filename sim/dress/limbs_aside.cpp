@@ -36,7 +36,7 @@ std::unique_ptr<LimbsAside> LimbsAside::plan(const GarmentMesh& unsewn, const Ga
     if (std::ranges::none_of(panels, std::identity())) return nullptr;
     BodyInPieces parts = cut_off(body, limbs, kArms);
     if (parts.limbs.size() < kArms.size()) return nullptr;
-    std::vector<bool> is_below(sewing.x.size() + 1, false);
+    std::vector<bool> is_below(sewing.x.size(), false);
     for (const GarmentTriangle& t : sewing.triangles) {
         for (const int v : t.vertices)
             is_below[static_cast<std::size_t>(v)] = panels[static_cast<std::size_t>(t.panel)];

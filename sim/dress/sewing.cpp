@@ -117,6 +117,7 @@ void SewingRun::step_held(const Collider& body, const StepOptions& stepping) {
 }
 
 void SewingRun::meet_trunk_only(std::vector<bool> vertices) {
+    if (!vertices.empty()) vertices.resize(cloth_.x.size() + 1, false);  // the cloth may have room for more vertices
     cloth_.solver.contacts.is_trunk_only = std::move(vertices);
     selvedge::sim::forget_contacts(cloth_);
 }

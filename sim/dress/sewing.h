@@ -51,7 +51,8 @@ class SewingRun {
     // After advance() has returned false: one step with the seams held closed, under this share of gravity or none.
     void fall(const Collider& body, float weight = 1);
     void hold(const Collider& body);
-    // Vertices that meet the trunk of a JointedCollider only (ContactState::is_trunk_only).
+    // Vertices of the unsewn mesh that meet the trunk of a JointedCollider only (ContactState::is_trunk_only); empty:
+    // none do.
     void meet_trunk_only(std::vector<bool> vertices);
     // One of these is to be called when the collider has moved, the second if by at most that (m).
     void forget_contacts() { selvedge::sim::forget_contacts(cloth_); }
