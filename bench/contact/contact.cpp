@@ -85,10 +85,6 @@ sim::Cloth start_of(const ContactScene& scene) {
     return cloth;
 }
 
-}  // namespace
-
-namespace {
-
 // A scene in progress.
 class SceneRun {
  public:

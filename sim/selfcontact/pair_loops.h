@@ -29,7 +29,9 @@ constexpr float kTinySquare = 1e-20F;  // m^2, lower bound of divisors
 struct Four {
     Xyz p[4];
 };
-[[gnu::always_inline]] inline Four vertices_of(const PairBlock& block, std::size_t at, const float* points) {
+// Of a PairBlock or a SelfContactBlock.
+template <class Block>
+[[gnu::always_inline]] inline Four vertices_of(const Block& block, std::size_t at, const float* points) {
     return {{points_at(points, &block.vertices[0][at]), points_at(points, &block.vertices[1][at]),
              points_at(points, &block.vertices[2][at]), points_at(points, &block.vertices[3][at])}};
 }
@@ -162,7 +164,8 @@ unsigned measure_pairs(PairKind kind, PairBlock& block, const float* points, con
                                             : measure<PairKind::EdgeEdge>(block, points, sweep, reach);
 }
 
-[[gnu::always_inline]] inline Weights last_weights(const PairBlock& block, std::size_t at) {
+template <class Block>
+[[gnu::always_inline]] inline Weights last_weights(const Block& block, std::size_t at) {
     return {{load_row(block.weight[0], at), load_row(block.weight[1], at), load_row(block.weight[2], at),
              load_row(block.weight[3], at)},
             Ints{}};
@@ -249,12 +252,8 @@ unsigned find_undivided(PairKind kind, const PairBlock& block, const float* poin
 [[gnu::always_inline]] inline unsigned too_near(const SelfContactBlock& block, const float* points) {
     unsigned found = 0;
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-        const Four x{{points_at(points, &block.vertices[0][at]), points_at(points, &block.vertices[1][at]),
-                      points_at(points, &block.vertices[2][at]), points_at(points, &block.vertices[3][at])}};
-        const Weights weights{{load_row(block.weight[0], at), load_row(block.weight[1], at),
-                               load_row(block.weight[2], at), load_row(block.weight[3], at)},
-                              Ints{}};
-        found |= lanes::bits(dot(load_rows(block.normal, at), weighted(weights, x)) < load_row(block.radius, at)) << at;
+        const Xyz between = weighted(last_weights(block, at), vertices_of(block, at, points));
+        found |= lanes::bits(dot(load_rows(block.normal, at), between) < load_row(block.radius, at)) << at;
     }
     return found;
 }
