@@ -10,10 +10,26 @@
 
 namespace selvedge::sim {
 
+// Scales, then turns, then moves: p' = rotation (scale p) + translation.
+struct Transform {
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  // unit
+    Vec3d translation = Vec3d::Zero();
+    Vec3d scale = Vec3d::Ones();
+
+    Eigen::Affine3d matrix() const {
+        Eigen::Affine3d all = Eigen::Affine3d::Identity();
+        all.linear() = rotation.toRotationMatrix() * scale.asDiagonal();
+        all.translation() = translation;
+        return all;
+    }
+};
+
 struct Bone {
     std::string name;
-    int parent = -1;
-    Vec3d joint = Vec3d::Zero();  // start of the bone in the rest pose, m
+    int parent = -1;                                             // precedes its children
+    Vec3d joint = Vec3d::Zero();                                 // start of the bone in the rest pose, m
+    Transform rest = {};                                         // to the parent's frame; of a root, to the file's
+    Eigen::Affine3d inverse_bind = Eigen::Affine3d::Identity();  // from bind positions (m) to the bone's frame
 };
 
 struct SkinWeights {
@@ -30,6 +46,8 @@ struct Body {
     std::string made_from{};                    // bodies with equal text have equal surfaces; empty: unknown
     std::string file{};                         // canonical path that it was read from; empty: none
     double lift = 0;                            // m, by which it was raised from the file's frame to the floor
+    Eigen::Affine3d frame = Eigen::Affine3d::Identity();  // from the frame of the root bones, the file's, to ours
+    std::vector<Vec3d> bind{};                            // m, where the skin was bound to the bones; empty: at x
 };
 
 // Minimum and maximum y of the surface, m; `high` is the stature when the body stands on the floor.

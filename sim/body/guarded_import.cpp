@@ -1,8 +1,5 @@
 #include "sim/body/guarded_import.h"
 
-#include <assimp/importerdesc.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -11,7 +8,6 @@
 #include <unistd.h>
 #include <algorithm>
 #include <array>
-#include <assimp/Importer.hpp>
 #include <cctype>
 #include <cerrno>
 #include <chrono>
@@ -19,13 +15,11 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <map>
-#include <sstream>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "sim/body/gltf_skins.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 
@@ -62,34 +56,55 @@ bool looks_like_glb(std::string_view content) {
     return version == 2 && length <= content.size();
 }
 
-// The file extension by which assimp identifies the importer.
-std::string importer_for(const std::filesystem::path& path, std::string_view content) {
-    const std::string extension = lower_extension(path);
-    const auto require = [&](bool is_so, const char* format) {
-        if (!is_so) throw InputError(path.string(), "", std::string("its content is not ") + format);
-    };
-    if (extension == ".obj") {
-        require(looks_like_obj(content), "Wavefront OBJ");
-        return "obj";
-    }
-    if (extension == ".gltf") {
-        require(looks_like_gltf(content), "glTF 2.0");
-        return "gltf";
-    }
-    if (extension == ".glb") {
-        require(looks_like_glb(content), "binary glTF 2.0");
-        return "glb";
-    }
-    throw InputError(path.string(), "",
-                     "the format '" + extension + "' is not on the list of those that are read: .obj, .gltf, .glb");
+bool looks_like_fbx(std::string_view content) {
+    if (content.starts_with("Kaydara FBX Binary")) return true;
+    constexpr std::size_t kHead = 4096;  // comments come first in the text format
+    const std::string_view head = content.substr(0, kHead);
+    return head.find("FBXHeaderExtension") != std::string_view::npos;
 }
 
-ImportAnswer run_guarded(const std::filesystem::path& path, const std::string& importer, const ImportLimits& limits) {
+bool looks_like_bvh(std::string_view content) {
+    const std::size_t first = content.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && content.substr(first).starts_with("HIERARCHY") &&
+           content.find("MOTION") != std::string_view::npos;
+}
+
+struct Format {
+    const char* extension;
+    const char* name;
+    bool (*is_so)(std::string_view content);
+    bool has_surface;
+    bool has_motion;
+};
+constexpr std::array<Format, 5> kFormats{{{".obj", "Wavefront OBJ", looks_like_obj, true, false},
+                                          {".gltf", "glTF 2.0", looks_like_gltf, true, true},
+                                          {".glb", "binary glTF 2.0", looks_like_glb, true, true},
+                                          {".fbx", "FBX", looks_like_fbx, true, true},
+                                          {".bvh", "BVH", looks_like_bvh, false, true}}};
+
+// The file extension by which assimp identifies the importer.
+std::string importer_for(const std::filesystem::path& path, std::string_view content, ImportKind kind) {
+    const std::string extension = lower_extension(path);
+    std::string accepted;
+    for (const Format& format : kFormats) {
+        if (!(kind == ImportKind::Motion ? format.has_motion : format.has_surface)) continue;
+        accepted += (accepted.empty() ? "" : ", ") + std::string(format.extension);
+        if (extension != format.extension) continue;
+        if (!format.is_so(content))
+            throw InputError(path.string(), "", std::string("its content is not ") + format.name);
+        return extension.substr(1);
+    }
+    throw InputError(path.string(), "",
+                     "the format '" + extension + "' is not on the list of those that are read: " + accepted);
+}
+
+ImportAnswer run_guarded(const std::filesystem::path& path, const std::string& importer, ImportKind kind,
+                         const ImportLimits& limits) {
     const ChildResult result = run_in_child(
         [&] {
             ImportAnswer answer;
             try {
-                answer = read_with_assimp(path.string(), importer);
+                answer = read_with_assimp(path.string(), importer, kind, limits.motion);
             } catch (const std::exception& error) {
                 answer = {error.what(), {}};
             }
@@ -155,7 +170,23 @@ void check_mesh(const ImportedScene& scene, const ImportedMesh& mesh, const std:
     check_skin(scene, mesh, InputError(file, place, "its skin weights are broken"));
 }
 
-void check_scene(const ImportedScene& scene, const std::string& file, const ImportLimits& limits) {
+bool is_sound(const Transform& transform) {
+    return transform.rotation.coeffs().allFinite() && std::abs(transform.rotation.norm() - 1) < 1e-3 &&
+           is_reasonable(transform.translation) && is_reasonable(transform.scale);
+}
+
+void check_bones(const ImportedScene& scene, const std::string& file, const MotionLimits& limits) {
+    if (scene.bones.size() > 2 * limits.joints) throw InputError(file, "", "it has too many bones");
+    for (std::size_t i = 0; i < scene.bones.size(); ++i) {
+        const Bone& bone = scene.bones[i];
+        const std::string place = "bone " + std::to_string(i) + " '" + one_line(bone.name) + "'";
+        if (bone.parent < -1 || bone.parent >= int(i)) throw InputError(file, place, "its parent is not there");
+        if (!is_reasonable(bone.joint) || !is_sound(bone.rest) || !bone.inverse_bind.matrix().allFinite())
+            throw InputError(file, place, "its transform is not one of reasonable numbers");
+    }
+}
+
+void check_scene(const ImportedScene& scene, const std::string& file, ImportKind kind, const ImportLimits& limits) {
     std::size_t vertices = 0;
     std::size_t triangles = 0;
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
@@ -165,163 +196,101 @@ void check_scene(const ImportedScene& scene, const std::string& file, const Impo
             throw InputError(file, "", "more than " + std::to_string(limits.triangles) + " triangles");
         check_mesh(scene, scene.meshes[i], file, i);
     }
-    if (triangles == 0) throw InputError(file, "", "it holds no triangles");
-    for (std::size_t i = 0; i < scene.bones.size(); ++i)
-        if (scene.bones[i].parent < -1 || scene.bones[i].parent >= int(i) || !is_reasonable(scene.bones[i].joint))
-            throw InputError(file, "bone " + std::to_string(i), "it is broken");
+    if (triangles == 0 && kind == ImportKind::Surface) throw InputError(file, "", "it holds no triangles");
+    check_bones(scene, file, limits.motion);
+    for (const Clip& clip : scene.clips) check_clip(clip, scene.bones, file, limits.motion.clip);
 }
 
 }  // namespace
 
-ImportedScene guarded_import(const std::filesystem::path& path, const ImportLimits& limits) {
-    const std::string importer = importer_for(path, read_file(path, limits.file_bytes));
-    ImportAnswer answer = run_guarded(path, importer, limits);
+ImportedScene guarded_import(const std::filesystem::path& path, ImportKind kind, const ImportLimits& limits) {
+    const std::string content = read_file(path, limits.file_bytes);
+    const std::string importer = importer_for(path, content, kind);
+    if (kind == ImportKind::Surface && (importer == "gltf" || importer == "glb")) check_gltf_skins(path, content);
+    ImportAnswer answer = run_guarded(path, importer, kind, limits);
     // Only one importer is enabled, so "no suitable reader" means that it found the content broken.
     if (answer.failure.starts_with("No suitable reader")) answer.failure = "its content is broken";
     if (!answer.failure.empty()) throw InputError(path.string(), "", "cannot be read: " + one_line(answer.failure));
-    check_scene(answer.scene, path.string(), limits);
+    check_scene(answer.scene, path.string(), kind, limits);
     return std::move(answer.scene);
 }
 
 namespace {
 
-// The scene's nodes that are bones, and the global transform of every node.
-struct Skeleton {
-    std::map<std::string, int> bone_of_node;
-    std::map<std::string, aiMatrix4x4> transform_of_node;
-    std::vector<Bone> bones;
-};
-
-void keep_only_importer(Assimp::Importer& importer, const std::string& extension) {
-    std::vector<Assimp::BaseImporter*> others;
-    for (std::size_t i = 0; i < importer.GetImporterCount(); ++i) {
-        const aiImporterDesc* description = importer.GetImporterInfo(i);
-        std::istringstream extensions(description ? description->mFileExtensions : "");
-        bool is_wanted = false;
-        for (std::string word; extensions >> word;) is_wanted = is_wanted || word == extension;
-        if (!is_wanted) others.push_back(importer.GetImporter(i));
-    }
-    for (Assimp::BaseImporter* other : others) importer.UnregisterLoader(other);
+void write(FlatWriter& writer, const Vec3d& v) {
+    for (const double coordinate : v) writer.value(coordinate);
+}
+void write(FlatWriter& writer, const Eigen::Quaterniond& q) {
+    for (const double part : q.coeffs()) writer.value(part);
+}
+void read(FlatReader& reader, Vec3d& v) {
+    for (double& coordinate : v) coordinate = reader.value<double>();
+}
+void read(FlatReader& reader, Eigen::Quaterniond& q) {
+    for (double& part : q.coeffs()) part = reader.value<double>();
 }
 
-void transform_nodes(const aiNode& node, const aiMatrix4x4& parent, int parent_bone, Skeleton& skeleton) {
-    const aiMatrix4x4 place = parent * node.mTransformation;
-    const std::string name = node.mName.C_Str();
-    skeleton.transform_of_node[name] = place;
-    const auto bone = skeleton.bone_of_node.find(name);
-    if (bone != skeleton.bone_of_node.end() && bone->second < 0) {
-        bone->second = int(skeleton.bones.size());
-        skeleton.bones.push_back({name, parent_bone, Vec3d(place.a4, place.b4, place.c4)});
-        parent_bone = bone->second;
-    }
-    for (unsigned i = 0; i < node.mNumChildren; ++i) transform_nodes(*node.mChildren[i], place, parent_bone, skeleton);
+template <class Value>
+void write(FlatWriter& writer, const Keys<Value>& keys) {
+    writer.list(keys.times);
+    writer.list(keys.values);
+}
+template <class Value>
+void read(FlatReader& reader, Keys<Value>& keys) {
+    keys.times = reader.list<double>();
+    keys.values = reader.list<Value>();
 }
 
-Skeleton find_skeleton(const aiScene& scene) {
-    constexpr int kNotYetMet = -1;
-    Skeleton skeleton;
-    for (unsigned m = 0; m < scene.mNumMeshes; ++m)
-        for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b)
-            skeleton.bone_of_node[scene.mMeshes[m]->mBones[b]->mName.C_Str()] = kNotYetMet;
-    transform_nodes(*scene.mRootNode, aiMatrix4x4(), -1, skeleton);
-    return skeleton;
+void write(FlatWriter& writer, const Bone& bone) {
+    writer.text(bone.name);
+    writer.value(bone.parent);
+    write(writer, bone.joint);
+    write(writer, bone.rest.rotation);
+    write(writer, bone.rest.translation);
+    write(writer, bone.rest.scale);
+    for (const double part : bone.inverse_bind.matrix().reshaped()) writer.value(part);
+}
+void read(FlatReader& reader, Bone& bone) {
+    bone.name = reader.text();
+    bone.parent = reader.value<int>();
+    read(reader, bone.joint);
+    read(reader, bone.rest.rotation);
+    read(reader, bone.rest.translation);
+    read(reader, bone.rest.scale);
+    for (double& part : bone.inverse_bind.matrix().reshaped()) part = reader.value<double>();
 }
 
-struct Pull {
-    float weight;
-    int bone;
-};
-
-// The four largest weights, scaled to sum 1; equal weights in the order of the bones.
-SkinWeights strongest(std::vector<Pull> pulls) {
-    std::sort(pulls.begin(), pulls.end(), [](const Pull& a, const Pull& b) {
-        return a.weight != b.weight ? a.weight > b.weight : a.bone < b.bone;
-    });
-    pulls.resize(std::min<std::size_t>(pulls.size(), 4));
-    float sum = 0;
-    for (const Pull& pull : pulls) sum += pull.weight;
-    SkinWeights skin;
-    for (std::size_t k = 0; k < pulls.size() && sum > 0; ++k) {
-        skin.bones[k] = std::uint16_t(pulls[k].bone);
-        skin.weights[k] = pulls[k].weight / sum;
-    }
-    return skin;
-}
-
-// Moves the vertices to their skinned positions in the rest pose.
-void apply_skin(const aiMesh& mesh, const Skeleton& skeleton, ImportedMesh& out) {
-    std::vector<std::vector<Pull>> pulls(mesh.mNumVertices);
-    std::vector<aiVector3D> sums(mesh.mNumVertices);
-    std::vector<float> weights(mesh.mNumVertices, 0.0F);
-    for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-        const aiBone& bone = *mesh.mBones[b];
-        const std::string name = bone.mName.C_Str();
-        const int index = skeleton.bone_of_node.at(name);
-        if (index < 0) continue;
-        const aiMatrix4x4 move = skeleton.transform_of_node.at(name) * bone.mOffsetMatrix;
-        for (unsigned w = 0; w < bone.mNumWeights; ++w) {
-            const unsigned vertex = bone.mWeights[w].mVertexId;
-            const float weight = bone.mWeights[w].mWeight;
-            if (vertex >= mesh.mNumVertices || !(weight > 0)) continue;
-            sums[vertex] += (move * mesh.mVertices[vertex]) * weight;
-            weights[vertex] += weight;
-            pulls[vertex].push_back({weight, index});
-        }
-    }
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-        if (weights[v] > 0) out.x[v] = Vec3f(sums[v].x, sums[v].y, sums[v].z) / weights[v];
-        out.skin.push_back(strongest(std::move(pulls[v])));
+void write(FlatWriter& writer, const Clip& clip) {
+    writer.text(clip.name);
+    writer.value(clip.seconds);
+    writer.value(std::uint64_t(clip.tracks.size()));
+    for (const Track& track : clip.tracks) {
+        writer.value(track.bone);
+        write(writer, track.rotation);
+        write(writer, track.translation);
+        write(writer, track.scale);
     }
 }
-
-void add_triangles(const aiMesh& mesh, bool is_mirrored, ImportedMesh& out) {
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-        const aiFace& face = mesh.mFaces[f];
-        if (face.mNumIndices != 3) continue;  // points and lines
-        out.triangles.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
-        if (is_mirrored) std::swap(out.triangles.back()[1], out.triangles.back()[2]);
+// False if keys and times differ in number.
+bool read(FlatReader& reader, Clip& clip) {
+    clip.name = reader.text();
+    clip.seconds = reader.value<double>();
+    const std::uint64_t tracks = reader.value<std::uint64_t>();
+    for (std::uint64_t i = 0; i < tracks && reader.is_sound(); ++i) {
+        Track& track = clip.tracks.emplace_back();
+        track.bone = reader.value<int>();
+        read(reader, track.rotation);
+        read(reader, track.translation);
+        read(reader, track.scale);
+        if (track.rotation.times.size() != track.rotation.values.size() ||
+            track.translation.times.size() != track.translation.values.size() ||
+            track.scale.times.size() != track.scale.values.size())
+            return false;
     }
-}
-
-ImportedMesh placed_mesh(const aiScene& scene, const aiMesh& mesh, const aiMatrix4x4& place, const Skeleton& skeleton) {
-    ImportedMesh out;
-    out.name = mesh.mName.C_Str();
-    if (mesh.mMaterialIndex < scene.mNumMaterials)
-        out.material = scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str();
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-        const aiVector3D p = place * mesh.mVertices[v];
-        out.x.emplace_back(p.x, p.y, p.z);
-        if (mesh.HasTextureCoords(0)) out.u.emplace_back(mesh.mTextureCoords[0][v].x, mesh.mTextureCoords[0][v].y);
-    }
-    add_triangles(mesh, place.Determinant() < 0, out);
-    if (mesh.HasBones()) apply_skin(mesh, skeleton, out);
-    return out;
-}
-
-// Transforms are passed down the tree and not looked up by name, because two nodes may have the same name.
-void add_meshes(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, const Skeleton& skeleton,
-                ImportedScene& out) {
-    const aiMatrix4x4 place = parent * node.mTransformation;
-    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
-        if (node.mMeshes[i] >= scene.mNumMeshes) throw std::runtime_error("a node names a mesh that is not there");
-        out.meshes.push_back(placed_mesh(scene, *scene.mMeshes[node.mMeshes[i]], place, skeleton));
-    }
-    for (unsigned i = 0; i < node.mNumChildren; ++i) add_meshes(scene, *node.mChildren[i], place, skeleton, out);
+    return true;
 }
 
 }  // namespace
-
-ImportAnswer read_with_assimp(const std::string& path, const std::string& extension) {
-    Assimp::Importer importer;
-    keep_only_importer(importer, extension);
-    const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
-    if (!scene || !scene->mRootNode) return {importer.GetErrorString(), {}};
-    ImportAnswer answer;
-    Skeleton skeleton = find_skeleton(*scene);
-    add_meshes(*scene, *scene->mRootNode, aiMatrix4x4(), skeleton, answer.scene);
-    answer.scene.bones = std::move(skeleton.bones);
-    return answer;
-}
 
 std::string to_bytes(const ImportAnswer& answer) {
     FlatWriter writer;
@@ -336,11 +305,9 @@ std::string to_bytes(const ImportAnswer& answer) {
         writer.list(mesh.skin);
     }
     writer.value(std::uint64_t(answer.scene.bones.size()));
-    for (const Bone& bone : answer.scene.bones) {
-        writer.text(bone.name);
-        writer.value(bone.parent);
-        for (const double coordinate : bone.joint) writer.value(coordinate);
-    }
+    for (const Bone& bone : answer.scene.bones) write(writer, bone);
+    writer.value(std::uint64_t(answer.scene.clips.size()));
+    for (const Clip& clip : answer.scene.clips) write(writer, clip);
     return writer.bytes();
 }
 
@@ -359,12 +326,10 @@ std::optional<ImportAnswer> from_bytes(std::string_view bytes) {
         mesh.skin = reader.list<SkinWeights>();
     }
     const std::uint64_t bones = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < bones && reader.is_sound(); ++i) {
-        Bone& bone = answer.scene.bones.emplace_back();
-        bone.name = reader.text();
-        bone.parent = reader.value<int>();
-        for (double& coordinate : bone.joint) coordinate = reader.value<double>();
-    }
+    for (std::uint64_t i = 0; i < bones && reader.is_sound(); ++i) read(reader, answer.scene.bones.emplace_back());
+    const std::uint64_t clips = reader.value<std::uint64_t>();
+    for (std::uint64_t i = 0; i < clips && reader.is_sound(); ++i)
+        if (!read(reader, answer.scene.clips.emplace_back())) return std::nullopt;
     if (!reader.is_sound() || !reader.is_at_end()) return std::nullopt;
     return answer;
 }

@@ -1,7 +1,7 @@
 #pragma once
 // Reads untrusted mesh files with assimp in a child process, because assimp crashes or hangs on some malformed files.
 // The child has limits on memory, CPU time and wall time. Its result is serialised, and lengths, indices and number
-// ranges are checked. Accepted formats, by extension and content: OBJ and glTF 2.0 (.gltf, .glb).
+// ranges are checked. Accepted formats, by extension and content: OBJ, glTF 2.0 (.gltf, .glb), FBX, and BVH for motion.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "sim/body/body.h"
+#include "sim/body/clip.h"
 #include "sim/core/math.h"
 
 namespace selvedge::sim {
@@ -27,11 +28,22 @@ struct ChildLimits {
     std::size_t answer_bytes = std::size_t(1) << 30;
 };
 
+// Of a skeleton and its clips.
+struct MotionLimits {
+    std::size_t joints = 4096;  // a rig with fingers and a face has 900, and FBX adds up to three pivots to each
+    std::size_t clips = 1000;
+    ClipLimits clip{};
+};
+
+// What is wanted of a file: triangles, which it must have, and what moves them; or skeleton and clips alone.
+enum class ImportKind { Surface, Motion };
+
 struct ImportLimits {
     std::size_t file_bytes = std::size_t(256) << 20;
     ChildLimits child{};
     std::size_t vertices = 8'000'000;  // OBJ readers create three for each triangle
     std::size_t triangles = 4'000'000;
+    MotionLimits motion{};
 };
 
 // One mesh instance of the scene with transforms applied, in the file's unit and axes. Polygons are triangulated.
@@ -44,14 +56,18 @@ struct ImportedMesh {
     std::vector<SkinWeights> skin;  // indices into the scene's bones; empty when the mesh has none
 };
 
+// If anything of the scene is skinned or animated, its nodes are the bones: so no transform on the way is lost. Lengths
+// are in the file's unit and axes, also those of `joint` and `inverse_bind`.
 struct ImportedScene {
-    std::vector<ImportedMesh> meshes;
-    std::vector<Bone> bones;  // each parent precedes its children
+    std::vector<ImportedMesh> meshes;  // none if only motion was asked for
+    std::vector<Bone> bones;           // each parent precedes its children
+    std::vector<Clip> clips;
 };
 
 // Throws InputError when the format is not accepted, the file exceeds a limit, or the reader fails or crashes. Post:
-// indices are in range; numbers are finite and at most 1e6 in magnitude.
-ImportedScene guarded_import(const std::filesystem::path& path, const ImportLimits& limits = {});
+// indices are in range; numbers are finite and at most 1e6 in magnitude; check_clip() holds.
+ImportedScene guarded_import(const std::filesystem::path& path, ImportKind kind = ImportKind::Surface,
+                             const ImportLimits& limits = {});
 
 // What the child process sends to its parent: an ImportedScene, or the reason for its failure.
 
@@ -67,9 +83,10 @@ std::optional<ImportAnswer> from_bytes(std::string_view bytes);
 
 // Converts assimp's scene to ours. It does not check the file: call it in the guarded child process only.
 
-// extension: "obj", "gltf" or "glb"; all importers for other extensions are disabled. Skinned vertices are placed in
-// the rest pose of their bones.
-ImportAnswer read_with_assimp(const std::string& path, const std::string& extension);
+// extension: "obj", "gltf", "glb", "fbx" or "bvh"; all importers for other extensions are disabled. Skinned vertices
+// are placed in the rest pose of their bones. What has no weights in a scene with bones follows its node.
+ImportAnswer read_with_assimp(const std::string& path, const std::string& extension,
+                              ImportKind kind = ImportKind::Surface, const MotionLimits& limits = {});
 
 // Runs a function that may crash, hang or exhaust memory in a child process and returns the bytes that it produces.
 // FlatWriter and FlatReader serialise plain data for the transfer.

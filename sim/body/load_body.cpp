@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "sim/body/guarded_import.h"
+#include "sim/body/pose.h"
 #include "sim/core/error.h"
 
 namespace selvedge::sim {
@@ -33,7 +34,7 @@ Range range_along(const ImportedScene& scene, int axis) {
 bool is_gltf(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
-    return extension != ".obj";
+    return extension == ".gltf" || extension == ".glb";
 }
 
 // A standing body is taller than it is deep in any arm pose.
@@ -143,7 +144,12 @@ JoinedScene join(const ImportedScene& scene, const Frame& frame) {
 void stand_on_floor(Body& body) {
     body.lift = -height_range(body).low;
     for (Vec3d& p : body.x) p.y() += body.lift;
-    for (Bone& bone : body.bones) bone.joint.y() += body.lift;
+    const Eigen::Translation3d up(0, body.lift, 0);
+    for (Bone& bone : body.bones) {
+        bone.joint.y() += body.lift;
+        bone.inverse_bind = bone.inverse_bind * up.inverse();
+    }
+    body.frame = up * body.frame;
 }
 
 // For example "moved 0.9 mm down to stand on the floor".
@@ -199,27 +205,60 @@ std::string canonical_name(const std::filesystem::path& path) {
     return error ? path.string() : name.string();
 }
 
-Body load_body(const std::filesystem::path& path, const LoadBodyOptions& options, LoadBodyReport* report) {
+namespace {
+
+// Takes the scene's bones, which are in the file's frame, into ours.
+void take_bones(Body& body, std::vector<Bone> bones, const Frame& frame) {
+    body.frame.linear().col(0) = frame(Vec3d::UnitX());
+    body.frame.linear().col(1) = frame(Vec3d::UnitY());
+    body.frame.linear().col(2) = frame(Vec3d::UnitZ());
+    const Eigen::Affine3d from_ours = body.frame.inverse();
+    for (Bone& bone : bones) {
+        bone.joint = frame(bone.joint);
+        bone.inverse_bind = bone.inverse_bind * from_ours;
+    }
+    body.bones = std::move(bones);
+}
+
+}  // namespace
+
+BodyClips load_moving_body(const std::filesystem::path& path, const LoadBodyOptions& options, LoadBodyReport* report) {
     LoadBodyReport own;
     LoadBodyReport& filled_report = report ? *report : own;
     filled_report = {};
-    const ImportedScene scene = guarded_import(path);
+    ImportedScene scene = guarded_import(path);
     const Frame frame = choose_frame(scene, path, options, filled_report);
     JoinedScene joined = join(scene, frame);
     Surface surface = repair(std::move(joined.surface), path.string(), options.repair, filled_report.repair);
 
-    Body body;
+    BodyClips motion;
+    Body& body = motion.body;
     body.name = path.stem().string();
     body.file = canonical_name(path);
     body.x = std::move(surface.x);
     body.triangles = std::move(surface.triangles);
-    body.bones = scene.bones;
-    for (Bone& bone : body.bones) bone.joint = frame(bone.joint);
+    take_bones(body, std::move(scene.bones), frame);
     if (!joined.skin.empty())
         for (const int origin : surface.origin) body.skin.push_back(joined.skin[std::size_t(origin)]);
     if (options.stands_on_floor) stand_on_floor(body);
+    if (!body.skin.empty()) bind_at_rest(body);
     write_notes(filled_report, body);
-    return body;
+    motion.clips = std::move(scene.clips);
+    return motion;
+}
+
+Body load_body(const std::filesystem::path& path, const LoadBodyOptions& options, LoadBodyReport* report) {
+    return load_moving_body(path, options, report).body;
+}
+
+BodyClips load_motion(const std::filesystem::path& path) {
+    ImportedScene scene = guarded_import(path, ImportKind::Motion);
+    BodyClips motion;
+    motion.body.name = path.stem().string();
+    motion.body.file = canonical_name(path);
+    motion.body.bones = std::move(scene.bones);
+    motion.clips = std::move(scene.clips);
+    return motion;
 }
 
 }  // namespace selvedge::sim

@@ -1,11 +1,13 @@
 #pragma once
-// Loads a body from an OBJ, glTF or GLB file: reads it in a guarded child process (guarded_import.h), converts it to
-// metres with y up, and repairs it to a closed surface (surface_repair.h). Keeps the file's bones and skin weights.
+// Loads a body from an OBJ, glTF, GLB or FBX file: reads it in a guarded child process (guarded_import.h), converts it
+// to metres with y up, and repairs it to a closed surface (surface_repair.h). Keeps the file's bones, skin weights and
+// clips. Also loads motion alone, without a surface.
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "sim/body/body.h"
+#include "sim/body/clip.h"
 #include "sim/body/surface_repair.h"
 
 namespace selvedge::sim {
@@ -35,5 +37,19 @@ std::string canonical_name(const std::filesystem::path& path);
 // closed, each piece is manifold and has outward orientation.
 Body load_body(const std::filesystem::path& path, const LoadBodyOptions& options = {},
                LoadBodyReport* report = nullptr);
+
+// A skeleton and what it can do.
+struct BodyClips {
+    Body body;  // its bones; without a surface if only motion was loaded
+    std::vector<Clip> clips;
+};
+
+// A body with the clips of its file. Throws as load_body(), and where check_clip() does.
+BodyClips load_moving_body(const std::filesystem::path& path, const LoadBodyOptions& options = {},
+                           LoadBodyReport* report = nullptr);
+
+// Skeleton and clips of a BVH, FBX, glTF or GLB file, in the file's unit and axes: for retarget(). All nodes of the
+// file are bones. Throws InputError.
+BodyClips load_motion(const std::filesystem::path& path);
 
 }  // namespace selvedge::sim

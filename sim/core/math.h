@@ -1,6 +1,6 @@
 #pragma once
-// Vector types (Eigen), the 2D cross product, a bounding box, and a quantile. Double precision is used for patterns,
-// base meshes and bodies; single precision for the state of the adaptive mesh and of the cloth.
+// Vector types (Eigen), the 2D cross product, a bounding box, a smooth step, and a quantile. Double precision is used
+// for patterns, base meshes and bodies; single precision for the state of the adaptive mesh and of the cloth.
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -30,6 +30,12 @@ inline Eigen::AlignedBox3f box_around(std::span<const Vec3f> points) {
     Eigen::AlignedBox3f box;
     for (const Vec3f& point : points) box.extend(point);
     return box;
+}
+
+// 0 below `from`, 1 above `to`, the cubic 3 t^2 - 2 t^3 between.
+inline double smoothstep(double x, double from, double to) {
+    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
 }
 
 // The q-quantile (0 <= q <= 1) of the values: always one of them, without interpolation. 0 if there are none.

@@ -1,14 +1,14 @@
 #pragma once
 // Topology of the mannequin's control cage: its vertices and quads, derived from ring counts. Rings run around torso,
 // legs, arms and thumbs and share vertices where parts meet (crotch, armhole, thumb), so no boolean operations are
-// needed. The left half is listed; the right half is its mirror image. Also the mannequin's joints, and the
-// subdivision of cages.
+// needed. The left half is listed; the right half is its mirror image. Also the positions of the
+// mannequin's joints, and the subdivision of cages.
 #include <array>
 #include <cstddef>
-#include <string_view>
 #include <vector>
 
 #include "sim/body/body.h"
+#include "sim/body/joint_names.h"
 #include "sim/core/math.h"
 
 namespace selvedge::sim {
@@ -84,35 +84,7 @@ struct Cage {
 // Within a part, vertices are numbered row by row, in the order of mannequin_table.json.
 Cage make_cage();
 
-// The mannequin's 21 joints, their names and their order in Body::bones.
-
-// The joints of both sides are in the same order: see mirrored().
-enum class Joint {
-    Hips,
-    Spine,
-    Chest,
-    Neck,
-    Head,
-    LeftShoulder,
-    LeftUpperArm,
-    LeftLowerArm,
-    LeftHand,
-    LeftUpperLeg,
-    LeftLowerLeg,
-    LeftFoot,
-    LeftToe,
-    RightShoulder,
-    RightUpperArm,
-    RightLowerArm,
-    RightHand,
-    RightUpperLeg,
-    RightLowerLeg,
-    RightFoot,
-    RightToe,
-};
-inline constexpr std::size_t kJointCount = 21;
-inline constexpr std::size_t kMiddleJoints = 5;  // hips to head
-inline constexpr std::size_t kSideJoints = 8;
+// The mannequin's 21 joints (sim/body/joint_names.h), which are its bones in the order of Joint.
 
 // Positions of the joints, m, in the order of Joint.
 struct Joints {
@@ -122,8 +94,6 @@ struct Joints {
     const Vec3d& operator[](Joint joint) const { return x[static_cast<std::size_t>(joint)]; }
 };
 
-std::string_view joint_name(Joint joint);  // for example "left_upper_arm"
-Joint mirrored(Joint joint);
 Vec3d mirrored(const Vec3d& x);  // reflects in the midplane x = 0
 
 // Sets the right side's joints to the mirror images of the left side's.

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "sim/core/atomic_file.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
@@ -52,6 +53,49 @@ TEST_F(File, writes_what_a_link_points_to_and_leaves_the_link) {
     write_file_atomically(folder_ / "link.txt", "new");
     EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link.txt"));
     EXPECT_EQ(read_file(folder_ / "elsewhere" / "a.txt", 100), "new");
+}
+
+TEST_F(File, written_in_parts_appears_when_it_is_complete) {
+    write_file_atomically(folder_ / "a.bin", "old");
+    {
+        AtomicFile file(folder_ / "a.bin");
+        file.append("0123");
+        file.append("4567");
+        file.overwrite(2, "xyz");
+        EXPECT_EQ(file.size(), 8U);
+        EXPECT_EQ(read_file(folder_ / "a.bin", 100), "old");
+        file.commit();
+    }
+    EXPECT_EQ(read_file(folder_ / "a.bin", 100), "01xyz567");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(File, written_in_parts_and_not_completed_leaves_nothing) {
+    write_file_atomically(folder_ / "a.bin", "old");
+    { AtomicFile(folder_ / "a.bin").append("new"); }
+    EXPECT_EQ(read_file(folder_ / "a.bin", 100), "old");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(File, names_what_a_full_disk_has_left) {
+    EXPECT_NO_THROW(require_free_space(folder_ / "a.bin", 1));
+    try {
+        require_free_space(folder_ / "a.bin", 3'000'000'000'000'000'000);
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_NE(error.problem().find("needs 3.0 EB, and "), std::string::npos) << error.what();
+        EXPECT_NE(error.problem().find(" are free on the disk"), std::string::npos) << error.what();
+    }
+}
+
+TEST_F(File, size_is_told_in_three_digits) {
+    EXPECT_EQ(bytes_text(0), "0 bytes");
+    EXPECT_EQ(bytes_text(999), "999 bytes");
+    EXPECT_EQ(bytes_text(1000), "1.0 kB");
+    EXPECT_EQ(bytes_text(9'949'000), "9.9 MB");
+    EXPECT_EQ(bytes_text(9'990'000), "10 MB");
+    EXPECT_EQ(bytes_text(999'600'000), "1.0 GB");
+    EXPECT_EQ(bytes_text(4'294'967'295), "4.3 GB");
 }
 
 }  // namespace

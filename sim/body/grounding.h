@@ -1,0 +1,28 @@
+#pragma once
+// Puts a posed or moving body on the floor: one lift for a whole clip, so that jumps stay jumps.
+#include "sim/body/body.h"
+#include "sim/body/clip.h"
+#include "sim/body/pose.h"
+
+namespace selvedge::sim {
+
+// The lowest point of the skinned surface, m; of a clip over its whole length, sampled at 30 Hz, or at 3000 times if it
+// is longer than 100 s. Pre: the body has a skin.
+double lowest_point(const Body& body, const Pose& pose);
+double lowest_point(const Body& body, const Clip& clip);
+
+// Moves the pose or the whole clip up or down so that its lowest point is at y = 0. Returns the lift, m; positive is
+// upward. Pre: the body has a skin.
+double stand_on_floor(const Body& body, Pose& pose);
+double stand_on_floor(const Body& body, Clip& clip);
+
+// Where the hips are in that pose, m; without hips, the first bone. Pre: the body has bones.
+Vec3d hips_of(const Body& body, const Pose& pose);
+
+// The way of the hips from one pose to another, without its height, m.
+Vec3d way_over_floor(const Body& body, const Pose& from, const Pose& to);
+
+// Moves a whole pose, m in our frame.
+void shift(const Body& body, Pose& pose, const Vec3d& by);
+
+}  // namespace selvedge::sim

@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "sim/body/clear_arms.h"
+#include "sim/body/load_body.h"
+#include "sim/body/motion_file.h"
+#include "sim/body/self_intersections.h"
+#include "sim/body/skin.h"
+#include "sim/mannequin/mannequin.h"
+#include "tests/support/mannequin.h"
+
+namespace selvedge::sim {
+namespace {
+
+std::string bone_of(const Body& body, int triangle) {
+    const SkinWeights& skin = body.skin[std::size_t(body.triangles[std::size_t(triangle)][0])];
+    return body.bones[skin.bones[std::size_t(std::ranges::max_element(skin.weights) - skin.weights.begin())]].name;
+}
+
+// Pairs of triangles of which one is of a forearm or a hand and cuts another part.
+int forearm_cuts(const Body& body, const Pose& pose) {
+    Body posed = body;
+    posed.x = skin(body, pose);
+    int cuts = 0;
+    for (const auto& [a, b] : self_intersections(posed)) {
+        const std::array names{bone_of(body, a), bone_of(body, b)};
+        cuts += std::ranges::any_of(
+            names, [](const std::string& name) { return name.ends_with("lower_arm") || name.ends_with("hand"); });
+    }
+    return cuts;
+}
+
+Body stout_mannequin() {
+    MannequinOptions options{.subdivisions = 1};
+    options.measures.bust = 1.15;
+    options.measures.waist = 1.0;
+    options.measures.hip = 1.25;
+    return make_mannequin(options).body;
+}
+
+TEST(ClearArms, leaves_arms_that_are_clear) {
+    const Body& body = test::mannequin();
+    Clip still{.name = "still", .seconds = 1};
+    EXPECT_EQ(clear_arms(body, still), 0);
+    Clip up = find_motion("arms_up", body);
+    EXPECT_EQ(clear_arms(body, up), 0);
+    Body bare = body;
+    bare.skin.clear();
+    EXPECT_EQ(clear_arms(bare, up), 0);
+}
+
+TEST(ClearArms, opens_arms_that_cut_the_trunk) {
+    const Body& body = test::mannequin();
+    Clip clip{.name = "pressed", .seconds = 0};
+    for (const std::string side : {"left_", "right_"}) {
+        const int bone = find_bone(body, side + "upper_arm");
+        const double inward = side == "left_" ? -0.8 : 0.8;
+        clip.tracks.push_back(
+            {.bone = bone, .rotation = {{0}, {Eigen::Quaterniond(Eigen::AngleAxisd(inward, Vec3d::UnitZ()))}}});
+    }
+    EXPECT_GT(forearm_cuts(body, sample(body, clip, 0)), 50);
+    const double angle = clear_arms(body, clip);
+    EXPECT_GT(angle, 0.1);
+    EXPECT_LT(angle, 0.6);
+    EXPECT_EQ(forearm_cuts(body, sample(body, clip, 0)), 0);
+}
+
+TEST(ClearArms, keeps_shipped_motions_of_slim_and_stout_bodies_apart_from_their_hands) {
+    for (const Body& body :
+         {test::mannequin(), make_mannequin({.sex = Sex::Male, .subdivisions = 1}).body, stout_mannequin()})
+        for (const std::string& name : motion_names()) {
+            const Clip clip = find_motion(name, body);
+            for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0})
+                EXPECT_EQ(forearm_cuts(body, sample(body, clip, share * clip.seconds)), 0)
+                    << body.made_from << ": " << name << " at " << share;
+        }
+}
+
+TEST(FindMotion, gives_a_body_its_own_clip_as_it_is) {
+    const char* data = std::getenv("SELVEDGE_TEST_DATA");
+    if (!data) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set";
+    for (const char* file : {"CesiumMan.glb", "mh_female_cmu01_01.glb"}) {
+        const std::string path = (std::filesystem::path(data) / "bodies" / file).string();
+        const BodyClips own = load_moving_body(path);
+        const Clip found = find_motion(path, own.body);
+        const Clip& clip = own.clips.front();
+        const auto at = [&](const Clip& of, double t) { return skin(own.body, sample(own.body, of, t)); };
+        const Vec3d shift = at(found, 0)[0] - at(clip, 0)[0];
+        EXPECT_LT(std::abs(shift.y()), 0.03) << file;
+        for (const double share : {0.1, 0.35, 0.7, 1.0}) {
+            const std::vector<Vec3d> wanted = at(clip, share * clip.seconds), x = at(found, share * clip.seconds);
+            double farthest = 0;
+            for (std::size_t v = 0; v < x.size(); ++v) farthest = std::max(farthest, (x[v] - wanted[v] - shift).norm());
+            EXPECT_LT(farthest, 0.005) << file << " at " << share;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace selvedge::sim
