@@ -6,6 +6,7 @@
 #include "sim/adaptive/surface_normals.h"
 #include "sim/cloth/contact_guard.h"
 #include "sim/cloth/contact_surface.h"
+#include "sim/cloth/moving_contact.h"
 #include "sim/cloth/state_transfer.h"
 #include "sim/collide/collider.h"
 
@@ -36,13 +37,23 @@ struct ClothObserver {
         if (visibility != nullptr) visibility->on_capacity(capacity);
     }
 
+    // On a body that moves, the new vertex stays on the side that its ends are on.
+    Vec3f outside_body(const Vec3f& middle, const Vec3f& normal, VertexId c, const std::array<VertexId, 2>& ends) {
+        if (!body.moving()) return outside(middle, normal, body, contact.offset);
+        MovingContacts& moving = cloth.solver.contacts.moving;
+        note_split(moving, c, ends[0], ends[1]);
+        const auto distance = distance_between(moving, ends, std::array{0.5F, 0.5F}, middle);
+        return distance ? Vec3f(middle + moving.last[c.value].normal * std::max(0.0F, contact.offset - *distance))
+                        : middle;
+    }
+
     // The centre gets the mean of the ends' positions and of their previous positions, so velocity is averaged too. If
     // it lies inside the body, it is moved out without gaining velocity.
     void on_split(VertexId c, VertexId a, VertexId b) {
         const Vec4f middle = (cloth.x[a.value] + cloth.x[b.value]) * 0.5F;
         const Vec4f velocity = middle - (cloth.x_prev[a.value] + cloth.x_prev[b.value]) * 0.5F;
         const Vec3f normal = sum_of_ends(cloth.mesh, cloth.normals, a, b);
-        cloth.x[c.value] = with_zero_w(outside(middle.head<3>(), normal, body, contact.offset));
+        cloth.x[c.value] = with_zero_w(outside_body(middle.head<3>(), normal, c, {a, b}));
         cloth.x_prev[c.value] = cloth.x[c.value] - velocity;
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();
         cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // e.g. on a pinned waistband
@@ -79,6 +90,7 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
                                        .limits = limits,
                                        .offset = observer.contact.offset,
                                        .standoff = &cloth.solver.contacts.standoff,
+                                       .moving = observer.body.moving() ? &cloth.solver.contacts.moving : nullptr,
                                        .spacing = observer.contact.sample_spacing};
     const CurvatureCriterion curvature(cloth.normals, scaled(options.curvature, scale));
     const LengthCriterion<Vec4f> length(cloth.x, scaled(options.length, scale));
@@ -106,9 +118,10 @@ struct CheapestDiagonal {
     const std::function<float(const Diagonal&)>& cost;
 };
 
-// The edges that the collision criterion will split. None if a budget or a view could veto such a split: then the edges
-// need contact samples.
-SplitOnContact split_on_contact(const AdaptClothOptions& options) {
+// The edges that the collision criterion will split. None if a budget or a view could veto such a split, or if the body
+// moves, whose knees may come through a coarse skirt before the next adaptation: then all edges need contact samples.
+SplitOnContact split_on_contact(const AdaptClothOptions& options, const Collider& body) {
+    if (body.moving() != nullptr) return std::nullopt;
     if (!options.criteria.collision || options.budget != nullptr || options.visibility != nullptr) return std::nullopt;
     return split_limits(options);
 }
@@ -132,7 +145,7 @@ AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOpti
         cloth.solver.self_contact->has_surface = false;
         if (observer.guard.is_doubtful()) cloth.solver.self_contact->contact.doubt();
     }
-    const SplitOnContact split = split_on_contact(options);
+    const SplitOnContact split = split_on_contact(options, body);
     if (report.changed() || !are_contacts_made_for(cloth, contact, split)) update_contacts(cloth, contact, split);
     return report;
 }

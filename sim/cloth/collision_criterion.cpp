@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/adaptive/criteria.h"
+#include "sim/cloth/moving_contact.h"
 #include "sim/cloth/standoff.h"
 #include "sim/collide/collider.h"
 
@@ -68,19 +69,31 @@ std::span<const EdgeId> CollisionCriterion::look(const AdaptiveMesh& mesh) const
 void CollisionCriterion::put_points(const AdaptiveMesh& mesh) const {
     batch.blocks.clear();
     batch.first.clear();
+    batch.least.clear();
     std::size_t count = 0;
+    const auto put = [&](std::span<const VertexId> corners, std::span<const float> shares, const Vec4f& p) {
+        const auto known = moving ? distance_between(*moving, corners, shares, p.head<3>()) : std::nullopt;
+        if (known) {
+            batch.least.back() = std::min(batch.least.back(), *known);
+        } else {
+            put_point(batch.blocks, count++, p);
+        }
+    };
     for (const EdgeId id : batch.evaluated) {
         batch.first.push_back(count);
+        batch.least.push_back(std::numeric_limits<float>::max());
         const AdaptiveEdge& edge = mesh.edge(id);
         const Vec4f &a = x[edge.ends[0].value], &b = x[edge.ends[1].value];
         const int parts = 2 * std::max(1, static_cast<int>(std::ceil(edge.rest_length / spacing / 2)));
         for (int k = 1; k < parts; ++k) {
-            put_point(batch.blocks, count++, a + (b - a) * (static_cast<float>(k) / static_cast<float>(parts)));
+            const float t = static_cast<float>(k) / static_cast<float>(parts);
+            put(edge.ends, std::array{1 - t, t}, a + (b - a) * t);
         }
         for (const TriangleId side : edge.sides) {
             if (!side) continue;
             const std::array<VertexId, 3>& v = mesh.triangle(side).vertices;
-            put_point(batch.blocks, count++, (x[v[0].value] + x[v[1].value] + x[v[2].value]) * (1.0F / 3.0F));
+            constexpr float kThird = 1.0F / 3.0F;
+            put(v, std::array{kThird, kThird, kThird}, (x[v[0].value] + x[v[1].value] + x[v[2].value]) * kThird);
         }
     }
     batch.first.push_back(count);
@@ -96,7 +109,7 @@ bool CollisionCriterion::finer_edges_cut(const AdaptiveMesh& mesh, EdgeId e) con
 
 // The maximum depth of the sample points of the i'th evaluated edge below the offset surface, m.
 float CollisionCriterion::depth(const AdaptiveMesh& mesh, std::size_t i) const {
-    float least = std::numeric_limits<float>::max();
+    float least = batch.least[i];
     for (std::size_t lane = batch.first[i]; lane < batch.first[i + 1]; ++lane) {
         least = std::min(least, batch.blocks[lane / kContactLanes].distance[lane % kContactLanes]);
     }

@@ -10,13 +10,15 @@
 namespace selvedge::sim {
 
 class Collider;
+struct MovingContacts;
 
 // Working memory of a batch evaluation, reused by later adaptations.
 struct CollisionBatch {
     std::vector<EdgeId> edges;         // the noted edges
     std::vector<EdgeId> evaluated;     // the evaluated edges: the noted ones and the finer edges beside them
-    std::vector<std::size_t> first;    // index of the first sample point of each evaluated edge, and the total number
+    std::vector<std::size_t> first;    // index of the first point of each evaluated edge in a query, and the number
     std::vector<float> depths;         // by EdgeId, m: penetration at the last evaluation; lowest float: not evaluated
+    std::vector<float> least;          // m, the least distance of the other points of each evaluated edge
     std::vector<ContactBlock> blocks;  // scratch
     bool is_evaluated = false;
 };
@@ -36,6 +38,7 @@ struct CollisionCriterion {
     SplitLimits limits{};                          // look-ahead considers only finer edges that these allow to be split
     float offset = 0.003F;                         // m, contact offset
     const std::vector<float>* standoff = nullptr;  // by vertex, m beyond the offset (standoff.h); nullptr: none
+    const MovingContacts* moving = nullptr;        // what is known of a body that moves; nullptr: every point asks it
     float split_depth = 0.002F;                    // m, of the chord below the offset surface
     float rejoin_depth = 0.0008F;
     float spacing = 0.025F;  // m, maximum distance between sample points of an edge; one is always in the middle

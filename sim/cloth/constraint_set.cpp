@@ -1,7 +1,9 @@
 #include "sim/cloth/constraint_set.h"
 
 namespace selvedge::sim {
-void BlockColoring::start(std::size_t vertices) {
+void BlockColoring::start(std::size_t vertices, Colorless colorless) {
+    colorless_ = colorless;
+    next_in_turn_ = 0;
     used_.assign(vertices, 0);
     colors_.clear();
     block_colors_.clear();
@@ -34,6 +36,7 @@ const std::vector<std::uint32_t>& BlockColoring::assign() {
 
 std::uint32_t BlockColoring::take_slot(std::uint32_t color) {
     std::vector<std::uint32_t>& free = free_slots_[color];
+    if (free.empty() && color == kColors && colorless_ == Colorless::InTurn) return next_in_turn();
     if (free.empty()) {
         const auto first = static_cast<std::uint32_t>(block_colors_.size() * kBlock);
         const auto count = color < kColors ? static_cast<std::uint32_t>(kBlock) : 1U;
@@ -43,6 +46,16 @@ std::uint32_t BlockColoring::take_slot(std::uint32_t color) {
     const std::uint32_t slot = free.back();
     free.pop_back();
     return slot;
+}
+
+// Constraints in turn fill the last block only, so that they are solved in the order of insert(), among the others too.
+std::uint32_t BlockColoring::next_in_turn() {
+    const bool has_room = next_in_turn_ % kBlock != 0 && block_colors_.back() >= kColors;
+    if (!has_room) {
+        next_in_turn_ = static_cast<std::uint32_t>(block_colors_.size() * kBlock);
+        add_block(kColors + alone_++);
+    }
+    return next_in_turn_++;
 }
 
 void BlockColoring::add_block(std::uint32_t color) {

@@ -59,8 +59,13 @@ class DirtyBlocks {
 // new one gets a free slot in a block of its colour, or a new block at the end. Memory is reused.
 class BlockColoring {
  public:
+    // Where a constraint goes for which no colour is left: into a block of its own; or into a block with other such
+    // constraints. These may share vertices, so they must be solved in turn, in the order of their slots, which is the
+    // order of insert() as long as nothing is removed.
+    enum class Colorless { Alone, InTurn };
+
     // Removes all constraints. Vertex indices must be below `vertices`.
-    void start(std::size_t vertices);
+    void start(std::size_t vertices, Colorless colorless = Colorless::Alone);
 
     // Adds a constraint; vertices: N indices.
     template <std::size_t N>
@@ -69,7 +74,7 @@ class BlockColoring {
     }
 
     // The slot of each constraint, in the order of add(): number slot % kBlock in block slot / kBlock. Every colour
-    // starts a new block.
+    // starts a new block. Colourless constraints that were added get a block each.
     const std::vector<std::uint32_t>& assign();
     std::size_t block_count() const { return block_colors_.size(); }  // after assign()
 
@@ -88,8 +93,12 @@ class BlockColoring {
         free_slots_[list_of(color)].push_back(slot);
     }
 
-    // The colour of each block. Constraints of one colour share no vertex, even in different blocks.
+    // The colour of each block. Constraints of one colour share no vertex, even in different blocks; except that a
+    // block in turn has a colour of its own.
     const std::vector<std::uint32_t>& colors() const { return block_colors_; }
+    bool is_in_turn(std::size_t block) const {
+        return colorless_ == Colorless::InTurn && block_colors_[block] >= kColors;
+    }
 
     // Consecutive blocks of one colour.
     struct Run {
@@ -99,7 +108,7 @@ class BlockColoring {
     const std::vector<Run>& runs() const { return runs_; }
 
  private:
-    // Number of shared colours. A constraint for which none is left gets a block and a colour of its own, from kColors.
+    // Number of shared colours. Blocks of constraints for which none is left have a colour of their own, from kColors.
     static constexpr std::uint32_t kColors = 64;
     static constexpr std::size_t list_of(std::uint32_t color) { return color < kColors ? color : kColors; }
 
@@ -113,6 +122,7 @@ class BlockColoring {
         return color;
     }
     std::uint32_t take_slot(std::uint32_t color);
+    std::uint32_t next_in_turn();
     void add_block(std::uint32_t color);
 
     std::vector<std::uint64_t> used_;    // by vertex: one bit per colour in use there
@@ -121,7 +131,9 @@ class BlockColoring {
     std::vector<std::uint32_t> block_colors_;
     std::array<std::vector<std::uint32_t>, kColors + 1> free_slots_{};  // by colour; the next to use is last
     std::vector<Run> runs_;
-    std::uint32_t alone_ = 0;  // number of blocks with a single constraint
+    std::uint32_t alone_ = 0;  // number of blocks without a shared colour
+    Colorless colorless_ = Colorless::Alone;
+    std::uint32_t next_in_turn_ = 0;  // the first slot of the last block in turn that was never used
 };
 
 // Each constraint belongs to a triangle and has a slot: number slot % kBlock in block slot / kBlock. It keeps its slot

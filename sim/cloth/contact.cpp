@@ -48,7 +48,7 @@ class SampleLists {
 
     void make_all() {
         contacts_.vertices = cloth_.mesh.vertex_capacity();
-        contacts_.coloring.start(contacts_.vertices + 1);
+        contacts_.coloring.start(contacts_.vertices + 1, BlockColoring::Colorless::InTurn);
         contacts_.coloring.assign();
         contacts_.samples.clear();
         contacts_.next.clear();
@@ -138,7 +138,7 @@ class SampleLists {
     std::uint32_t put(std::uint32_t slot, const std::array<std::uint32_t, 3>& v, const std::array<float, 3>& shares,
                       float friction) {
         if (contacts_.coloring.block_count() > contacts_.samples.size()) {
-            contacts_.samples.push_back(dummy_samples());
+            contacts_.samples.push_back(dummy_samples(contacts_.coloring.is_in_turn(contacts_.samples.size())));
             contacts_.next.resize(contacts_.samples.size() * kBlock, kNoBlockSlot);
         }
         SampleBlock& block = contacts_.samples[slot / kBlock];
@@ -153,12 +153,16 @@ class SampleLists {
         return slot;
     }
 
-    void clear(std::uint32_t slot) { copy_slot(dummy_samples(), contacts_.samples[slot / kBlock], slot % kBlock); }
+    void clear(std::uint32_t slot) {
+        const SampleBlock free = dummy_samples(contacts_.coloring.is_in_turn(slot / kBlock));
+        copy_slot(free, contacts_.samples[slot / kBlock], slot % kBlock);
+    }
 
-    SampleBlock dummy_samples() const {
+    SampleBlock dummy_samples(bool is_in_turn) const {
         constexpr float kFar = 1e6F;  // m
         SampleBlock block = dummy_block<SampleBlock>(contacts_.vertices);
         block.slack.fill(kFar);
+        block.in_turn.fill(is_in_turn ? 1 : 0);
         return block;
     }
 
@@ -202,19 +206,73 @@ void query(SolverState& solver, const Collider& body, float reach) {
     body.contacts_apart(blocks, trunk_only, reach);
 }
 
-// Handles one block of samples: queries the collider if needed, and projects samples that touch. Blocks are processed
-// in sequence, so each starts from the positions that the previous ones left.
-void meet_samples(SolverState& solver, SampleBlock& samples, const Kernels& loops, const Collider& body,
+// The same as Kernels::store_query, for one slot.
+void store_query_at(const ContactBlock& result, std::size_t at, const ContactLimits& limits, SampleBlock& samples) {
+    const float height = result.distance[at] - limits.offset;
+    const bool is_new = samples.slack[at] < ContactCacheArrays::kInvalidBelow;
+    samples.sunk[at] = is_new ? std::max(-height, 0.0F) : 0.0F;
+    set_values(samples.query_point, at, result.point(at));
+    samples.slack[at] = height - limits.margin;
+    set_values(samples.normal, at, {result.nx[at], result.ny[at], result.nz[at]});
+    samples.height[at] = height;
+}
+
+// For a block in turn. All samples query the collider at once; those that the previous ones have moved since query
+// again.
+void meet_in_turn(SolverState& solver, SampleBlock& samples, const Kernels& loops, const Collider& body,
                   const ContactLimits& limits) {
+    ContactBlock now, found;
+    bool has_found = false;
+    for (std::size_t at = 0; at < kBlock;) {
+        at = loops.push_samples_in_turn(samples, at, limits, floats(solver.points), floats(solver.before));
+        if (at == kBlock) return;
+        loops.locate_samples(samples, floats(solver.points), now);
+        if (!has_found || now.point(at) != found.point(at)) {
+            found = now;
+            query(solver, samples, found, body, limits.offset + kPlaneReach);
+            has_found = true;
+        }
+        store_query_at(found, at, limits, samples);
+        if (samples.slack[at] < ContactCacheArrays::kInvalidBelow) ++at;
+    }
+}
+
+// Handles one block of samples: queries the collider if needed, and projects samples that touch. Blocks are processed
+// in sequence, so each starts from the positions that the previous ones left. Returns how far its samples may move
+// before they have to be looked at again, m.
+float meet_samples(SolverState& solver, SampleBlock& samples, const Kernels& loops, const Collider& body,
+                   const ContactLimits& limits) {
     ContactBlock block;
     const SampleState state = loops.locate_samples(samples, floats(solver.points), block);
+    if (!state.needs_query && !state.touches) return state.free;
+    if (samples.in_turn[0] != 0) {
+        meet_in_turn(solver, samples, loops, body, limits);
+        return 0;
+    }
     if (state.needs_query) {
         query(solver, samples, block, body, limits.offset + kPlaneReach);
         loops.store_query(block, limits, samples);
     }
-    if (state.needs_query || state.touches) {
-        loops.push_samples(samples, limits, floats(solver.points), floats(solver.before));
+    loops.push_samples(samples, limits, floats(solver.points), floats(solver.before));
+    return state.needs_query ? *std::ranges::min_element(samples.slack) : 0;
+}
+
+void forget_skips(ContactState& contacts) {
+    contacts.skips.last.clear();
+    contacts.skips.skip_until.clear();
+}
+
+// Adds the motion of the vertices since the last call.
+void follow_motion(Cloth& cloth, const Kernels& loops) {
+    SampleSkips& skips = cloth.solver.contacts.skips;
+    std::vector<Vec4f>& points = cloth.solver.points;
+    if (skips.last.size() == points.size() && skips.skip_until.size() == cloth.solver.contacts.samples.size()) {
+        skips.moved += static_cast<double>(loops.longest_motion(floats(points), floats(skips.last), cloth.x.size()));
+        return;
     }
+    skips.last = points;
+    skips.moved = 0;
+    skips.skip_until.assign(cloth.solver.contacts.samples.size(), 0);
 }
 
 }  // namespace
@@ -230,6 +288,7 @@ void refresh_contacts(Cloth& cloth, const ContactOptions& options, const SplitOn
     contacts.sampled_edge = options.sampled_edge;
     contacts.split = split;
     SampleLists(cloth).make_all();
+    forget_skips(contacts);
 }
 
 bool are_contacts_made_for(const Cloth& cloth, const ContactOptions& options, const SplitOnContact& split) {
@@ -254,15 +313,18 @@ void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnC
     }
     for (const TriangleId t : changes.triangles_added) add_friction(cloth, contacts, t);
     SampleLists(cloth).change();
+    forget_skips(contacts);
 }
 
 void forget_contacts(Cloth& cloth) {
     keep_far_contacts(cloth, std::numeric_limits<float>::infinity());
+    cloth.solver.contacts.moving.last.clear();
 }
 
 void keep_far_contacts(Cloth& cloth, float by) {
     reactivate(cloth);
     ContactState& contacts = cloth.solver.contacts;
+    forget_skips(contacts);
     // Entries that are left have no tangent plane in reach when their slack is used up.
     const auto lower = [by](float slack) {
         return slack - by > kPlaneReach ? slack - by : ContactCacheArrays::kUnknown;
@@ -281,6 +343,7 @@ void set_contact_offset(Cloth& cloth, float offset) {
     const float lower = contacts.offset - offset;
     contacts.offset = offset;
     if (lower == 0) return;
+    forget_skips(contacts);
     for (std::size_t v = 0; v < contacts.query_point.size(); ++v) {
         contacts.plane[v].w() += lower;
         if (contacts.query_point[v].w() >= ContactCacheArrays::kInvalidBelow) contacts.query_point[v].w() += lower;
@@ -312,14 +375,21 @@ std::optional<Vec3f> sample_at(const ContactState& contacts, std::size_t slot, c
     return sum;
 }
 
-void push_out_samples(Cloth& cloth, const Kernels& loops, const Collider& body, const ContactOptions& options) {
-    const ContactLimits limits = limits_for(body, options);
+std::size_t push_out_samples(Cloth& cloth, const Kernels& loops, const Collider& body, const ContactOptions& options) {
+    constexpr double kRounding = 0.00001;  // m, more than the rounding errors of positions within 10 m of the origin
     ContactState& contacts = cloth.solver.contacts;
-    for (const auto& [first, count] : contacts.coloring.runs()) {
-        for (std::size_t i = first; i < first + count; ++i) {
-            meet_samples(cloth.solver, contacts.samples[i], loops, body, limits);
-        }
+    if (contacts.samples.empty()) return 0;
+    const ContactLimits limits = limits_for(body, options);
+    follow_motion(cloth, loops);
+    SampleSkips& skips = contacts.skips;
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < contacts.samples.size(); ++i) {
+        if (skips.moved < skips.skip_until[i]) continue;
+        ++seen;
+        const float free = meet_samples(cloth.solver, contacts.samples[i], loops, body, limits);
+        skips.skip_until[i] = skips.moved + static_cast<double>(free) - kRounding;
     }
+    return seen;
 }
 
 void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, float longest_move,

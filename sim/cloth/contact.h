@@ -13,6 +13,7 @@
 #include "sim/adaptive/adapt.h"
 #include "sim/cloth/constraint_set.h"
 #include "sim/cloth/face_contact.h"
+#include "sim/cloth/moving_contact_state.h"
 #include "sim/cloth/solver_blocks.h"
 #include "sim/collide/collider.h"
 #include "sim/core/math.h"
@@ -41,14 +42,24 @@ struct ContactCacheArrays {
 
 // Samples: contact points on an edge or in the middle of a triangle. A free slot has a slack of 1,000 km.
 struct alignas(64) SampleBlock {
-    std::array<BlockPoints, 3> vertices{};  // none twice within a block; the third of an edge is the dummy vertex
+    std::array<BlockPoints, 3> vertices{};  // none twice, unless in turn; the third of an edge is the dummy vertex
     std::array<BlockFloats, 3> shares{};    // barycentric weights of the vertices; they sum to 1
     BlockFloats friction{};
     std::array<BlockFloats, 3> query_point{};  // m; this and the next three as in ContactCacheArrays
     BlockFloats slack{};
     std::array<BlockFloats, 3> normal{};
     BlockFloats height{};
-    BlockFloats sunk{};  // m, depth below the offset surface at the sample's first query
+    BlockFloats sunk{};     // m, depth below the offset surface at the sample's first query
+    BlockPoints in_turn{};  // 1 in all slots or 0: the samples may share vertices, so they are pushed one by one
+};
+
+// Which blocks of samples are too far from the body to be looked at. Each look at a block measures how far its samples
+// may move before one is near. The block is skipped until the cloth has moved so far: no sample moves farther than the
+// vertex that moves farthest. So cloth far from the body costs one pass over its vertices per sub-step.
+struct SampleSkips {
+    std::vector<Vec4f> last;         // positions when `moved` was last increased
+    double moved = 0;                // m, sum of the longest motions of a vertex from one call to the next
+    std::vector<double> skip_until;  // by block, m: it is skipped while `moved` is less; empty: none is
 };
 
 struct Cloth;
@@ -73,7 +84,9 @@ struct ContactState {
     std::vector<float> friction;     // by vertex
     std::vector<float> standoff;     // by vertex, m beyond the contact offset; see standoff.h
     std::vector<SampleBlock> samples;
+    SampleSkips skips;                // of samples, with a body at rest
     std::vector<FaceContact> faces;   // those that are watched
+    MovingContacts moving;            // with a body that moves
     float offset = 0;                 // m, contact offset that the cached heights and slacks refer to
     std::vector<bool> is_trunk_only;  // by vertex and of the dummy vertex: see contacts_apart(); empty: none
     struct Scratch {
@@ -116,8 +129,9 @@ std::optional<Vec3f> sample_at(const ContactState& contacts, std::size_t slot, c
 void set_contact_offset(Cloth& cloth, float offset);
 
 // Moves the samples in Cloth::solver at least `offset` away from the collider. Friction reduces the tangential motion
-// since the last sub-step by up to the friction coefficient times the corrected depth.
-void push_out_samples(Cloth& cloth, const Kernels& loops, const Collider& body, const ContactOptions& options);
+// since the last sub-step by up to the friction coefficient times the corrected depth. Returns the number of blocks
+// that were not skipped.
+std::size_t push_out_samples(Cloth& cloth, const Kernels& loops, const Collider& body, const ContactOptions& options);
 
 // The same for the vertices, which are also kept above the floor. First limits the motion of each vertex in this
 // sub-step to longest_move (m), because a vertex that jumps over a thin part of the body has no contact with it. Called

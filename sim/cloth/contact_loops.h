@@ -1,6 +1,9 @@
 #pragma once
 // The kernels of contacts, which keep vertices and samples outside of a body, and vertices above the floor; for their
 // contracts see kernels.h. Include it only in kernel sources (kernels_simd.cpp; see sim/core/simd_level.h).
+#include <algorithm>
+#include <limits>
+
 #include "sim/cloth/loop_parts.h"
 
 namespace selvedge::sim {
@@ -28,6 +31,7 @@ struct ContactCache {
     Ints needs_query;  // the point must query the collider
     Ints is_known;     // the point has used up its slack, and the tangent plane is valid
     Ints may_touch;    // is_known, and the point is below the offset surface
+    Floats squared;    // m^2, of the distance that the point has moved since its query
 };
 
 // x: the present positions; the other arguments: their entries in the contact cache.
@@ -40,7 +44,7 @@ struct ContactCache {
     const Ints is_lost = (squared > kPlaneReach * kPlaneReach) | (slack < ContactCacheArrays::kInvalidBelow);
     const Floats now = height + dot(normal, moved);
     const Ints is_known = is_near & ~is_lost;
-    return {normal, now, is_near & is_lost, is_known, is_known & (now < 0.0F)};
+    return {normal, now, is_near & is_lost, is_known, is_known & (now < 0.0F), squared};
 }
 
 // Projects points that lie `depth` below the offset surface (0: above it) onto that surface, and reduces their
@@ -172,8 +176,15 @@ void store_query_and_project(const ContactBlock& result, const std::uint32_t* of
                 load_at(block.height, at));
 }
 
+[[gnu::always_inline]] inline float least_of(Floats values) {
+    float least = values[0];
+    for (std::size_t i = 1; i < lanes::kCount; ++i) least = std::min(least, float(values[i]));
+    return least;
+}
+
 SampleState locate_samples(const SampleBlock& block, const float* points, ContactBlock& at_points) {
     unsigned needs_query = 0, touches = 0;
+    BlockFloats squared;
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
         const Xyz x = mixed(block, at, corners_of(block, at, points));
         lanes::store(&at_points.x[at], x.x);
@@ -182,8 +193,18 @@ SampleState locate_samples(const SampleBlock& block, const float* points, Contac
         const ContactCache here = near(block, at, x);
         needs_query |= lanes::bits(here.needs_query);
         touches |= lanes::bits(here.may_touch);
+        lanes::store(&squared[at], here.squared);
     }
-    return {needs_query != 0, touches != 0};
+    if ((needs_query | touches) != 0) return {needs_query != 0, touches != 0, 0};
+    Floats free = lanes::broadcast(std::numeric_limits<float>::max());
+    for (std::size_t at = 0; at < kBlock; at += lanes::kCount)
+        free = lanes::min(free, load_at(block.slack, at) - lanes::sqrt(load_at(squared, at)));
+    return {false, false, least_of(free)};
+}
+
+// a in lanes where the comparison is true, b in the others.
+[[gnu::always_inline]] inline Floats chosen(Ints comparison, Floats a, Floats b) {
+    return Floats((comparison & Ints(a)) | (~comparison & Ints(b)));
 }
 
 void store_query(const ContactBlock& result, const ContactLimits& limits, SampleBlock& block) {
@@ -193,7 +214,8 @@ void store_query(const ContactBlock& result, const ContactLimits& limits, Sample
         const Ints is_new = load_at(block.slack, at) < ContactCacheArrays::kInvalidBelow;
         lanes::store(&block.sunk[at], lanes::where(is_new, lanes::max(-height, Floats{})));
         store_three(block.query_point, at, x.x, x.y, x.z);
-        lanes::store(&block.slack[at], height - limits.margin);
+        const Ints is_used = load_at(block.shares[0], at) > 0.0F;
+        lanes::store(&block.slack[at], chosen(is_used, height - limits.margin, load_at(block.slack, at)));
         store_three(block.normal, at, normal.x, normal.y, normal.z);
         lanes::store(&block.height[at], height);
     }
@@ -222,27 +244,108 @@ struct CornerShares {
     return {shifted(c.x0, by, shares.s0), shifted(c.x1, by, shares.s1), shifted(c.x2, by, shares.s2)};
 }
 
-// A new sample may start below the offset surface. It did not move there, so it is lifted by that depth without gaining
-// velocity.
+// A group of kCount samples of a block, from slot `at` on.
+struct LocatedSamples {
+    Corners corners;
+    Xyz x;
+    ContactCache cache;
+};
+[[gnu::always_inline]] inline LocatedSamples located(const SampleBlock& block, std::size_t at, const float* points) {
+    const Corners c = corners_of(block, at, points);
+    const Xyz x = mixed(block, at, c);
+    return {c, x, near(block, at, x)};
+}
+
+// The corners of samples that are `depth` below the offset surface, after their projection, and one sub-step ago.
+struct PushedCorners {
+    Corners now, before;
+};
+// A new sample may start below the offset surface, by `sunk`. It did not move there, so it is lifted by that depth
+// without gaining velocity.
+[[gnu::always_inline]] inline PushedCorners pushed(const SampleBlock& block, std::size_t at, const LocatedSamples& s,
+                                                   Floats depth, Floats sunk, float friction_scale,
+                                                   const float* before) {
+    const CornerShares shares = corner_shares(block, at, s.corners);
+    const Xyz& normal = s.cache.normal;
+    Corners from = corners_of(block, at, before);
+    if (lanes::bits(sunk > 0.0F) != 0)
+        from = shifted(from, {normal.x * sunk, normal.y * sunk, normal.z * sunk}, shares);
+    const Floats mu = load_at(block.friction, at) * friction_scale;
+    const Xyz out = project(s.x, mixed(block, at, from), normal, depth, mu);
+    return {shifted(s.corners, {out.x - s.x.x, out.y - s.x.y, out.z - s.x.z}, shares), from};
+}
+
 void push_samples(SampleBlock& block, const ContactLimits& limits, float* points, float* before) {
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-        const Corners c = corners_of(block, at, points);
-        const Xyz x = mixed(block, at, c);
-        const ContactCache here = near(block, at, x);
-        const Floats depth = lanes::where(here.may_touch, -here.height);
+        const LocatedSamples s = located(block, at, points);
+        const Floats depth = lanes::where(s.cache.may_touch, -s.cache.height);
         if (lanes::bits(depth > 0.0F) == 0) continue;
-        const CornerShares shares = corner_shares(block, at, c);
-        Corners from = corners_of(block, at, before);
         const Floats sunk = load_at(block.sunk, at);
+        const PushedCorners to = pushed(block, at, s, depth, sunk, limits.friction_scale, before);
         if (lanes::bits(sunk > 0.0F) != 0) {
-            from = shifted(from, {here.normal.x * sunk, here.normal.y * sunk, here.normal.z * sunk}, shares);
-            put_corners(block, at, from, before);
+            put_corners(block, at, to.before, before);
             lanes::store(&block.sunk[at], Floats{});
         }
-        const Floats mu = load_at(block.friction, at) * limits.friction_scale;
-        const Xyz out = project(x, mixed(block, at, from), here.normal, depth, mu);
-        put_corners(block, at, shifted(c, {out.x - x.x, out.y - x.y, out.z - x.z}, shares), points);
+        put_corners(block, at, to.now, points);
     }
+}
+
+// Stores the corners of one lane alone.
+[[gnu::always_inline]] inline void put_lane(const SampleBlock& block, std::size_t at, std::size_t lane,
+                                            const Corners& c, float* points) {
+    const auto put = [&](std::size_t k, const Rows& x) {
+        float rows[4 * lanes::kCount];
+        for (std::size_t j = 0; j < 4; ++j) lanes::store(rows + j * lanes::kCount, x.row[j]);
+        std::memcpy(points + block.vertices[k][at + lane], rows + lane % 4 * lanes::kCount + lane / 4 * 4,
+                    4 * sizeof(float));
+    };
+    put(0, c.x0);
+    put(1, c.x1);
+    put(2, c.x2);
+}
+
+// The lanes after `lane`, and the lanes of the group at `at` from slot `first` on, one bit each.
+constexpr unsigned lanes_after(std::size_t lane) {
+    return ~0U << (lane + 1);
+}
+constexpr unsigned lanes_from(std::size_t first, std::size_t at) {
+    if (first >= at + lanes::kCount) return 0;
+    return first > at ? ~0U << (first - at) : ~0U;
+}
+
+std::size_t push_samples_in_turn(SampleBlock& block, std::size_t first, const ContactLimits& limits, float* points,
+                                 float* before) {
+    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+        unsigned rest = lanes_from(first, at);
+        while (rest != 0) {
+            const LocatedSamples s = located(block, at, points);
+            const unsigned to_query = lanes::bits(s.cache.needs_query) & rest;
+            const unsigned met = to_query | (lanes::bits(s.cache.may_touch) & rest);
+            if (met == 0) break;
+            const auto lane = static_cast<std::size_t>(__builtin_ctz(met));
+            if ((to_query >> lane & 1U) != 0) return at + lane;
+            const PushedCorners to = pushed(block, at, s, lanes::where(s.cache.may_touch, -s.cache.height),
+                                            load_at(block.sunk, at), limits.friction_scale, before);
+            if (block.sunk[at + lane] > 0) {
+                put_lane(block, at, lane, to.before, before);
+                block.sunk[at + lane] = 0;
+            }
+            put_lane(block, at, lane, to.now, points);
+            rest &= lanes_after(lane);
+        }
+    }
+    return kBlock;
+}
+
+float longest_motion(const float* points, float* last, std::size_t count) {
+    Floats longest{};
+    for (std::size_t i = 0; i < 4 * count; i += lanes::kCount) {
+        const Floats x = lanes::load(points + i);
+        const Floats move = lanes::with_w_components(x - lanes::load(last + i), Floats{});
+        lanes::store(last + i, x);
+        longest = lanes::max(longest, squared_lengths(move));
+    }
+    return -least_of(-lanes::sqrt(longest));
 }
 
 }  // namespace

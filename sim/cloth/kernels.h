@@ -50,9 +50,11 @@ struct ContactLimits {
     float friction_scale = 1;
 };
 
-// For sixteen samples: whether any must query the collider, and whether any touches according to the contact cache.
+// For sixteen samples: whether any must query the collider, whether any touches according to the contact cache, and how
+// far they may move before one can do either.
 struct SampleState {
     bool needs_query, touches;
+    float free;  // m; 0 if any has to query or touches
 };
 
 struct Kernels {
@@ -140,6 +142,21 @@ struct Kernels {
     SampleState (*locate_samples)(const SampleBlock& block, const float* points, ContactBlock& at_points);
     void (*store_query)(const ContactBlock& result, const ContactLimits& limits, SampleBlock& block);
     void (*push_samples)(SampleBlock& block, const ContactLimits& limits, float* points, float* before);
+
+    // For a block in turn: projects the samples that touch one by one, from slot `first` on, until one must query the
+    // collider. Returns the slot of that one, or kBlock.
+    std::size_t (*push_samples_in_turn)(SampleBlock& block, std::size_t first, const ContactLimits& limits,
+                                        float* points, float* before);
+
+    // The longest displacement of a point since `last`, m; then last := points. Pre: `count` is a multiple of sixteen.
+    float (*longest_motion)(const float* points, float* last, std::size_t count);
+
+    // The same with planes that move: projects the points that are below them, with friction against the motion of the
+    // planes since `before`. What a vertex gains by the rise of its plane is added to `before` too.
+    void (*hold_on_planes)(std::span<const MovingVertexBlock> blocks, const StepShare& share, float friction_scale,
+                           float* before, float* points);
+    void (*push_samples_on_planes)(SampleBlock& block, const MovingPlaneBlock& planes, const StepShare& share,
+                                   float friction_scale, float* points, float* before);
 };
 
 const Kernels& kernels(SimdLevel level);

@@ -2,6 +2,7 @@
 // last function has internal linkage (sim/core/simd_level.h).
 #include "sim/cloth/constraint_loops.h"
 #include "sim/cloth/contact_loops.h"
+#include "sim/cloth/moving_contact_loops.h"
 #include "sim/cloth/triangle_bending_loops.h"
 #include "sim/core/simd_lanes.h"
 
@@ -29,7 +30,11 @@ constexpr Kernels kLoops{.update_stretch_masses = update_stretch_masses,
                          .store_query_and_project = store_query_and_project,
                          .locate_samples = locate_samples,
                          .store_query = store_query,
-                         .push_samples = push_samples};
+                         .push_samples = push_samples,
+                         .push_samples_in_turn = push_samples_in_turn,
+                         .longest_motion = longest_motion,
+                         .hold_on_planes = hold_on_planes,
+                         .push_samples_on_planes = push_samples_on_planes};
 
 }  // namespace
 

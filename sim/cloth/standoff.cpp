@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/moving_contact.h"
 #include "sim/collide/collider.h"
 
 namespace selvedge::sim {
@@ -23,43 +24,49 @@ class Lacks {
     std::vector<float> find() {
         for (const LeafEdge& leaf : cloth_.mesh.leaf_edges()) {
             const AdaptiveEdge& edge = cloth_.mesh.edge(leaf.edge);
-            add({edge.ends[0].value, edge.ends[1].value, edge.ends[1].value}, {0.5F, 0.25F, 0.25F});
+            add({edge.ends[0], edge.ends[1], edge.ends[1]}, {0.5F, 0.25F, 0.25F});
         }
         constexpr float kThird = 1.0F / 3.0F;
         for (const LeafTriangle& leaf : cloth_.mesh.leaf_triangles()) {
-            add({leaf.v[0].value, leaf.v[1].value, leaf.v[2].value}, {kThird, kThird, kThird});
+            add(leaf.v, {kThird, kThird, kThird});
         }
         query();
         return std::move(by_vertex_);
     }
 
  private:
-    using Corners = std::array<std::uint32_t, 3>;
+    using Corners = std::array<VertexId, 3>;
 
     void add(const Corners& corners, const std::array<float, 3>& shares) {
         Vec3f x = Vec3f::Zero();
-        for (std::size_t k = 0; k < 3; ++k) x += shares[k] * cloth_.x[corners[k]].head<3>();
-        block_.set_point(corners_.size(), x);
+        for (std::size_t k = 0; k < 3; ++k) x += shares[k] * cloth_.x[corners[k].value].head<3>();
+        if (body_.moving()) {
+            const auto known = distance_between(cloth_.solver.contacts.moving, corners, shares, x);
+            if (known) return note(corners, *known);
+        }
+        if (corners_.size() % kContactLanes == 0) blocks_.emplace_back();
+        blocks_.back().set_point(corners_.size() % kContactLanes, x);
         corners_.push_back(corners);
-        if (corners_.size() == kContactLanes) query();
     }
 
     void query() {
-        if (corners_.empty()) return;
-        for (std::size_t i = corners_.size(); i < kContactLanes; ++i) block_.set_point(i, block_.point(0));
-        body_.contacts({&block_, 1}, kChordClearance + kMaxStandoff);
-        for (std::size_t i = 0; i < corners_.size(); ++i) {
-            const float lack = kChordClearance - block_.distance[i];
-            for (const std::uint32_t v : corners_[i]) by_vertex_[v] = std::max(by_vertex_[v], lack);
-        }
-        corners_.clear();
+        for (std::size_t i = corners_.size(); i < blocks_.size() * kContactLanes; ++i)
+            blocks_.back().set_point(i % kContactLanes, blocks_.back().point(0));
+        body_.contacts(blocks_, kChordClearance + kMaxStandoff);
+        for (std::size_t i = 0; i < corners_.size(); ++i)
+            note(corners_[i], blocks_[i / kContactLanes].distance[i % kContactLanes]);
+    }
+
+    void note(const Corners& corners, float distance) {
+        for (const VertexId v : corners)
+            by_vertex_[v.value] = std::max(by_vertex_[v.value], kChordClearance - distance);
     }
 
     const Cloth& cloth_;
     const Collider& body_;
     std::vector<float> by_vertex_;
     std::vector<Corners> corners_;
-    ContactBlock block_;
+    std::vector<ContactBlock> blocks_;
 };
 
 // The height of a vertex above its offset surface, m, by the cached plane; nothing is known where it is far away.

@@ -1,14 +1,34 @@
 #include "sim/cloth/step.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "sim/cloth/contact_surface.h"
 #include "sim/cloth/kernels.h"
+#include "sim/cloth/moving_contact.h"
 #include "sim/core/assert.h"
 
 namespace selvedge::sim {
 namespace {
+
+// Adds the time of its scope to times->collision; asks no clock if there are no times.
+class CollisionClock {
+ public:
+    explicit CollisionClock(StepTimes* times) : times_(times) {
+        if (times_ != nullptr) start_ = std::chrono::steady_clock::now();
+    }
+    ~CollisionClock() {
+        if (times_ == nullptr) return;
+        times_->collision += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+    CollisionClock(const CollisionClock&) = delete;
+    CollisionClock& operator=(const CollisionClock&) = delete;
+
+ private:
+    StepTimes* times_;
+    std::chrono::steady_clock::time_point start_{};
+};
 
 // One step of one garment, on one CPU thread. Batches run several garments in parallel, each on its own thread.
 struct Stepper {
@@ -27,6 +47,8 @@ struct Stepper {
     float share_at(float rate) const { return 1 - std::exp(-rate * step_seconds(cloth, options)); }
 
     void step();
+    void begin_contacts();
+    void end_contacts();
     void substep(int i);
     // In even sub-steps all bending constraints are solved; in odd ones only those with an interval of 1.
     int bend_interval(int i) const { return (cloth.solver.substeps + i) % 2 == 0 ? 2 : 1; }
@@ -44,32 +66,53 @@ struct Stepper {
     void limit_stretch();
     void update_bias();
     void pull_seams(float gap);
-    void hold(const ContactOptions& contact);
+    void push_out_between_vertices(const StepShare& share);
+    void hold(const ContactOptions& contact, const StepShare& share);
     MovingPoints moving_points() const { return {points(), before(), cloth.x.size()}; }
     void apply_internal_damping();
 };
 
 void Stepper::step() {
     load_points();
+    begin_contacts();
+    for (int i = 0; i < options.substeps; ++i) {
+        substep(i);
+        if (!options.self_contact) continue;
+        const CollisionClock clock(options.times);
+        cloth.solver.self_contact->contact.substep(moving_points(), *options.self_contact);
+    }
+    if (options.self_contact) {
+        const CollisionClock clock(options.times);
+        cloth.solver.self_contact->contact.end_step(moving_points(), *options.self_contact);
+    }
+    apply_internal_damping();
+    end_contacts();
+    store_points();
+}
+
+void Stepper::begin_contacts() {
+    const CollisionClock clock(options.times);
     set_contact_offset(cloth, options.contact.offset);
+    if (body.moving()) find_moving_contacts(cloth, *body.moving(), options.contact, options.substeps);
     SelfContact& self_contact = cloth.solver.self_contact->contact;
     if (options.self_contact) {
         update_contact_surface(cloth);
+        if (body.moving()) self_contact.excuse(pinched_vertices(cloth.solver.contacts.moving));
         self_contact.begin_step(moving_points(), *options.self_contact);
     } else {
         self_contact.forget();
     }
-    for (int i = 0; i < options.substeps; ++i) {
-        substep(i);
-        if (options.self_contact) self_contact.substep(moving_points(), *options.self_contact);
-    }
-    if (options.self_contact) self_contact.end_step(moving_points(), *options.self_contact);
-    apply_internal_damping();
-    store_points();
+}
+
+void Stepper::end_contacts() {
+    const CollisionClock clock(options.times);
+    if (body.moving()) end_moving_contacts(cloth, options.contact);
 }
 
 void Stepper::substep(int i) {
     const bool is_last = i + 1 == options.substeps;
+    const StepShare share{.end = static_cast<float>(i + 1) / static_cast<float>(options.substeps),
+                          .length = 1 / static_cast<float>(options.substeps)};
     predict(i);
     solve_coarse_bend(bend_interval(i));
     solve_bend(bend_interval(i));
@@ -80,19 +123,18 @@ void Stepper::substep(int i) {
     if (options.solve_more) options.solve_more(points());
     store_corrections();
     if (is_last) update_bias();
-    push_out_samples(cloth, loops, body, options.contact);
-    push_out_faces(cloth, body, options.contact);
+    push_out_between_vertices(share);
     const float to_go = static_cast<float>(options.substeps - 1 - i);
     const float gap = options.seam_gap + to_go * options.seam_gap_rate;
     ContactOptions contact = options.contact;
     contact.floor -= to_go * options.floor_rate;
     pull_seams(gap);
-    hold(contact);
+    hold(contact, share);
     if (options.seams.empty()) return;
     // Vertices that a seam pulled deep into the body may come out on different sides of a ridge. The second iteration
     // closes the seam along the surface.
     pull_seams(gap);
-    hold(contact);
+    hold(contact, share);
 }
 
 // Copies positions and inverse masses. The dummy vertex is placed 10 km away.
@@ -226,8 +268,19 @@ void Stepper::pull_seams(float gap) {
     }
 }
 
-void Stepper::hold(const ContactOptions& contact) {
-    hold_vertices(cloth, loops, body, options.max_move_per_substep, contact);
+void Stepper::push_out_between_vertices(const StepShare& share) {
+    const CollisionClock clock(options.times);
+    if (body.moving()) return push_out_samples_on_planes(cloth, loops, share, options.contact);
+    push_out_samples(cloth, loops, body, options.contact);
+    push_out_faces(cloth, body, options.contact);
+}
+
+// A body that moves takes cloth along: the limit of the displacement is relative to it.
+void Stepper::hold(const ContactOptions& contact, const StepShare& share) {
+    const CollisionClock clock(options.times);
+    if (!body.moving()) return hold_vertices(cloth, loops, body, options.max_move_per_substep, contact);
+    const float longest = options.max_move_per_substep + body.moving()->longest_motion() * share.length;
+    hold_vertices_on_planes(cloth, *body.moving(), loops, share, longest, contact);
 }
 
 void Stepper::apply_internal_damping() {

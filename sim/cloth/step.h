@@ -26,6 +26,11 @@ struct KinematicVertex {
     Vec3f to = Vec3f::Zero();  // target, m; outside of the body
 };
 
+// Wall-clock times of parts of a step, s. Each step adds its own.
+struct StepTimes {
+    double collision = 0;  // contact with the body, with the floor and of cloth with cloth
+};
+
 struct StepOptions {
     int substeps = 12;                    // each of length Cloth::substep
     Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
@@ -46,7 +51,8 @@ struct StepOptions {
     // (m) and the inverse mass (1/kg), then the dummy vertex. Such a cloth never rests. See
     // docs/adding-a-constraint.md.
     std::function<void(float* points)> solve_more{};
-    bool may_rest = false;  // whether a cloth at rest is deactivated until something could move it (resting.h)
+    bool may_rest = false;       // whether a cloth at rest is deactivated until something could move it (resting.h)
+    StepTimes* times = nullptr;  // optional: the step is timed, and adds to it
 };
 
 struct StepReport {

@@ -44,6 +44,7 @@ struct alignas(64) ContactBlock {
 };
 
 struct ThinPart;
+class MovingBodyCollider;
 
 class Collider {
  public:
@@ -70,6 +71,9 @@ class Collider {
     // The exact surface, if the collider has one that does not move; and its thin parts.
     virtual const SurfaceBvh* exact_surface() const { return nullptr; }
     virtual std::span<const ThinPart> thin_parts() const { return {}; }
+
+    // The collider itself if its surface moves during a step.
+    virtual const MovingBodyCollider* moving() const { return nullptr; }
 
     // Distances outside are capped at this value, m.
     virtual float band() const = 0;

@@ -39,6 +39,12 @@ struct CollideKernels {
     // distances and `nearest`. Returns the largest of the sixteen squared distances.
     float (*nearest_in_packet)(const float* packet, const std::uint32_t* ids, const float* box, float* rows,
                                std::uint32_t* nearest);
+
+    // Writes the nine rows of a packet for moved triangles to `moved`. packet: its rows where they are; ids: its eight
+    // triangles; corners: three vertices per triangle of the surface; end: x, y, z per vertex where they will be (m).
+    // box: output, low x, y, z and high x, y, z of the triangles where they are, and where they will be less `drift`.
+    void (*sweep_packet)(const float* packet, const std::uint32_t* ids, const std::uint32_t* corners, const float* end,
+                         const float* drift, float* moved, float* box);
 };
 
 const CollideKernels& collide_kernels(SimdLevel level);

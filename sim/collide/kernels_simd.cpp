@@ -271,9 +271,44 @@ unsigned nearer_triangles(const float* packet, const float* p, float limit, floa
     return nearer;
 }
 
+void sweep_packet(const float* packet, const std::uint32_t* ids, const std::uint32_t* corners, const float* end,
+                  const float* drift, float* moved, float* box) {
+    constexpr std::size_t kLanes = kGroupTriangles;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        float a[kLanes], b[kLanes], c[kLanes];  // corners at the end
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const std::uint32_t* triangle = corners + 3 * ids[i];
+            a[i] = end[3 * triangle[0] + axis];
+            b[i] = end[3 * triangle[1] + axis];
+            c[i] = end[3 * triangle[2] + axis];
+        }
+        const float *start = packet + axis * kLanes, *edge1 = packet + (3 + axis) * kLanes,
+                    *edge2 = packet + (6 + axis) * kLanes;
+        float low[kLanes], high[kLanes];
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            moved[axis * kLanes + i] = a[i];
+            moved[(3 + axis) * kLanes + i] = b[i] - a[i];
+            moved[(6 + axis) * kLanes + i] = c[i] - a[i];
+            const float p = start[i], q = start[i] + edge1[i], r = start[i] + edge2[i];
+            const float x = a[i] - drift[axis], y = b[i] - drift[axis], z = c[i] - drift[axis];
+            const auto least = [](float u, float v) { return u < v ? u : v; };
+            const auto most = [](float u, float v) { return u > v ? u : v; };
+            low[i] = least(least(least(p, q), r), least(least(x, y), z));
+            high[i] = most(most(most(p, q), r), most(most(x, y), z));
+        }
+        box[axis] = low[0];
+        box[axis + 3] = high[0];
+        for (std::size_t i = 1; i < kLanes; ++i) {
+            box[axis] = low[i] < box[axis] ? low[i] : box[axis];
+            box[axis + 3] = high[i] > box[axis + 3] ? high[i] : box[axis + 3];
+        }
+    }
+}
+
 constexpr CollideKernels kKernels{.sample_blocks = sample_blocks,
                                   .squared_distances = lanes::kCount <= kGroupTriangles ? nearer_triangles : nullptr,
-                                  .nearest_in_packet = nearest_in_packet};
+                                  .nearest_in_packet = nearest_in_packet,
+                                  .sweep_packet = sweep_packet};
 
 }  // namespace
 

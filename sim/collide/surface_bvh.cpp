@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "sim/core/assert.h"
 #include "sim/core/simd_level.h"
@@ -48,10 +49,38 @@ std::array<float, 3> barycentric(const Vec3f& p, const Vec3f& a, const Vec3f& b,
     return {1 - u - v, u, v};
 }
 
+Vec3f SurfaceBvh::face_normal(std::uint32_t triangle) const {
+    if (!adjacency_) return face_normals_[triangle];
+    const auto [a, b, c] = triangles_[triangle];
+    const Vec3f area = (x_[b] - x_[a]).cross(x_[c] - x_[a]);
+    const float squared = area.squaredNorm();
+    return squared > kTiny ? Vec3f(area / std::sqrt(squared)) : Vec3f::Zero();
+}
+
 Vec3f SurfaceBvh::pseudo_normal(std::uint32_t triangle, int feature) const {
-    if (feature == 0) return face_normals_[triangle];
-    if (feature <= 3) return edge_normals_[triangle][std::size_t(feature - 1)];
-    return vertex_normals_[triangles_[triangle][std::size_t(feature - 4)]];
+    if (feature == 0) return face_normal(triangle);
+    if (feature <= 3) {
+        const std::size_t side = std::size_t(feature - 1);
+        return adjacency_ ? moved_edge_normal(triangle, side) : edge_normals_[triangle][side];
+    }
+    const std::uint32_t vertex = triangles_[triangle][std::size_t(feature - 4)];
+    return adjacency_ ? moved_vertex_normal(vertex) : vertex_normals_[vertex];
+}
+
+Vec3f SurfaceBvh::moved_edge_normal(std::uint32_t triangle, std::size_t side) const {
+    return (face_normal(triangle) + face_normal(adjacency_->beside[triangle][side])).stableNormalized();
+}
+
+Vec3f SurfaceBvh::moved_vertex_normal(std::uint32_t vertex) const {
+    Vec3f sum = Vec3f::Zero();
+    for (std::uint32_t i = adjacency_->first[vertex]; i < adjacency_->first[vertex + 1]; ++i) {
+        const std::uint32_t t = adjacency_->round[i];
+        const std::array<std::uint32_t, 3>& corners = triangles_[t];
+        const std::size_t k = std::size_t(std::ranges::find(corners, vertex) - corners.begin());
+        const Vec3f left = x_[corners[(k + 1) % 3]] - x_[vertex], right = x_[corners[(k + 2) % 3]] - x_[vertex];
+        sum += std::atan2(left.cross(right).norm(), left.dot(right)) * face_normal(t);
+    }
+    return sum.stableNormalized();
 }
 
 ClosestPoint SurfaceBvh::closest_on(std::uint32_t triangle, const Vec3f& p) const {
@@ -133,6 +162,7 @@ std::optional<ClosestPoint> SurfaceBvh::closest(const Vec3f& p, float radius) co
     NearestTriangle best;
     // Slightly enlarged, so that a point at exactly the radius is found.
     best.squared = radius * radius * 1.000002F + kTiny;
+    const Vec3f in_boxes = p - shift_;
     NearFirstStack stack;
     stack.push(0, {0, 0, 0});
     while (stack.size > 0) {
@@ -143,7 +173,7 @@ std::optional<ClosestPoint> SurfaceBvh::closest(const Vec3f& p, float radius) co
             continue;
         }
         const Node& node = nodes_[std::size_t(top.child)];
-        stack.push_nearer(node, top.child, box_distances(node, p, p, best.squared));
+        stack.push_nearer(node, top.child, box_distances(node, in_boxes, in_boxes, best.squared));
     }
     if (!best.found()) return std::nullopt;
     return closest_on(best.triangle, p);
@@ -153,10 +183,42 @@ std::optional<ClosestPoint> SurfaceBvh::closest(const Vec3f& p, float radius) co
 std::array<float, 6> SurfaceBvh::box_at(std::int32_t place) const {
     const Node& node = nodes_[std::size_t(place / kChildren)];
     const std::size_t k = std::size_t(place % kChildren);
-    return {node.low[0][k], node.low[1][k], node.low[2][k], node.high[0][k], node.high[1][k], node.high[2][k]};
+    return {node.low[0][k] + shift_.x(),  node.low[1][k] + shift_.y(),  node.low[2][k] + shift_.z(),
+            node.high[0][k] + shift_.x(), node.high[1][k] + shift_.y(), node.high[2][k] + shift_.z()};
 }
 
-void SurfaceBvh::find_nearest(PointGroup& group) const {
+std::optional<std::uint32_t> SurfaceBvh::nearest_facing(const Vec3f& p, const Vec3f& normal, const CosineRange& cosines,
+                                                        float radius) const {
+    if (nodes_.empty()) return std::nullopt;
+    std::optional<std::uint32_t> best;
+    float limit = radius * radius;
+    const Vec3f in_boxes = p - shift_;
+    NearFirstStack stack;
+    stack.push(0, {0, 0, 0});
+    while (stack.size > 0) {
+        const StackEntry top = stack.entries[--stack.size];
+        if (top.key >= limit) continue;
+        if (top.child >= 0) {
+            const Node& node = nodes_[std::size_t(top.child)];
+            stack.push_nearer(node, top.child, box_distances(node, in_boxes, in_boxes, limit));
+            continue;
+        }
+        const TrianglePacket& packet = packets_[std::size_t(~top.child)];
+        TrianglePacket::Lanes squares;
+        unsigned nearer = kernels_->squared_distances(packet.corner[0].data(), p.data(), limit, squares.data());
+        for (; nearer != 0; nearer &= nearer - 1) {
+            const std::size_t i = std::size_t(std::countr_zero(nearer));
+            if (squares[i] >= limit) continue;
+            const float cosine = face_normal(packet.triangle[i]).dot(normal);
+            if (cosine < cosines.least || cosine > cosines.most) continue;
+            limit = squares[i];
+            best = packet.triangle[i];
+        }
+    }
+    return best;
+}
+
+void SurfaceBvh::find_nearest(PointGroup& group, float reach) const {
     if (nodes_.empty()) return;
     Vec3f low = group.point(0);
     Vec3f high = low;
@@ -164,7 +226,10 @@ void SurfaceBvh::find_nearest(PointGroup& group) const {
         low = low.cwiseMin(group.point(i));
         high = high.cwiseMax(group.point(i));
     }
-    float farthest = *std::max_element(group.squared.begin(), group.squared.end());
+    low -= shift_;
+    high -= shift_;
+    const float reach_squared = reach * reach;
+    float farthest = std::min(reach_squared, *std::max_element(group.squared.begin(), group.squared.end()));
     NearFirstStack stack;
     stack.push(0, {0, 0, 0});
     while (stack.size > 0) {
@@ -173,8 +238,9 @@ void SurfaceBvh::find_nearest(PointGroup& group) const {
         if (top.child < 0) {
             const TrianglePacket& packet = packets_[std::size_t(~top.child)];
             const std::array<float, 6> box = box_at(top.place);
-            farthest = kernels_->nearest_in_packet(packet.corner[0].data(), packet.triangle.data(), box.data(),
-                                                   group.x.data(), group.triangle.data());
+            farthest =
+                std::min(reach_squared, kernels_->nearest_in_packet(packet.corner[0].data(), packet.triangle.data(),
+                                                                    box.data(), group.x.data(), group.triangle.data()));
             continue;
         }
         const Node& node = nodes_[std::size_t(top.child)];
@@ -232,7 +298,7 @@ std::optional<float> hit_fraction(const Ray& ray, const Vec3f& a, const Vec3f& b
 
 std::optional<SurfaceHit> SurfaceBvh::first_hit(const Vec3f& from, const Vec3f& to) const {
     if (nodes_.empty()) return std::nullopt;
-    const Ray ray{from, to - from};
+    const Ray ray{from, to - from}, in_boxes{from - shift_, to - from};
     std::optional<SurfaceHit> hit;
     NearFirstStack stack;
     stack.push(0, {0, 0, 0});
@@ -244,7 +310,7 @@ std::optional<SurfaceHit> SurfaceBvh::first_hit(const Vec3f& from, const Vec3f& 
             const std::size_t bottom = stack.size;
             for (std::size_t k = 0; k < kChildren; ++k) {
                 if (node.child[k] == kNoChild) continue;
-                const float enter = entry_fraction(node, k, ray);
+                const float enter = entry_fraction(node, k, in_boxes);
                 if (enter <= 1) stack.push(bottom, {enter, node.child[k], 0});
             }
             continue;
@@ -253,7 +319,7 @@ std::optional<SurfaceHit> SurfaceBvh::first_hit(const Vec3f& from, const Vec3f& 
             const auto [a, b, c] = triangles_[t];
             const std::optional<float> fraction = hit_fraction(ray, x_[a], x_[b], x_[c]);
             if (fraction && (!hit || *fraction < hit->fraction))
-                hit = SurfaceHit{from + ray.along * *fraction, face_normals_[t], *fraction, t};
+                hit = SurfaceHit{from + ray.along * *fraction, face_normal(t), *fraction, t};
         }
     }
     return hit;
@@ -360,6 +426,7 @@ struct SurfaceBvh::Builder {
         Node node{};
         node.child.fill(kNoChild);
         for (auto& low : node.low) low.fill(std::numeric_limits<float>::infinity());  // unused children are at infinity
+        for (auto& high : node.high) high.fill(-std::numeric_limits<float>::infinity());
         std::size_t k = 0;
         for (const Range& part : children_of(range)) {
             Eigen::AlignedBox3f child_box;
@@ -429,6 +496,167 @@ void SurfaceBvh::make_normals(const Body& body) {
         for (; last < uses.size() && uses[last].low == uses[first].low && uses[last].high == uses[first].high; ++last)
             sum += at_face[uses[last].triangle];
         for (; first < last; ++first) edge_normals_[uses[first].triangle][uses[first].side] = as_unit(sum);
+    }
+}
+
+// Pre: the surface is closed.
+void SurfaceBvh::make_adjacency() {
+    Adjacency& adjacency = adjacency_.emplace();
+    adjacency.beside.resize(triangles_.size());
+    const std::vector<EdgeUse> uses = sorted_edges(triangles_);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        const auto is_same = [&](std::size_t j) { return uses[j].low == uses[i].low && uses[j].high == uses[i].high; };
+        const bool has_next = i + 1 < uses.size() && is_same(i + 1), has_last = i > 0 && is_same(i - 1);
+        const std::size_t other = has_next ? i + 1 : has_last ? i - 1 : i;
+        adjacency.beside[uses[i].triangle][uses[i].side] = uses[other].triangle;
+    }
+    adjacency.first.assign(x_.size() + 1, 0);
+    for (const auto& corners : triangles_)
+        for (const std::uint32_t v : corners) ++adjacency.first[v + 1];
+    for (std::size_t v = 0; v < x_.size(); ++v) adjacency.first[v + 1] += adjacency.first[v];
+    adjacency.round.resize(3 * triangles_.size());
+    std::vector<std::uint32_t> next = adjacency.first;
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+        for (const std::uint32_t v : triangles_[t]) adjacency.round[next[v]++] = t;
+}
+
+std::uint32_t SurfaceBvh::walk_nearest(std::uint32_t from, const Vec3f& p, const Vec3f& normal,
+                                       const CosineRange& cosines) const {
+    const auto squared = [&](std::uint32_t triangle) {
+        const auto [a, b, c] = triangles_[triangle];
+        return (closest_on_triangle(p, x_[a], x_[b], x_[c]).point - p).squaredNorm();
+    };
+    std::uint32_t best = from;
+    float least = squared(from);
+    for (bool is_nearer = true; is_nearer;) {
+        is_nearer = false;
+        for (const std::uint32_t corner : triangles_[best]) {
+            for (std::uint32_t i = adjacency_->first[corner]; i < adjacency_->first[corner + 1]; ++i) {
+                const float distance = squared(adjacency_->round[i]);
+                if (distance >= least) continue;
+                const float cosine = face_normal(adjacency_->round[i]).dot(normal);
+                if (cosine < cosines.least || cosine > cosines.most) continue;
+                least = distance;
+                best = adjacency_->round[i];
+                is_nearer = true;
+            }
+            if (is_nearer) break;
+        }
+    }
+    return best;
+}
+
+// One after the last node, and after the last packet, of a subtree: both follow each other in the order of the tree.
+std::array<std::size_t, 2> SurfaceBvh::ends_of_subtree(std::size_t node) const {
+    std::array<std::size_t, 2> ends{node + 1, 0};
+    for (const std::int32_t child : nodes_[node].child) {
+        if (child == kNoChild) continue;
+        const std::array<std::size_t, 2> below =
+            child < 0 ? std::array{node + 1, std::size_t(~child) + 1} : ends_of_subtree(std::size_t(child));
+        ends = {std::max(ends[0], below[0]), std::max(ends[1], below[1])};
+    }
+    return ends;
+}
+
+void SurfaceBvh::make_parts() {
+    constexpr std::size_t kMostPackets = 64;  // in a part
+    std::vector<std::uint32_t> seen_by(x_.size(), std::numeric_limits<std::uint32_t>::max());
+    std::vector<std::size_t> waiting{0};
+    while (!waiting.empty()) {
+        const std::size_t node = waiting.back();
+        waiting.pop_back();
+        const auto [last_node, last_packet] = ends_of_subtree(node);
+        std::size_t first = node;  // down to the first packet
+        while (nodes_[first].child[0] >= 0) first = std::size_t(nodes_[first].child[0]);
+        const std::size_t first_packet = std::size_t(~nodes_[first].child[0]);
+        if (node == 0 || last_packet - first_packet > kMostPackets) {
+            upper_nodes_.push_back(node);
+            for (const std::int32_t child : nodes_[node].child)
+                if (child != kNoChild && child >= 0) waiting.push_back(std::size_t(child));
+            continue;
+        }
+        Part part{.first_node = node, .last_node = last_node, .first_packet = first_packet, .last_packet = last_packet};
+        const auto number = std::uint32_t(parts_.size());
+        for (std::size_t i = first_packet; i < last_packet; ++i)
+            for (const std::uint32_t triangle : packets_[i].triangle)
+                for (const std::uint32_t v : triangles_[triangle])
+                    if (std::exchange(seen_by[v], number) != number) part.vertices.push_back(v);
+        parts_.push_back(std::move(part));
+    }
+    std::ranges::sort(upper_nodes_);
+}
+
+void SurfaceBvh::sweep_part(Part& part, const Eigen::AlignedBox3f& region) {
+    Eigen::AlignedBox3f box;
+    for (const std::uint32_t v : part.vertices) box.extend(x_[v]).extend(Vec3f(end_[v] - drift_));
+    if (!box.intersects(region)) {
+        constexpr float kFar = std::numeric_limits<float>::infinity();
+        for (auto& low : nodes_[part.first_node].low) low.fill(kFar);
+        for (auto& high : nodes_[part.first_node].high) high.fill(-kFar);
+        part.has_packets = false;
+        return;
+    }
+    if (!part.has_packets) {
+        for (std::size_t i = part.first_packet; i < part.last_packet; ++i)
+            packets_[i] = make_packet(x_, triangles_, packets_[i].triangle);
+        part.has_packets = true;
+    }
+    for (std::size_t i = part.last_node; i-- > part.first_node;)
+        sweep_node(nodes_[i]);  // children follow their parents
+}
+
+void SurfaceBvh::sweep_to(std::span<const Vec3f> end, const Eigen::AlignedBox3f& region) {
+    SELVEDGE_ASSERT(end.size() == x_.size());
+    if (!adjacency_) {
+        make_adjacency();
+        end_packets_ = packets_;
+        if (!nodes_.empty()) make_parts();
+    }
+    end_.assign(end.begin(), end.end());
+    Vec3d sum = Vec3d::Zero();
+    for (std::size_t v = 0; v < x_.size(); ++v) sum += (end_[v] - x_[v]).cast<double>();
+    drift_ = (sum / std::max(1.0, double(x_.size()))).cast<float>();
+    shift_ = Vec3f::Zero();
+    if (nodes_.empty()) return;
+    Eigen::AlignedBox3f whole;
+    for (std::size_t v = 0; v < x_.size(); ++v) whole.extend(x_[v]).extend(Vec3f(end_[v] - drift_));
+    low_ = whole.min();
+    high_ = whole.max();
+    for (Part& part : parts_) sweep_part(part, region);
+    for (std::size_t i = upper_nodes_.size(); i-- > 0;) sweep_node(nodes_[upper_nodes_[i]]);
+}
+
+void SurfaceBvh::arrive() {
+    x_.swap(end_);
+    packets_.swap(end_packets_);
+    shift_ = drift_;
+    low_ += shift_;
+    high_ += shift_;
+    drift_ = Vec3f::Zero();
+}
+
+// The boxes hold the triangles where they are, and where they will be less the drift.
+void SurfaceBvh::sweep_node(Node& node) {
+    for (std::size_t k = 0; k < kChildren; ++k) {
+        const std::int32_t child = node.child[k];
+        if (child == kNoChild) continue;
+        std::array<float, 6> box{};  // low, high
+        if (child < 0) {
+            const std::size_t packet = std::size_t(~child);
+            kernels_->sweep_packet(packets_[packet].corner[0].data(), packets_[packet].triangle.data(),
+                                   triangles_.front().data(), end_.front().data(), drift_.data(),
+                                   end_packets_[packet].corner[0].data(), box.data());
+        } else {
+            const Node& below = nodes_[std::size_t(child)];
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                box[axis] = std::ranges::min(below.low[axis]);
+                box[axis + 3] = std::ranges::max(below.high[axis]);
+            }
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            node.low[axis][k] = box[axis];
+            node.high[axis][k] = box[axis + 3];
+        }
     }
 }
 

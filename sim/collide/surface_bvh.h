@@ -88,6 +88,10 @@ struct ClosestPoint {
     std::uint32_t triangle = 0;  // index into Body::triangles
 };
 
+struct CosineRange {
+    float least = -1, most = 1;
+};
+
 struct SurfaceHit {
     Vec3f point = Vec3f::Zero();   // m
     Vec3f normal = Vec3f::Zero();  // unit, the triangle's normal, out of the body
@@ -102,24 +106,57 @@ class SurfaceBvh {
  public:
     explicit SurfaceBvh(const Body& body);
 
+    // A surface that moves. sweep_to() sets where its vertices will be (m): from then on find_nearest() visits what
+    // comes within its reach on the way there, and all other functions still find the surface where it is. arrive()
+    // puts it there. The hierarchy keeps its shape, so searches become slower the more the surface deforms. Pre: as
+    // many as points(), all finite; a later sweep_to() replaces an earlier one.
+    //
+    // Parts of the surface that stay outside of `region` (m) on the way, less the drift, are left out: until the next
+    // sweep_to(), searches do not find them.
+    void sweep_to(std::span<const Vec3f> end, const Eigen::AlignedBox3f& region = everywhere());
+    static Eigen::AlignedBox3f everywhere() {
+        constexpr float kFar = std::numeric_limits<float>::infinity();
+        return {Vec3f(-kFar, -kFar, -kFar), Vec3f(kFar, kFar, kFar)};
+    }
+    void arrive();
+    // Where the vertices will be, m. Pre: between sweep_to() and arrive().
+    std::span<const Vec3f> end_points() const { return end_; }
+    // The mean motion of the vertices until arrive(), m.
+    const Vec3f& drift() const { return drift_; }
+
     // The surface point nearest to p; nullopt when none is within radius (m, may be infinite).
     std::optional<ClosestPoint> closest(const Vec3f& p, float radius) const;
 
     // Finds the triangle nearest to each point of the group that is nearer than its `squared`, and updates both.
-    // `squared` is exact up to rounding. One traversal for all points: efficient when they are close together.
-    void find_nearest(PointGroup& group) const;
+    // `squared` is exact up to rounding. One traversal for all points: efficient when they are close together. Leaves
+    // out what does not come within `reach` (m) of any of the points while the surface moves, less its drift.
+    void find_nearest(PointGroup& group, float reach = std::numeric_limits<float>::infinity()) const;
 
     // The point of this triangle nearest to p. The sign is correct only if no other triangle is nearer.
     ClosestPoint closest_on(std::uint32_t triangle, const Vec3f& p) const;
 
+    // The triangle nearest to p within `radius` (m) whose outward normal makes an angle with `normal` (unit) whose
+    // cosine is in that range: one side of a crease. nullopt if there is none.
+    std::optional<std::uint32_t> nearest_facing(const Vec3f& p, const Vec3f& normal, const CosineRange& cosines,
+                                                float radius) const;
+
+    // From one triangle to the nearer one of its neighbours until none is nearer to p: the nearest one of the same
+    // sheet, where others are nearer. Goes only to triangles whose outward normal is as in nearest_facing(). Pre:
+    // sweep_to() was called.
+    std::uint32_t walk_nearest(std::uint32_t from, const Vec3f& p, const Vec3f& normal,
+                               const CosineRange& cosines) const;
+
     // First intersection of the segment with the surface, from either side.
     std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const;
+
+    // Unit, outward; zero for a triangle without area.
+    Vec3f face_normal(std::uint32_t triangle) const;
 
     // The searched surface, in the body's order.
     std::span<const Vec3f> points() const { return x_; }
     std::span<const std::array<std::uint32_t, 3>> triangles() const { return triangles_; }
     bool empty() const { return nodes_.empty(); }
-    bool has_area(std::uint32_t triangle) const { return face_normals_[triangle] != Vec3f::Zero(); }
+    bool has_area(std::uint32_t triangle) const { return face_normal(triangle) != Vec3f::Zero(); }
     std::size_t bytes() const;
 
     // Bounding box of the surface, m.
@@ -137,18 +174,47 @@ class SurfaceBvh {
     };
     struct Builder;
 
+    // The triangles beside each edge and round each vertex, for normals of a surface that moves.
+    struct Adjacency {
+        std::vector<std::array<std::uint32_t, 3>> beside;  // per triangle: the one across the edge from corner k to k+1
+        std::vector<std::uint32_t> first, round;           // round vertex v: round[first[v]] to round[first[v + 1]]
+    };
+
+    // A subtree that is swept or left out as a whole.
+    struct Part {
+        std::size_t first_node = 0, last_node = 0, first_packet = 0, last_packet = 0;
+        std::vector<std::uint32_t> vertices{};
+        bool has_packets = true;  // whether its packets hold the surface as it is
+    };
+
     void make_normals(const Body& body);
+    void make_adjacency();
+    void make_parts();
+    std::array<std::size_t, 2> ends_of_subtree(std::size_t node) const;
+    void sweep_part(Part& part, const Eigen::AlignedBox3f& region);
+    void sweep_node(Node& node);
     std::array<float, 6> box_at(std::int32_t place) const;
     Vec3f pseudo_normal(std::uint32_t triangle, int feature) const;
+    Vec3f moved_edge_normal(std::uint32_t triangle, std::size_t side) const;
+    Vec3f moved_vertex_normal(std::uint32_t vertex) const;
 
     std::vector<Node> nodes_;  // the first is the root
     std::vector<TrianglePacket> packets_;
     const CollideKernels* kernels_ = &collide_kernels(simd_level());
     std::vector<Vec3f> x_;
     std::vector<std::array<std::uint32_t, 3>> triangles_;
-    std::vector<Vec3f> face_normals_;
+    std::vector<Vec3f> face_normals_;  // these three: until the surface moves
     std::vector<Vec3f> vertex_normals_;
     std::vector<std::array<Vec3f, 3>> edge_normals_;  // per triangle: of the edge from corner k to k+1
+
+    // Once the surface has moved.
+    std::optional<Adjacency> adjacency_;
+    std::vector<Part> parts_;
+    std::vector<std::size_t> upper_nodes_;     // above the parts, each after its parent
+    std::vector<Vec3f> end_;                   // where the vertices will be, m
+    std::vector<TrianglePacket> end_packets_;  // the same
+    Vec3f drift_ = Vec3f::Zero();
+    Vec3f shift_ = Vec3f::Zero();  // m, that the boxes are to be moved by: they hold the surface less its drift
     Vec3f low_ = Vec3f::Zero();
     Vec3f high_ = Vec3f::Zero();
 };

@@ -1,6 +1,7 @@
 #include "sim/selfcontact/self_contact.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -27,6 +28,18 @@ std::vector<TrianglePair> pairs_with(const ContactSurface& surface, std::span<co
     std::ranges::copy_if(pairs, std::back_inserter(wanted),
                          [&](TrianglePair pair) { return has(pair.first) || has(pair.second); });
     return wanted;
+}
+
+// Which of the two sides of a pair has a vertex for which `is_wanted` holds.
+template <class IsWanted>
+std::array<bool, 2> sides_with(const PairBlock& block, std::size_t at, PairKind kind, const IsWanted& is_wanted) {
+    const std::size_t first = first_side(kind);
+    std::array<bool, 2> has{false, false};
+    for (std::size_t k = 0; k < 4; ++k) {
+        bool& side = has[k < first ? 0 : 1];
+        side = side || is_wanted(block.vertices[k][at] / 4);
+    }
+    return has;
 }
 
 }  // namespace
@@ -216,7 +229,36 @@ bool SelfContact::has_new_crossing(const MovingPoints& points, const SelfContact
 }
 
 std::vector<Crossing> SelfContact::crossings_of(std::span<const TrianglePair> pairs, const MovingPoints& points) {
-    return find_crossings(surface_, search_, search_.piercing(loops(), pairs, points.now), points.now);
+    std::vector<Crossing> found =
+        find_crossings(surface_, search_, search_.piercing(loops(), pairs, points.now), points.now);
+    if (pairs.size() == search_.triangle_pairs().size()) keep_excuses(found);
+    std::erase_if(found, [&](const Crossing& crossing) { return is_excused(crossing); });
+    return found;
+}
+
+bool SelfContact::is_excused(std::uint32_t vertex) const {
+    return (vertex < is_pinched_.size() && is_pinched_[vertex] != 0) ||
+           (vertex < was_excused_.size() && was_excused_[vertex] != 0);
+}
+
+bool SelfContact::is_excused(const Crossing& crossing) const {
+    if (is_pinched_.empty() && was_excused_.empty()) return false;
+    const ContactEdge& edge = surface_.edges[crossing.edge];
+    const ContactTriangle& triangle = surface_.triangles[crossing.triangle];
+    const auto excused = [this](std::uint32_t v) { return is_excused(v); };
+    return std::ranges::any_of(edge.ends, excused) && std::ranges::any_of(triangle.vertices, excused);
+}
+
+// After a test of all pairs: what crosses and was excused stays so, and nothing else but what is pinched now.
+void SelfContact::keep_excuses(std::span<const Crossing> crossings) {
+    if (is_pinched_.empty() && was_excused_.empty()) return;
+    std::vector<std::uint8_t> kept;
+    for (const Crossing& crossing : crossings) {
+        if (!is_excused(crossing)) continue;
+        kept.resize(layers_.size(), 0);
+        for (const std::uint32_t v : vertices_of(crossing, surface_)) kept[v] = 1;
+    }
+    was_excused_ = std::move(kept);
 }
 
 void SelfContact::test_exactly(const MovingPoints& points) {
@@ -238,6 +280,10 @@ void SelfContact::keep_clean_state(const MovingPoints& points) {
 // belongs outside: sides on the wrong side of each other are pushed through.
 void SelfContact::judge_sides() {
     swapped_.assign(layers_.size(), 0);
+    if (!is_pinched_.empty() || !was_excused_.empty()) {
+        judge_excused(pairs_.vertex_triangle);
+        judge_excused(pairs_.edge_edge);
+    }
     if (is_clean_) return;
     std::vector<bool> is_tangled(layers_.size(), false);
     for (const Crossing& crossing : crossings_) {
@@ -253,17 +299,23 @@ void SelfContact::judge_sides() {
     judge_sides(pairs_.edge_edge, is_tangled, normals);
 }
 
-void SelfContact::judge_sides(PairList& pairs, const std::vector<bool>& is_tangled, const std::vector<Vec3f>& normals) {
-    constexpr float kUnclear = 0.3F;  // cosine: about 73 degrees from the normal on
-    const std::size_t first = first_side(pairs.kind());
+void SelfContact::judge_excused(PairList& pairs) {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         PairBlock& block = pairs.blocks()[i / kBlock];
         const std::size_t at = i % kBlock;
-        std::array<bool, 2> has{false, false};
-        for (std::size_t k = 0; k < 4; ++k) {
-            bool& side = has[k < first ? 0 : 1];
-            side = side || is_tangled[block.vertices[k][at] / 4];
-        }
+        const std::array<bool, 2> has =
+            sides_with(block, at, pairs.kind(), [this](std::uint32_t v) { return is_excused(v); });
+        if (has[0] && has[1]) block.side[at] = 0;
+    }
+}
+
+void SelfContact::judge_sides(PairList& pairs, const std::vector<bool>& is_tangled, const std::vector<Vec3f>& normals) {
+    constexpr float kUnclear = 0.3F;  // cosine: about 73 degrees from the normal on
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        PairBlock& block = pairs.blocks()[i / kBlock];
+        const std::size_t at = i % kBlock;
+        const std::array<bool, 2> has =
+            sides_with(block, at, pairs.kind(), [&](std::uint32_t v) { return is_tangled[v]; });
         const bool is_between = has[0] && has[1];
         if (!is_ordered(block, at)) {
             if (is_between) block.side[at] = 0;

@@ -10,6 +10,7 @@
 // crosses itself from the start is untangled by shortening the contours of intersection.
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sim/selfcontact/crossings.h"
@@ -53,6 +54,11 @@ class SelfContact {
     // is then unknown.
     void forget();
 
+    // By vertex, for the next step: whether a body presses cloth together there so that no place keeps it apart. Pairs
+    // with such a vertex on both sides get no contact and may cross; where they did, they may until they do not. Empty:
+    // none.
+    void excuse(std::vector<std::uint8_t> is_pinched) { is_pinched_ = std::move(is_pinched); }
+
     // One step: begin_step(), then substep() as the last part of each sub-step, then end_step().
     void begin_step(const MovingPoints& points, const SelfContactOptions& options);
     void substep(const MovingPoints& points, const SelfContactOptions& options);
@@ -79,7 +85,11 @@ class SelfContact {
     void test_exactly(const MovingPoints& points);
     void find_suspects(const MovingPoints& points);
     void test_suspects(const MovingPoints& points);
+    bool is_excused(std::uint32_t vertex) const;
+    bool is_excused(const Crossing& crossing) const;
+    void keep_excuses(std::span<const Crossing> crossings);
     void judge_sides();
+    void judge_excused(PairList& pairs);
     void judge_sides(PairList& pairs, const std::vector<bool>& is_tangled, const std::vector<Vec3f>& normals);
     float facing(const PairBlock& block, std::size_t at, PairKind kind, const std::vector<Vec3f>& normals) const;
     bool is_ordered(const PairBlock& block, std::size_t at) const;
@@ -102,8 +112,10 @@ class SelfContact {
     DividingPlanes dividers_;
     Untangler untangler_;
     std::vector<Crossing> crossings_;
-    std::vector<std::uint8_t> is_suspect_;  // by vertex: untangling has moved it since the last exact test
-    std::vector<TrianglePair> suspects_;    // with such vertices
+    std::vector<std::uint8_t> is_pinched_;   // by vertex; see excuse()
+    std::vector<std::uint8_t> was_excused_;  // by vertex: crosses other cloth since it was pinched
+    std::vector<std::uint8_t> is_suspect_;   // by vertex: untangling has moved it since the last exact test
+    std::vector<TrianglePair> suspects_;     // with such vertices
 
     std::vector<std::uint32_t> used_;     // vertices of the surface, ascending
     std::vector<int> layers_;             // by vertex, of its sheet

@@ -287,6 +287,26 @@ TEST(BlockColoring, gives_each_constraint_one_lane_of_a_block_without_common_ver
     }
 }
 
+// All share vertex 0, so that colours run out; another constraint is inserted among them.
+TEST(BlockColoring, fills_blocks_with_colourless_constraints_in_the_order_of_insertion) {
+    BlockColoring coloring;
+    coloring.start(10, BlockColoring::Colorless::InTurn);
+    coloring.assign();
+    std::vector<std::uint32_t> in_turn;
+    for (std::uint32_t i = 0; i < 300; ++i) {
+        const std::uint32_t slot = coloring.insert<2>({0, 1 + i % 4});
+        if (coloring.is_in_turn(slot / kBlock)) in_turn.push_back(slot);
+    }
+    ASSERT_GT(in_turn.size(), 200U);
+    EXPECT_TRUE(std::ranges::is_sorted(in_turn));
+    EXPECT_EQ(in_turn.back() - in_turn.front(), in_turn.size() - 1) << "there are gaps";
+    coloring.remove<2>(in_turn[3], {0, 1});
+    EXPECT_EQ(coloring.insert<2>({0, 2}), in_turn[3]);
+    const std::uint32_t other = coloring.insert<2>({7, 8});
+    for (int i = 0; i < 17; ++i) EXPECT_TRUE(coloring.is_in_turn(coloring.insert<2>({0, 2}) / kBlock));
+    EXPECT_FALSE(coloring.is_in_turn(other / kBlock));
+}
+
 TEST(BlockColoring, has_no_block_for_nothing) {
     BlockColoring coloring;
     coloring.start(10);

@@ -163,6 +163,110 @@ TEST(PushOutSamples, keeps_the_middle_of_a_long_edge_out_of_a_small_ball) {
     EXPECT_GT(highest, 1.03F) << "it fell past the ball, so nothing was tested";
 }
 
+// A square of coarse cloth, whose samples far outnumber its vertices, in the solver's arrays.
+Cloth coarse_cloth(double height) {
+    Cloth cloth = make_patch(undamped(), {.side = 0.5, .quads = 2, .height = height});
+    cloth.solver.points = solver_points(cloth, cloth.x);
+    cloth.solver.before = cloth.solver.points;
+    return cloth;
+}
+
+std::size_t push_out(Cloth& cloth) {
+    set_contact_offset(cloth, kOffset);
+    return push_out_samples(cloth, kernels(simd_level()), ball(), {.offset = kOffset, .floor = kNoFloor});
+}
+
+void move_all(Cloth& cloth, const Vec3f& by) {
+    for (const VertexId v : cloth.mesh.leaf_vertices()) cloth.solver.points[v.value].head<3>() += by;
+}
+
+// The ball reaches up to 1.15 m.
+TEST(PushOutSamples, skips_what_is_far_from_the_body_until_it_may_have_come_near) {
+    Cloth cloth = coarse_cloth(1.35);
+    const std::size_t blocks = cloth.solver.contacts.samples.size();
+    EXPECT_EQ(push_out(cloth), blocks) << "nothing is known yet";
+    push_out(cloth);  // measures how far the samples in turn may move
+    for (int i = 0; i < 20; ++i) {
+        move_all(cloth, Vec3f(0, -0.0002F, 0));
+        EXPECT_EQ(push_out(cloth), 0U) << "far away";
+    }
+    move_all(cloth, Vec3f(0, -0.2F, 0));
+    EXPECT_GT(push_out(cloth), 0U) << "it is in the ball now";
+}
+
+TEST(PushOutSamples, forgets_what_it_skips_when_the_body_moves_or_the_offset_changes) {
+    for (const bool body_moves : {true, false}) {
+        Cloth cloth = coarse_cloth(1.35);
+        for (int i = 0; i < 3; ++i) push_out(cloth);
+        ASSERT_EQ(push_out(cloth), 0U);
+        if (body_moves) {
+            forget_contacts(cloth);
+        } else {
+            set_contact_offset(cloth, kOffset / 2);
+        }
+        EXPECT_GT(push_out(cloth), 0U);
+    }
+}
+
+// Random walks near the ball, of a cloth that skips and of one that looks at every block each time.
+TEST(PushOutSamples, skips_no_block_that_has_something_to_do) {
+    std::mt19937 random(8);
+    Cloth cloth = coarse_cloth(1.16), looks = coarse_cloth(1.16);
+    std::size_t seen = 0, all = 0, pushed = 0;
+    for (int round = 0; round < 400; ++round) {
+        const float reach = round % 20 == 0 ? 0.02F : 0.0005F;
+        const Vec3f drift(0, round / 50 % 2 == 0 ? -0.0008F : 0.0006F, 0);
+        for (const VertexId v : cloth.mesh.leaf_vertices()) {
+            const Vec3f by(draw(random, -reach, reach), draw(random, -reach, reach), draw(random, -reach, reach));
+            for (Cloth* each : {&cloth, &looks}) {
+                each->solver.before[v.value] = each->solver.points[v.value];
+                each->solver.points[v.value].head<3>() += by + drift;
+            }
+        }
+        looks.solver.contacts.skips = {};
+        const std::vector<Vec4f> before = cloth.solver.points;
+        seen += push_out(cloth);
+        all += push_out(looks);
+        pushed += cloth.solver.points != before ? 1 : 0;
+        ASSERT_EQ(cloth.solver.points, looks.solver.points) << "in round " << round;
+        ASSERT_EQ(cloth.solver.before, looks.solver.before) << "in round " << round;
+    }
+    EXPECT_GT(pushed, 50U) << "it hardly touched the ball, so nothing was tested";
+    EXPECT_LT(pushed, 390U) << "it always touched the ball";
+    EXPECT_LT(seen, all * 9 / 10) << "hardly anything was skipped";
+}
+
+// A block in turn gives the same bits as a block for each of its samples.
+TEST(PushOutSamples, of_one_block_that_share_vertices_are_pushed_one_after_the_other) {
+    Cloth in_turn = coarse_cloth(1.1535), alone = coarse_cloth(1.1535);
+    std::vector<SampleBlock>& blocks = in_turn.solver.contacts.samples;
+    const auto is_in_turn = [](const SampleBlock& block) { return block.in_turn[0] != 0; };
+    ASSERT_TRUE(std::ranges::any_of(blocks, is_in_turn)) << "too few samples for the colours";
+    EXPECT_LT(blocks.size(), sample_count(in_turn.solver.contacts) / 4) << "they do not fill blocks";
+    std::vector<SampleBlock>& split = alone.solver.contacts.samples;
+    split.clear();
+    for (const SampleBlock& block : blocks) {
+        if (!is_in_turn(block)) split.push_back(block);
+        for (std::size_t at = 0; at < kBlock && is_in_turn(block); ++at) {
+            split.push_back(dummy_block<SampleBlock>(in_turn.solver.contacts.vertices));
+            split.back().slack.fill(1e6F);
+            copy_slot(block, split.back(), at);
+            split.back().in_turn.fill(0);
+        }
+    }
+    Cloth untouched = in_turn;
+    for (int round = 0; round < 60; ++round) {
+        for (Cloth* each : {&in_turn, &alone}) {
+            each->solver.before = each->solver.points;
+            move_all(*each, Vec3f(0.0001F, -0.0003F, 0));
+            push_out(*each);
+        }
+        move_all(untouched, Vec3f(0.0001F, -0.0003F, 0));
+        ASSERT_EQ(in_turn.solver.points, alone.solver.points) << "in round " << round;
+    }
+    EXPECT_NE(in_turn.solver.points, untouched.solver.points) << "nothing touched";
+}
+
 // Calls hold_vertices() for the ball with the present positions.
 void hold(Cloth& cloth) {
     cloth.solver.points = solver_points(cloth, cloth.x);

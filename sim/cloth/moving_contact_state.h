@@ -1,0 +1,75 @@
+#pragma once
+// What the contacts of a cloth with a body that moves know, by step and from step to step; see moving_contact.h.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/collide/moving_body.h"
+#include "sim/core/blocks.h"
+#include "sim/core/math.h"
+
+namespace selvedge::sim {
+
+// The time of a sub-step within its step, as shares of the step.
+struct StepShare {
+    float end = 1;     // passed at the sub-step's end
+    float length = 1;  // that the sub-step takes
+};
+
+// Planes of sixteen contact points. A slot without a contact has a plane that is 1,000 km below.
+struct alignas(64) MovingPlaneBlock {
+    std::array<BlockFloats, 3> point{}, motion{};  // as in MovingPlane
+    std::array<BlockFloats, 3> normal{}, turn{};
+};
+
+struct alignas(64) MovingVertexBlock {
+    BlockPoints vertices{};  // unused slots: the dummy vertex
+    BlockFloats friction{};
+    BlockFloats rise{};  // m, of the plane relative to the surface in the step: it gives no velocity
+    MovingPlaneBlock plane{};
+};
+
+// A vertex between two sides of the body; the first is its own.
+struct CreaseContact {
+    // m, kept from a side: at the start of the step, and its change until the end
+    struct Offset {
+        float start = 0, change = 0;
+    };
+
+    std::uint32_t vertex = 0;
+    float friction = 0;
+    std::array<MovingPlane, 2> planes{};
+    std::array<Offset, 2> offset{};
+};
+
+// A vertex to which no triangle comes near within the step, as far as its way can be foreseen. When it leaves the ball
+// of this radius round `centre`, which drifts with the surface, it searches again.
+struct FreeVertex {
+    std::uint32_t vertex = 0;
+    Vec3f centre = Vec3f::Zero();  // m, less the drift
+    float radius = 0;              // m
+};
+
+// What a vertex knows of the surface after a step; the plane is where the step ended.
+struct LastContact {
+    static constexpr std::uint32_t kNone = NearestTriangle::kNone;
+    std::uint32_t triangle = kNone;
+    std::uint32_t second = kNone;  // of the other side, in a crease
+    bool is_pinched = false;       // that leaves less room than the offset of both sides
+    Vec3f point = Vec3f::Zero(), normal = Vec3f::Zero();
+    Vec3f motion = Vec3f::Zero();  // of the surface there in the step, m
+};
+
+struct MovingContacts {
+    std::vector<MovingVertexBlock> vertices;
+    std::vector<CreaseContact> creases;
+    std::vector<FreeVertex> free;
+    std::vector<MovingPlaneBlock> samples;  // as ContactState::samples; unused where is_sample_near is 0
+    std::vector<std::uint8_t> is_sample_near;
+    std::vector<LastContact> last;             // by vertex
+    std::vector<std::uint32_t> order;          // the vertices that can move, neighbours in space near each other
+    std::uint32_t order_made_at = UINT32_MAX;  // Cloth::adaptations
+    int pinched = 0;  // vertices without room for the contact offset on both sides, in the last sub-step
+};
+
+}  // namespace selvedge::sim

@@ -1,0 +1,62 @@
+#pragma once
+// Collider for a body that moves: its vertices travel along straight lines from where they are to where they will be at
+// the end of a step. A contact point asks once per step for the triangle that is nearest to it, and then follows that
+// triangle's tangent plane, which moves with the surface. (thesis 5.3.4, 5.3.5)
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/body/body.h"
+#include "sim/collide/collider.h"
+#include "sim/collide/surface_bvh.h"
+
+namespace selvedge::sim {
+
+// A tangent plane of a surface that moves. The body is on the side that the normal points away from.
+struct MovingPlane {
+    Vec3f point = Vec3f::Zero();   // on the surface, at the start of the step, m
+    Vec3f motion = Vec3f::Zero();  // of that point until the end of the step, m
+    Vec3f normal = Vec3f::Zero();  // unit, at the start
+    Vec3f turn = Vec3f::Zero();    // change of the normal until the end
+};
+
+class MovingBodyCollider final : public Collider {
+ public:
+    // Starts at rest, where the body is. The body need not outlive the collider. Pre: its surface is closed.
+    explicit MovingBodyCollider(const Body& body);
+
+    // Sets where the surface is at the end of the next step: vertex positions, m. What stays outside of the region is
+    // left out of all answers until the next call, as in SurfaceBvh::sweep_to(). Pre: as many as the body has.
+    void move_to(std::span<const Vec3f> x, const Eigen::AlignedBox3f& region = SurfaceBvh::everywhere());
+    // Ends the step: the surface is where move_to() sent it, and rests until the next call of that.
+    void arrive();
+    // Puts the surface there without motion. Contact caches of cloths are invalid after it (forget_contacts).
+    void place(std::span<const Vec3f> x);
+
+    // The surface at the start of the step.
+    const SurfaceBvh& surface() const { return bvh_; }
+    // m, the largest distance that a vertex travels in the step; and relative to the surface's drift
+    float longest_motion() const { return longest_motion_; }
+    float longest_deformation() const { return longest_deformation_; }
+    // The tangent plane at the point of the triangle that is nearest to p.
+    MovingPlane plane_at(std::uint32_t triangle, const Vec3f& p) const;
+
+    const MovingBodyCollider* moving() const override { return this; }
+
+    // As for any collider, of the surface at the start of the step. A point that lies deeper than kDeepest counts as
+    // outside, at band().
+    static constexpr float kDeepest = 0.01F;  // m
+    Contact contact(const Vec3f& p) const override;
+    void contacts(std::span<ContactBlock> blocks, float reach) const override;
+    std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const override {
+        return bvh_.first_hit(from, to);
+    }
+    float band() const override { return kDeepest; }
+    float max_error() const override { return 1e-6F; }  // rounding
+
+ private:
+    SurfaceBvh bvh_;
+    float longest_motion_ = 0, longest_deformation_ = 0;
+};
+
+}  // namespace selvedge::sim
