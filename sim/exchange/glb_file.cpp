@@ -1,134 +1,21 @@
 #include "sim/exchange/glb_file.h"
 
-#include <algorithm>
 #include <array>
-#include <bit>
-#include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <utility>
 
 #include "sim/core/assert.h"
 #include "sim/core/json.h"
+#include "sim/exchange/glb_document.h"
 #include "sim/exchange/mesh_file.h"
 
 namespace selvedge::sim {
 
+using namespace glb;
+
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
-
-constexpr std::uint32_t kMagic = 0x46546C67;      // "glTF"
-constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
-constexpr std::uint32_t kBinChunk = 0x004E4942;   // "BIN"
-
-enum class Component : int { UnsignedShort = 5123, UnsignedInt = 5125, Float = 5126 };
-enum class Target : int { None = 0, Vertices = 34962, Indices = 34963 };
-
-// The shortest text that reads back as the same float, so that bounds in the JSON equal the floats in the buffer.
-Json number(float value) {
-    char digits[32];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
-    static_cast<void>(error);  // 32 characters hold any float
-    return Json::number_as_written(double(value), std::string(digits, end));
-}
-
-template <class Vector>
-Json numbers(const Vector& v) {
-    Json array = Json::array();
-    for (const float value : v) array.push_back(number(value));
-    return array;
-}
-
-// The document under construction: JSON arrays of accessors and buffer views, and the buffer that they refer to.
-struct Document {
-    Json accessors = Json::array();
-    Json views = Json::array();
-    std::string buffer;
-
-    // Element: a plain struct of components whose size is a multiple of 4 bytes. Returns the accessor's index.
-    template <class Element>
-    std::size_t add(std::span<const Element> elements, Component component, const char* type, Target target) {
-        static_assert(sizeof(Element) % 4 == 0);
-        Json view = Json::object();
-        view["buffer"] = 0;
-        view["byteOffset"] = buffer.size();
-        view["byteLength"] = elements.size_bytes();
-        if (target != Target::None) view["target"] = int(target);
-        views.push_back(std::move(view));
-        buffer.append(reinterpret_cast<const char*>(elements.data()), elements.size_bytes());
-
-        Json accessor = Json::object();
-        accessor["bufferView"] = views.elements().size() - 1;
-        accessor["componentType"] = int(component);
-        accessor["count"] = elements.size();
-        accessor["type"] = type;
-        accessors.push_back(std::move(accessor));
-        return accessors.elements().size() - 1;
-    }
-
-    std::size_t add_positions(std::span<const Vec3f> x) {
-        const std::size_t index = add(x, Component::Float, "VEC3", Target::Vertices);
-        const Eigen::AlignedBox3f box = box_around(x);
-        accessors.elements()[index]["min"] = numbers(box.min());
-        accessors.elements()[index]["max"] = numbers(box.max());
-        return index;
-    }
-
-    std::size_t add_indices(std::span<const std::array<std::uint32_t, 3>> triangles) {
-        const std::span<const std::uint32_t> flat(triangles.front().data(), triangles.size() * 3);
-        return add(flat, Component::UnsignedInt, "SCALAR", Target::Indices);
-    }
-};
-
-void append_word(std::string& bytes, std::uint32_t word) {
-    bytes.append(reinterpret_cast<const char*>(&word), sizeof word);
-}
-
-void append_chunk(std::string& bytes, std::uint32_t kind, std::string_view content, char padding) {
-    const std::size_t with_zero_w = (content.size() + 3) / 4 * 4;
-    append_word(bytes, std::uint32_t(with_zero_w));
-    append_word(bytes, kind);
-    bytes += content;
-    bytes.append(with_zero_w - content.size(), padding);
-}
-
-std::string container(Json root, Document document) {
-    root["accessors"] = std::move(document.accessors);
-    root["bufferViews"] = std::move(document.views);
-    Json buffer = Json::object();
-    buffer["byteLength"] = document.buffer.size();
-    root["buffers"] = Json::array({std::move(buffer)});
-    const std::string json = write_json(root, -1);
-
-    std::string chunks;
-    append_chunk(chunks, kJsonChunk, json, ' ');
-    append_chunk(chunks, kBinChunk, document.buffer, '\0');
-    constexpr std::size_t kHeader = 12;
-    SELVEDGE_ASSERT(chunks.size() + kHeader <= UINT32_MAX);
-    std::string bytes;
-    append_word(bytes, kMagic);
-    append_word(bytes, 2);
-    append_word(bytes, std::uint32_t(chunks.size() + kHeader));
-    return bytes + chunks;
-}
-
-Json root_object() {
-    Json asset = Json::object();
-    asset["generator"] = "Selvedge";
-    asset["version"] = "2.0";
-    Json root = Json::object();
-    root["asset"] = std::move(asset);
-    root["scene"] = 0;
-    return root;
-}
-
-Json scene_of(std::vector<Json> nodes) {
-    Json scene = Json::object();
-    scene["nodes"] = Json::array(std::move(nodes));
-    return Json::array({std::move(scene)});
-}
 
 Json mesh_node(const char* name) {
     Json node = Json::object();
@@ -144,52 +31,6 @@ Json one_mesh(const char* name, Json primitives) {
     return Json::array({std::move(mesh)});
 }
 
-// Each panel has a material with its name, because most programs show no other name for a primitive.
-Json panel_materials(const std::vector<PanelPart>& parts) {
-    Json materials = Json::array();
-    for (const PanelPart& part : parts) {
-        Json surface = Json::object();
-        surface["metallicFactor"] = 0;
-        surface["roughnessFactor"] = 1;
-        Json material = Json::object();
-        material["name"] = part.name;
-        material["doubleSided"] = true;
-        material["pbrMetallicRoughness"] = std::move(surface);
-        materials.push_back(std::move(material));
-    }
-    return materials;
-}
-
-Json panel_primitive(const PanelPart& part, std::size_t material, const std::vector<Vec3f>& x,
-                     const std::vector<Vec3f>& normals, Document& document) {
-    std::vector<Vec3f> part_x, part_normals;
-    for (std::size_t i = 0; i < part.vertices.size(); ++i) {
-        part_x.push_back(x[part.vertices[i]]);
-        const Vec3f& normal = normals[part.vertices[i]];
-        part_normals.push_back(part.is_turned[i] ? Vec3f(-normal) : normal);
-    }
-    std::vector<Vec2f> downward;
-    for (const Vec2f& u : part.u) downward.emplace_back(u.x(), 1 - u.y());
-
-    Json attributes = Json::object();
-    attributes["POSITION"] = document.add_positions(part_x);
-    attributes["NORMAL"] =
-        document.add(std::span<const Vec3f>(part_normals), Component::Float, "VEC3", Target::Vertices);
-    if (!downward.empty())
-        attributes["TEXCOORD_0"] =
-            document.add(std::span<const Vec2f>(downward), Component::Float, "VEC2", Target::Vertices);
-    Json extras = Json::object();
-    extras["panel"] = part.name;
-    extras["grain_angle"] = number(part.grain_angle);
-    if (!part.sett_offset.isZero(0)) extras["sett_offset"] = numbers(part.sett_offset);
-    Json primitive = Json::object();
-    primitive["attributes"] = std::move(attributes);
-    primitive["indices"] = document.add_indices(part.triangles);
-    primitive["material"] = material;
-    primitive["extras"] = std::move(extras);
-    return primitive;
-}
-
 }  // namespace
 
 std::string garment_glb(const DrawMesh& mesh) {
@@ -203,7 +44,9 @@ std::string garment_glb(const DrawMesh& mesh) {
     root["scenes"] = scene_of({0});
     root["nodes"] = Json::array({mesh_node("garment")});
     root["meshes"] = one_mesh("garment", std::move(primitives));
-    root["materials"] = panel_materials(parts);
+    Json materials = Json::array();
+    add_panel_materials(parts, materials);
+    root["materials"] = std::move(materials);
     return container(std::move(root), std::move(document));
 }
 
@@ -279,7 +122,7 @@ Json body_primitive(const Body& body, Document& document) {
     const std::vector<Vec3f> normals = vertex_normals(x, triangles);
     Json attributes = Json::object();
     attributes["POSITION"] = document.add_positions(x);
-    attributes["NORMAL"] = document.add(std::span<const Vec3f>(normals), Component::Float, "VEC3", Target::Vertices);
+    attributes["NORMAL"] = document.add_vectors(normals);
     if (!body.skin.empty() && !body.bones.empty()) add_skin_attributes(body, attributes, document);
     Json primitive = Json::object();
     primitive["attributes"] = std::move(attributes);

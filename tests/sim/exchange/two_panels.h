@@ -1,6 +1,8 @@
 #pragma once
 // Two panels of two triangles each, sewn along the edge from vertex 1 to vertex 2. Material coordinates are
 // discontinuous there.
+#include <utility>
+
 #include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::sim {
@@ -17,6 +19,19 @@ inline DrawMesh two_panels() {
     mesh.panel_names = {"front", "left sleeve"};
     mesh.panel_grain_angles = {0.0F, 0.7853982F};
     mesh.panel_sett_offsets = {{0, 0}, {0.0123F, -0.05F}};
+    return mesh;
+}
+
+// The sleeve's wrong side continues the right side of the front.
+inline DrawMesh sewn_right_to_wrong() {
+    DrawMesh mesh = two_panels();
+    for (const std::size_t t : {2U, 3U}) {
+        std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+        std::swap(mesh.u[t][1], mesh.u[t][2]);
+        for (Vec2f& u : mesh.u[t]) u.x() *= -1;
+    }
+    mesh.turned_corners = find_turned_corners(mesh.triangles);
+    mesh.normals = vertex_normals(mesh.x, mesh.triangles, mesh.turned_corners);
     return mesh;
 }
 

@@ -1,0 +1,201 @@
+#include "sim/exchange/glb_document.h"
+
+#include <bit>
+#include <charconv>
+#include <utility>
+
+#include "sim/core/assert.h"
+
+namespace selvedge::sim::glb {
+
+static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
+
+Json number(float value) {
+    char digits[32];
+    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
+    static_cast<void>(error);  // 32 characters hold any float
+    return Json::number_as_written(double(value), std::string(digits, end));
+}
+
+std::size_t Document::describe(std::size_t count, std::size_t bytes_each, Component component, const char* type,
+                               Target target) {
+    const std::uint64_t bytes = std::uint64_t(count) * bytes_each;
+    Json view = Json::object();
+    view["buffer"] = 0;
+    view["byteOffset"] = size_;
+    view["byteLength"] = bytes;
+    if (target != Target::None) view["target"] = int(target);
+    views_.push_back(std::move(view));
+    size_ += bytes;
+
+    Json accessor = Json::object();
+    accessor["bufferView"] = views_.elements().size() - 1;
+    accessor["componentType"] = int(component);
+    accessor["count"] = count;
+    accessor["type"] = type;
+    accessors_.push_back(std::move(accessor));
+    return accessors_.elements().size() - 1;
+}
+
+void Document::set_bounds(std::size_t accessor, Json low, Json high) {
+    accessors_.elements()[accessor]["min"] = std::move(low);
+    accessors_.elements()[accessor]["max"] = std::move(high);
+}
+
+// number() gives at most 15 characters: a sign, nine digits with a point, an exponent.
+Json Document::longest_bounds() const {
+    const Json longest = Json::number_as_written(0, "-0.000000000e-38");
+    return Json::array({longest, longest, longest});
+}
+
+std::size_t Document::add_positions(std::span<const Vec3f> x) {
+    const std::size_t index = add_vectors(x);
+    const Eigen::AlignedBox3f box = box_around(x);
+    if (is_plan_)
+        set_bounds(index, longest_bounds(), longest_bounds());
+    else
+        set_bounds(index, numbers(box.min()), numbers(box.max()));
+    return index;
+}
+
+std::size_t Document::add_indices(std::span<const std::array<std::uint32_t, 3>> triangles) {
+    const std::span<const std::uint32_t> flat(triangles.front().data(), triangles.size() * 3);
+    return add(flat, Component::UnsignedInt, "SCALAR", Target::Indices);
+}
+
+std::size_t Document::add_numbers(std::span<const float> values, Target target) {
+    return add(values, Component::Float, "SCALAR", target);
+}
+
+std::size_t Document::add_times(std::span<const float> ascending) {
+    const std::size_t index = add_numbers(ascending);
+    set_bounds(index, Json::array({number(ascending.front())}), Json::array({number(ascending.back())}));
+    return index;
+}
+
+std::size_t Document::plan_vectors(std::size_t count) {
+    SELVEDGE_ASSERT(is_plan_);
+    return describe(count, sizeof(Vec3f), Component::Float, "VEC3", Target::Vertices);
+}
+
+std::size_t Document::plan_positions(std::size_t count) {
+    const std::size_t index = plan_vectors(count);
+    set_bounds(index, longest_bounds(), longest_bounds());
+    return index;
+}
+
+std::size_t Document::plan_numbers(std::size_t count) {
+    SELVEDGE_ASSERT(is_plan_);
+    const std::size_t index = describe(count, sizeof(float), Component::Float, "SCALAR", Target::None);
+    set_bounds(index, longest_bounds(), longest_bounds());
+    return index;
+}
+
+std::string Document::finish(Json root) {
+    root["accessors"] = std::move(accessors_);
+    root["bufferViews"] = std::move(views_);
+    Json buffer = Json::object();
+    buffer["byteLength"] = size_;
+    root["buffers"] = Json::array({std::move(buffer)});
+    return write_json(root, -1);
+}
+
+void append_word(std::string& bytes, std::uint32_t word) {
+    bytes.append(reinterpret_cast<const char*>(&word), sizeof word);
+}
+
+namespace {
+
+void append_chunk(std::string& bytes, std::uint32_t kind, std::string_view content, char padding) {
+    const std::size_t padded = (content.size() + 3) / 4 * 4;
+    append_word(bytes, std::uint32_t(padded));
+    append_word(bytes, kind);
+    bytes += content;
+    bytes.append(padded - content.size(), padding);
+}
+
+}  // namespace
+
+std::string container(Json root, Document document) {
+    SELVEDGE_ASSERT(document.buffer().size() == document.size());
+    const std::string json = document.finish(std::move(root));
+    std::string chunks;
+    append_chunk(chunks, kJsonChunk, json, ' ');
+    append_chunk(chunks, kBinChunk, document.buffer(), '\0');
+    constexpr std::size_t kHeader = 12;
+    SELVEDGE_ASSERT(chunks.size() + kHeader <= UINT32_MAX);
+    std::string bytes;
+    append_word(bytes, kMagic);
+    append_word(bytes, 2);
+    append_word(bytes, std::uint32_t(chunks.size() + kHeader));
+    return bytes + chunks;
+}
+
+Json root_object() {
+    Json asset = Json::object();
+    asset["generator"] = "Selvedge";
+    asset["version"] = "2.0";
+    Json root = Json::object();
+    root["asset"] = std::move(asset);
+    root["scene"] = 0;
+    return root;
+}
+
+Json scene_of(std::vector<Json> nodes) {
+    Json scene = Json::object();
+    scene["nodes"] = Json::array(std::move(nodes));
+    return Json::array({std::move(scene)});
+}
+
+void add_panel_materials(const std::vector<PanelPart>& parts, Json& materials) {
+    for (const PanelPart& part : parts) {
+        Json surface = Json::object();
+        surface["metallicFactor"] = 0;
+        surface["roughnessFactor"] = 1;
+        Json material = Json::object();
+        material["name"] = part.name;
+        material["doubleSided"] = true;
+        material["pbrMetallicRoughness"] = std::move(surface);
+        materials.push_back(std::move(material));
+    }
+}
+
+std::vector<Vec3f> positions_of(const PanelPart& part, const std::vector<Vec3f>& x) {
+    std::vector<Vec3f> part_x;
+    part_x.reserve(part.vertices.size());
+    for (const std::uint32_t v : part.vertices) part_x.push_back(x[v]);
+    return part_x;
+}
+
+std::vector<Vec3f> normals_of(const PanelPart& part, const std::vector<Vec3f>& normals) {
+    std::vector<Vec3f> part_normals = positions_of(part, normals);
+    for (std::size_t i = 0; i < part_normals.size(); ++i)
+        if (part.is_turned[i]) part_normals[i] = -part_normals[i];
+    return part_normals;
+}
+
+Json panel_primitive(const PanelPart& part, std::size_t material, const std::vector<Vec3f>& x,
+                     const std::vector<Vec3f>& normals, Document& document) {
+    std::vector<Vec2f> downward;
+    downward.reserve(part.u.size());
+    for (const Vec2f& u : part.u) downward.emplace_back(u.x(), 1 - u.y());
+
+    Json attributes = Json::object();
+    attributes["POSITION"] = document.add_positions(positions_of(part, x));
+    attributes["NORMAL"] = document.add_vectors(normals_of(part, normals));
+    if (!downward.empty())
+        attributes["TEXCOORD_0"] =
+            document.add(std::span<const Vec2f>(downward), Component::Float, "VEC2", Target::Vertices);
+    Json extras = Json::object();
+    extras["panel"] = part.name;
+    extras["grain_angle"] = number(part.grain_angle);
+    if (!part.sett_offset.isZero(0)) extras["sett_offset"] = numbers(part.sett_offset);
+    Json primitive = Json::object();
+    primitive["attributes"] = std::move(attributes);
+    primitive["indices"] = document.add_indices(part.triangles);
+    primitive["material"] = material;
+    primitive["extras"] = std::move(extras);
+    return primitive;
+}
+
+}  // namespace selvedge::sim::glb

@@ -1,0 +1,368 @@
+// Animation caches, read back by assimp (.glb, .obj) and by a parser of their specification (.pc2, the JSON of .glb).
+#include <assimp/scene.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <sstream>
+#include <string>
+
+#include "sim/core/error.h"
+#include "sim/core/file.h"
+#include "sim/exchange/mesh_cache.h"
+#include "sim/exchange/mesh_file.h"
+#include "tests/sim/exchange/glb_container.h"
+#include "tests/sim/exchange/two_panels.h"
+#include "tests/support/bodies.h"
+#include "tests/support/temporary_folder.h"
+
+namespace selvedge::sim {
+namespace {
+
+constexpr std::size_t kLimit = 1 << 24;
+
+// The panels swing about the vertical axis, and one vertex has a way of its own.
+std::vector<Vec3f> frame_of(const DrawMesh& mesh, std::size_t frame) {
+    const Eigen::AngleAxisf turn(0.3F * static_cast<float>(frame), Vec3f::UnitY());
+    std::vector<Vec3f> x;
+    for (const Vec3f& p : mesh.x) x.emplace_back(turn * p);
+    x[4].z() -= 0.01F * static_cast<float>(frame);
+    return x;
+}
+
+void write_frames(const std::filesystem::path& path, const DrawMesh& mesh, std::size_t frames,
+                  const CacheOptions& options) {
+    const auto cache = open_mesh_cache(path, mesh, options);
+    for (std::size_t i = 0; i < frames; ++i) cache->add(frame_of(mesh, i));
+    cache->finish();
+}
+
+std::string message_of(const std::filesystem::path& path, const DrawMesh& mesh, const CacheOptions& options,
+                       const DrawMesh* body = nullptr) {
+    try {
+        open_mesh_cache(path, mesh, options, body);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+std::vector<std::string> names_in(const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) names.push_back(entry.path().filename());
+    std::ranges::sort(names);
+    return names;
+}
+
+// A PC2 file, parsed as its description in sim/exchange/pc2_file.h says.
+struct ReadPc2 {
+    std::int32_t version = 0, points = 0, samples = 0;
+    float start = 0, rate = 0;
+    std::vector<float> numbers;
+};
+
+template <class T>
+T value_at(const std::string& bytes, std::size_t offset) {
+    T value{};
+    std::memcpy(&value, bytes.substr(offset, sizeof value).data(), sizeof value);
+    return value;
+}
+
+ReadPc2 read_pc2(const std::filesystem::path& path) {
+    const std::string bytes = read_file(path, kLimit);
+    EXPECT_EQ(bytes.substr(0, 12), std::string("POINTCACHE2\0", 12));
+    ReadPc2 read{.version = value_at<std::int32_t>(bytes, 12),
+                 .points = value_at<std::int32_t>(bytes, 16),
+                 .samples = value_at<std::int32_t>(bytes, 28),
+                 .start = value_at<float>(bytes, 20),
+                 .rate = value_at<float>(bytes, 24),
+                 .numbers = {}};
+    EXPECT_EQ(bytes.size(), 32 + std::size_t(read.samples) * std::size_t(read.points) * 12);
+    for (std::size_t at = 32; at < bytes.size(); at += 4) read.numbers.push_back(value_at<float>(bytes, at));
+    return read;
+}
+
+void expect_frames(const ReadPc2& read, const DrawMesh& mesh) {
+    ASSERT_EQ(read.points, int(mesh.x.size()));
+    for (std::size_t frame = 0; frame < std::size_t(read.samples); ++frame) {
+        const std::vector<Vec3f> x = frame_of(mesh, frame);
+        for (std::size_t i = 0; i < 3 * x.size(); ++i)
+            EXPECT_EQ(read.numbers.at(frame * 3 * x.size() + i), x[i / 3][int(i % 3)]);
+    }
+}
+
+TEST(MeshCache, pc2_holds_every_frame_behind_its_header) {
+    const TemporaryFolder folder;
+    write_frames(folder / "cache.pc2", two_panels(), 5, {.frames = 5, .first_frame = 12});
+    const ReadPc2 read = read_pc2(folder / "cache.pc2");
+    EXPECT_EQ(read.version, 1);
+    EXPECT_EQ(read.start, 12.0F);
+    EXPECT_EQ(read.rate, 1.0F);
+    EXPECT_EQ(read.samples, 5);
+    expect_frames(read, two_panels());
+    EXPECT_EQ(names_in(folder / ""), (std::vector<std::string>{"cache.obj", "cache.pc2"}));
+}
+
+TEST(MeshCache, pc2_has_the_mesh_beside_it_in_the_same_order) {
+    const TemporaryFolder folder;
+    const DrawMesh mesh = two_panels();
+    write_frames(folder / "cache.pc2", mesh, 2, {.frames = 2});
+    std::istringstream lines(read_file(folder / "cache.obj", kLimit));
+    std::size_t vertices = 0;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("v ")) continue;
+        Vec3f x;
+        std::istringstream(line.substr(2)) >> x.x() >> x.y() >> x.z();
+        EXPECT_EQ(x, mesh.x.at(vertices++)) << line;
+    }
+    EXPECT_EQ(vertices, mesh.x.size());
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile((folder / "cache.obj").string(), 0);
+    ASSERT_NE(scene, nullptr) << importer.GetErrorString();
+    ASSERT_EQ(scene->mNumMeshes, 2U);
+    for (std::size_t panel = 0; panel < 2; ++panel) {
+        EXPECT_EQ(scene->mMeshes[panel]->mNumFaces, 2U);
+        EXPECT_TRUE(scene->mMeshes[panel]->HasTextureCoords(0));
+    }
+}
+
+TEST(MeshCache, that_ends_early_holds_the_frames_so_far) {
+    const TemporaryFolder folder;
+    write_frames(folder / "cache.pc2", two_panels(), 3, {.frames = 100});
+    EXPECT_EQ(read_pc2(folder / "cache.pc2").samples, 3);
+    write_frames(folder / "cache.glb", two_panels(), 3, {.frames = 100});
+    const Container file = open(read_file(folder / "cache.glb", kLimit));
+    expect_sound_accessors(file);
+    const Json& mesh = file.root.find("meshes")->elements()[0];
+    EXPECT_EQ(mesh.find("primitives")->elements()[0].find("targets")->elements().size(), 2U);
+}
+
+TEST(MeshCache, that_is_dropped_leaves_the_old_file_and_nothing_else) {
+    const TemporaryFolder folder;
+    for (const char* name : {"cache.pc2", "cache.glb"}) {
+        write_file_atomically(folder / name, "old");
+        const auto cache = open_mesh_cache(folder / name, two_panels(), {.frames = 4});
+        cache->add(two_panels().x);
+    }
+    EXPECT_EQ(names_in(folder / ""), (std::vector<std::string>{"cache.glb", "cache.pc2"}));
+    EXPECT_EQ(read_file(folder / "cache.pc2", kLimit), "old");
+    EXPECT_EQ(read_file(folder / "cache.glb", kLimit), "old");
+}
+
+// What is left of a program that was killed.
+TEST(MeshCache, pc2_can_be_read_from_the_temporary_file_of_an_unfinished_cache) {
+    const TemporaryFolder folder;
+    const auto cache = open_mesh_cache(folder / "cache.pc2", two_panels(), {.frames = 9});
+    for (std::size_t i = 0; i < 4; ++i) cache->add(frame_of(two_panels(), i));
+    const std::vector<std::string> names = names_in(folder / "");
+    ASSERT_EQ(names.size(), 1U);
+    const ReadPc2 read = read_pc2(folder / names[0].c_str());
+    EXPECT_EQ(read.samples, 4);
+    expect_frames(read, two_panels());
+}
+
+// Reads with assimp and compares every vertex of every frame.
+void expect_assimp_reads(const std::filesystem::path& path, const DrawMesh& mesh, std::size_t frames) {
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile(path.string(), 0);
+    ASSERT_NE(scene, nullptr) << importer.GetErrorString();
+    const std::vector<PanelPart> parts = split_by_panel(mesh);
+    ASSERT_EQ(scene->mNumMeshes, parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const aiMesh& read = *scene->mMeshes[i];
+        ASSERT_EQ(read.mNumVertices, parts[i].vertices.size());
+        EXPECT_EQ(read.mNumFaces, parts[i].triangles.size());
+        EXPECT_STREQ(scene->mMaterials[read.mMaterialIndex]->GetName().C_Str(), parts[i].name.c_str());
+        ASSERT_EQ(read.mNumAnimMeshes, frames - 1);
+        ASSERT_TRUE(read.HasTextureCoords(0));
+        for (std::size_t frame = 0; frame < frames; ++frame) {
+            const std::vector<Vec3f> x = frame_of(mesh, frame);
+            const std::vector<Vec3f> normals = vertex_normals(x, mesh.triangles, mesh.turned_corners);
+            const aiVector3D* positions = frame == 0 ? read.mVertices : read.mAnimMeshes[frame - 1]->mVertices;
+            const aiVector3D* directions = frame == 0 ? read.mNormals : read.mAnimMeshes[frame - 1]->mNormals;
+            for (std::size_t v = 0; v < parts[i].vertices.size(); ++v) {
+                const std::uint32_t at = parts[i].vertices[v];
+                const Vec3f right_side = parts[i].is_turned[v] ? Vec3f(-normals[at]) : normals[at];
+                EXPECT_LT((Vec3f(positions[v].x, positions[v].y, positions[v].z) - x[at]).norm(), 3e-7F);
+                EXPECT_LT((Vec3f(directions[v].x, directions[v].y, directions[v].z) - right_side).norm(), 1e-6F);
+                const aiVector3D& u = read.mTextureCoords[0][v];
+                EXPECT_LT((Vec2f(u.x, u.y) - parts[i].u[v]).norm(), 3e-7F);
+            }
+        }
+    }
+}
+
+TEST(MeshCache, glb_is_read_by_assimp_frame_by_frame) {
+    const TemporaryFolder folder;
+    constexpr std::size_t kFrames = 6;
+    write_frames(folder / "cache.glb", two_panels(), kFrames, {.frames = kFrames, .frames_per_second = 25});
+    expect_assimp_reads(folder / "cache.glb", two_panels(), kFrames);
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile((folder / "cache.glb").string(), 0);
+    ASSERT_NE(scene, nullptr);
+    ASSERT_EQ(scene->mNumAnimations, 1U);
+    const aiAnimation& animation = *scene->mAnimations[0];
+    ASSERT_EQ(animation.mNumMorphMeshChannels, 1U);
+    const aiMeshMorphAnim& channel = *animation.mMorphMeshChannels[0];
+    ASSERT_EQ(channel.mNumKeys, kFrames);
+    for (std::size_t key = 0; key < kFrames; ++key) {
+        const aiMeshMorphKey& at = channel.mKeys[key];
+        EXPECT_NEAR(at.mTime / animation.mTicksPerSecond, double(key) / 25, 1e-6);
+        ASSERT_EQ(at.mNumValuesAndWeights, kFrames - 1);
+        for (std::size_t target = 0; target + 1 < kFrames; ++target)
+            EXPECT_EQ(at.mWeights[target], target + 1 == key ? 1.0 : 0.0);
+    }
+}
+
+TEST(MeshCache, glb_keeps_the_right_side_of_each_panel_in_every_frame) {
+    const TemporaryFolder folder;
+    const DrawMesh mesh = sewn_right_to_wrong();
+    ASSERT_FALSE(mesh.turned_corners.empty());
+    write_frames(folder / "cache.glb", mesh, 4, {.frames = 4});
+    expect_assimp_reads(folder / "cache.glb", mesh, 4);
+}
+
+TEST(MeshCache, glb_is_sound_and_states_bounds_names_and_interpolation) {
+    const TemporaryFolder folder;
+    for (const bool is_step : {false, true}) {
+        const CacheOptions options{.frames = 3,
+                                   .first_frame = 7,
+                                   .interpolation = is_step ? CacheInterpolation::Step : CacheInterpolation::Linear,
+                                   .has_normals = !is_step};
+        write_frames(folder / "cache.glb", two_panels(), 3, options);
+        const Container file = open(read_file(folder / "cache.glb", kLimit));
+        expect_sound_accessors(file);
+        EXPECT_FALSE(file.root.find("extensionsUsed"));
+        const Json& sampler = file.root.find("animations")->elements()[0].find("samplers")->elements()[0];
+        EXPECT_EQ(sampler.find("interpolation")->string(), is_step ? "STEP" : "LINEAR");
+        const Json& mesh = file.root.find("meshes")->elements()[0];
+        EXPECT_EQ(mesh.find("extras")->find("targetNames")->elements()[1].string(), "frame 9");
+        const Json& target = mesh.find("primitives")->elements()[1].find("targets")->elements()[1];
+        EXPECT_EQ(target.find("NORMAL") != nullptr, !is_step);
+        const Json& accessor = file.root.find("accessors")->elements()[index_of(target, "POSITION")];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            float low = std::numeric_limits<float>::max(), high = -low;
+            for (std::size_t v = 0; v < index_of(accessor, "count"); ++v) {
+                low = std::min(low, float_at(file, accessor, 3 * v + axis));
+                high = std::max(high, float_at(file, accessor, 3 * v + axis));
+            }
+            EXPECT_EQ(float(accessor.find("min")->elements()[axis].number()), low);
+            EXPECT_EQ(float(accessor.find("max")->elements()[axis].number()), high);
+        }
+    }
+}
+
+TEST(MeshCache, glb_of_one_frame_has_no_animation) {
+    const TemporaryFolder folder;
+    write_frames(folder / "cache.glb", two_panels(), 1, {.frames = 1});
+    const Container file = open(read_file(folder / "cache.glb", kLimit));
+    expect_sound_accessors(file);
+    EXPECT_FALSE(file.root.find("animations"));
+    expect_assimp_reads(folder / "cache.glb", two_panels(), 1);
+}
+
+TEST(MeshCache, glb_takes_a_body_that_moves_along) {
+    const TemporaryFolder folder;
+    Body body = shapes::box({-0.2, 0, -0.1}, {0.2, 1.7, 0.1}, 3);
+    const DrawMesh surface = body_mesh(body);
+    const auto cache = open_mesh_cache(folder / "cache.glb", two_panels(), {.frames = 4}, &surface);
+    for (std::size_t i = 0; i < 4; ++i) cache->add(frame_of(two_panels(), i), frame_of(surface, i));
+    cache->finish();
+    expect_sound_accessors(open(read_file(folder / "cache.glb", kLimit)));
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile((folder / "cache.glb").string(), 0);
+    ASSERT_NE(scene, nullptr) << importer.GetErrorString();
+    ASSERT_EQ(scene->mNumMeshes, 3U);
+    const aiMesh& read = *scene->mMeshes[2];
+    EXPECT_STREQ(scene->mMaterials[read.mMaterialIndex]->GetName().C_Str(), "body");
+    ASSERT_EQ(read.mNumVertices, body.x.size());
+    ASSERT_EQ(read.mNumAnimMeshes, 3U);
+    EXPECT_EQ(scene->mAnimations[0]->mNumMorphMeshChannels, 2U);
+    const std::vector<Vec3f> last = frame_of(surface, 3);
+    const std::vector<PanelPart> parts = split_by_panel(surface);
+    for (std::size_t v = 0; v < last.size(); ++v) {
+        const aiVector3D& p = read.mAnimMeshes[2]->mVertices[v];
+        EXPECT_LT((Vec3f(p.x, p.y, p.z) - last[parts[0].vertices[v]]).norm(), 3e-7F);
+    }
+}
+
+TEST(MeshCache, of_obj_frames_is_one_garment_per_file) {
+    const TemporaryFolder folder;
+    write_frames(folder / "made/here/*.obj", two_panels(), 3, {.frames = 3, .first_frame = 9});
+    EXPECT_EQ(names_in(folder / "made/here"), (std::vector<std::string>{"0009.obj", "0010.obj", "0011.obj"}));
+    const DrawMesh read = read_garment(folder / "made/here/0011.obj");
+    const std::vector<Vec3f> x = frame_of(two_panels(), 2);
+    ASSERT_EQ(read.triangles.size(), 4U);
+    for (std::size_t t = 0; t < 4; ++t)
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(read.x[read.triangles[t][k]], x[two_panels().triangles[t][k]]);
+    EXPECT_EQ(frame_path("a/b_*.obj", 12345), "a/b_12345.obj");
+    EXPECT_EQ(frame_path("*.obj", -3), "-0003.obj");
+}
+
+TEST(MeshCache, names_the_figures_of_what_does_not_fit_before_it_writes) {
+    const TemporaryFolder folder;
+    DrawMesh large = two_panels();
+    large.x.resize(100'000, Vec3f::Zero());
+    large.u.clear();
+    large.panel.clear();
+    for (std::uint32_t v = 0; v + 2 < 100'000; ++v) large.triangles.push_back({v, v + 1, v + 2});
+    EXPECT_EQ(message_of(folder / "cache.glb", large, {.frames = 2000}),
+              (folder / "cache.glb").string() +
+                  ": 2000 frames of 100000 vertices need 4.8 GB, and a .glb file holds 4.3 GB: use fewer frames, a "
+                  "coarser mesh or .pc2");
+    EXPECT_NE(message_of(folder / "cache.glb", two_panels(), {.frames = 32'768}).find("need 4.3 GB"),
+              std::string::npos);
+    EXPECT_NE(message_of(folder / "cache.glb", two_panels(), {.frames = 5'000'000'000}).find("5000000000 frames: "),
+              std::string::npos);
+    EXPECT_NE(message_of(folder / "cache.pc2", large, {.frames = 2'000'000'000}).find("needs 2.4 PB, and "),
+              std::string::npos);
+    EXPECT_NE(message_of(folder / "cache.pc2", two_panels(), {.frames = 3'000'000'000}).find("2147483647"),
+              std::string::npos);
+    EXPECT_TRUE(names_in(folder / "").empty());
+}
+
+TEST(MeshCache, refuses_what_it_cannot_write_in_one_line) {
+    const TemporaryFolder folder;
+    const DrawMesh mesh = two_panels();
+    for (const char* name : {"cache.abc", "cache", "frame.obj", "a*b*.obj", "*.pc"}) {
+        EXPECT_FALSE(is_mesh_cache(name)) << name;
+        EXPECT_NE(message_of(folder / name, mesh, {}).find("use .pc2, .glb or frames/*.obj"), std::string::npos);
+    }
+    for (const char* name : {"cache.PC2", "cache.Glb", "f_*.OBJ"}) EXPECT_TRUE(is_mesh_cache(name)) << name;
+    EXPECT_NE(message_of(folder / "cache.pc2", mesh, {}, &mesh).find("only into .glb"), std::string::npos);
+    EXPECT_NE(message_of(folder / "cache.pc2", DrawMesh(), {}).find("no triangles"), std::string::npos);
+    for (const char* name : {"no/folder/cache.pc2", "no/folder/cache.glb"})
+        EXPECT_NE(message_of(folder / name, mesh, {}).find("cannot write"), std::string::npos);
+    write_file_atomically(folder / "taken", "x");
+    EXPECT_NE(message_of(folder / "taken/*.obj", mesh, {}).find("cannot make the folder"), std::string::npos);
+}
+
+TEST(MeshCache, names_the_frame_and_the_vertex_that_is_not_finite) {
+    const TemporaryFolder folder;
+    for (const char* name : {"cache.pc2", "cache.glb", "*.obj"}) {
+        const auto cache = open_mesh_cache(folder / name, two_panels(), {.frames = 3, .first_frame = 5});
+        cache->add(two_panels().x);
+        std::vector<Vec3f> bad = two_panels().x;
+        bad[3].y() = std::numeric_limits<float>::quiet_NaN();
+        try {
+            cache->add(bad);
+            ADD_FAILURE() << name;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.place(), "frame 6, vertex 3");
+        }
+    }
+}
+
+TEST(MeshCache, is_the_same_to_the_byte_each_time) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.pc2", "b.pc2", "a.glb", "b.glb"})
+        write_frames(folder / name, two_panels(), 7, {.frames = 7});
+    EXPECT_EQ(read_file(folder / "a.pc2", kLimit), read_file(folder / "b.pc2", kLimit));
+    EXPECT_EQ(read_file(folder / "a.glb", kLimit), read_file(folder / "b.glb", kLimit));
+}
+
+}  // namespace
+}  // namespace selvedge::sim
