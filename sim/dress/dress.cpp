@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <optional>
 
 #include "sim/core/math.h"
+#include "sim/dress/animation.h"
+#include "sim/dress/dressing_pose.h"
+#include "sim/dress/own_pose.h"
 #include "sim/dress/session_frame.h"
 #include "sim/dress/wearing.h"
 #include "sim/mesh/garment_mesh.h"
@@ -80,7 +84,10 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     report.body = body.name;
     Dressing dressing;
     dressing.set_options(options);
-    dressing.set_body(std::shared_ptr<const Body>(std::shared_ptr<void>(), &body));  // the caller owns it
+    const Pose pose = body.skin.empty() ? Pose{} : dressing_pose(body);
+    const bool is_moved = !body.skin.empty() && needs_other_pose(body, pose);
+    const Body stands = is_moved ? posed(body, pose) : Body{};
+    dressing.set_body(std::shared_ptr<const Body>(std::shared_ptr<void>(), is_moved ? &stands : &body));  // not owned
 
     selvedge::sim::report(progress, "reading the body", 0);
     dressing.collider();
@@ -101,13 +108,21 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     finish_stage(dressing, DressingStage::Relax, "draping", {});
     finish_stage(dressing, DressingStage::Fall, "draping", progress);
     selvedge::sim::report(progress, "draping", 1);
-    record_drape(report, dressing.result());
+    Cloth& cloth = dressed.cloth.emplace(*dressing.cloth());
+    DrapeResult result = dressing.result();
+    const Body rests = is_moved ? posed(body, rest_pose(body)) : Body{};  // as move_to_own_pose() leaves it
+    std::optional<BodyCollider> own;
+    if (is_moved && !result.bad_vertex) {
+        own.emplace(rests);
+        result = move_to_own_pose(cloth, body, pose, *own, options, progress);
+        report.notes.emplace_back("dressed with lowered arms, which then moved into the pose of the body");
+    }
+    record_drape(report, result);
     timer.done("draping");
 
-    const Cloth& cloth = *dressing.cloth();
-    validate(cloth, dressing.collider(), dressing.anchored(), dressing.open_seams(), dressing.result(), report,
+    validate(cloth, own ? *own : dressing.collider(), dressing.anchored(), dressing.open_seams(), result, report,
              {.may_cross_itself = !options.self_collision});
-    if (!dressing.result().bad_vertex) {
+    if (!result.bad_vertex) {
         const DesignedGarment designed{.unsewn = dressing.designed(), .body = &dressing.designed_for()};
         validate_wearing(cloth, dressing.sewn_mesh(), designed, body, report);
     }

@@ -1,7 +1,10 @@
 #pragma once
 // Facade for the batch program and tests: dresses a body in a pattern, drapes the garment until it is at rest, and
 // reports every fault.
+#include <optional>
+
 #include "sim/body/body.h"
+#include "sim/cloth/cloth.h"
 #include "sim/core/parallel.h"
 #include "sim/dress/dressing.h"
 #include "sim/dress/report.h"
@@ -10,10 +13,11 @@
 
 namespace selvedge::sim {
 
-// The draped garment: its leaf triangles, their refinement hierarchy, and the report.
+// The draped garment: its leaf triangles, their refinement hierarchy, the cloth itself, and the report.
 struct DressedGarment {
     DrawMesh mesh;
     TriangleHierarchy hierarchy;
+    std::optional<Cloth> cloth;  // never empty
     DressReport report;
 };
 

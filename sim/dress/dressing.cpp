@@ -117,7 +117,7 @@ void Dressing::sew() {
 
 void Dressing::begin_sewing(std::optional<WornGarments> worn) {
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
-    SewingOptions options{.gravity = draping().gravity, .interrupt = interrupt_};
+    SewingOptions options{.gravity = drape_options(options_).gravity, .interrupt = interrupt_};
     if (options_.self_collision) options.self_contact.emplace();
     GarmentSewing sewing(
         std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),
@@ -161,22 +161,33 @@ void Dressing::end_sewing() {
     change_cloth(anchored());  // setts may have been moved while it was sewn
 }
 
-DrapeOptions Dressing::draping() const {
+TriangleBudget* set_budget(std::optional<TriangleBudget>& budget, std::optional<int> target) {
+    if (!target) {
+        budget.reset();
+        return nullptr;
+    }
+    const auto count = static_cast<std::size_t>(*target);
+    if (!budget) budget.emplace(BudgetOptions{.target = count});
+    budget->set_target(count);
+    return &*budget;
+}
+
+DrapeOptions drape_options(const DressOptions& options) {
     DrapeOptions draping{
-        .max_seconds = options_.max_seconds, .finish_time = options_.finish_time, .may_rest = options_.may_rest};
-    if (!options_.has_gravity) draping.gravity.setZero();
-    if (options_.self_collision) draping.self_contact.emplace();
-    draping.adapt.criteria = options_.criteria;
-    draping.adapt.curvature = options_.curvature;
-    draping.adapt.shortest_edge = static_cast<float>(options_.shortest_edge);
-    draping.adapt.max_level = options_.max_level;
+        .max_seconds = options.max_seconds, .finish_time = options.finish_time, .may_rest = options.may_rest};
+    if (!options.has_gravity) draping.gravity.setZero();
+    if (options.self_collision) draping.self_contact.emplace();
+    draping.adapt.criteria = options.criteria;
+    draping.adapt.curvature = options.curvature;
+    draping.adapt.shortest_edge = static_cast<float>(options.shortest_edge);
+    draping.adapt.max_level = options.max_level;
     return draping;
 }
 
 void Dressing::hang(Drape drape, double relax_time) {
     drape_ = std::move(drape);
     drag_constraint_.forget_vertices();
-    DrapeOptions options = draping();
+    DrapeOptions options = drape_options(options_);
     options.relax_time = relax_time;
     options.coarse_time = std::min(options.coarse_time, relax_time - DrapeOptions{}.coarse_time);
     drape_->run.emplace(drape_->cloth, options);
@@ -185,20 +196,15 @@ void Dressing::hang(Drape drape, double relax_time) {
 
 // The run's options hold pointers to members of this object.
 void Dressing::apply_options() {
-    if (options_.triangle_budget) {
-        const auto target = static_cast<std::size_t>(*options_.triangle_budget);
-        if (!budget_) budget_.emplace(BudgetOptions{.target = target});
-        budget_->set_target(target);
-    } else {
-        budget_.reset();
-    }
+    TriangleBudget* const budget = set_budget(budget_, options_.triangle_budget);
     if (!drape_) return;
     DrapeOptions& options = drape_->run->options();
     const double relax_time = options.relax_time, coarse_time = options.coarse_time;
-    options = draping();
+    options = drape_options(options_);
     options.relax_time = relax_time;
     options.coarse_time = coarse_time;
-    options.adapt.budget = budget_ ? &*budget_ : nullptr;
+    options.adapt.budget = budget;
+    options.adapt.visibility = visibility_;
     options.adapt.kept_vertices = drag_constraint_.held();
     options.kinematic_vertices = [this](const Cloth& cloth, float seconds) {
         return drag_constraint_.kinematic_target(cloth, collider(), seconds);
@@ -355,7 +361,7 @@ void Dressing::change_cloth(const Pattern& pattern) {
 void Dressing::change_outlines(const Pattern& pattern) {
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
     TransferredDrape over = transfer_drape({drape_->cloth, drape_->pattern, drape_->open}, pattern, std::move(unsewn),
-                                           fabrics(), collider(), draping().adapt, deepest_level());
+                                           fabrics(), collider(), drape_options(options_).adapt, deepest_level());
     past_seconds_ += drape_->run->result().simulated_seconds;
     std::vector<OutlineMap> maps;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p)
@@ -411,6 +417,18 @@ void Dressing::set_options(const DressOptions& options) {
     apply_options();
     if (!drape_) return;
     if (options_.fabric != last.fabric) change_cloth(drape_->pattern);
+    wake();
+}
+
+void Dressing::set_visibility(Visibility* visibility) {
+    if (visibility == visibility_) return;
+    visibility_ = visibility;
+    apply_options();
+    wake();
+}
+
+void Dressing::wake() {
+    if (!drape_ || has_bad_number()) return;
     selvedge::sim::reactivate(drape_->cloth);
     reactivate();
 }
@@ -453,6 +471,12 @@ bool Dressing::unpin_all() {
 
 std::vector<Vec3f> Dressing::pins() const {
     return drape_ ? drag_constraint_.pin_positions(drape_->cloth) : std::vector<Vec3f>();
+}
+
+std::vector<VertexId> Dressing::pinned_vertices() {
+    drag_constraint_.update_held(drape_->cloth, drape_->mesh.pins);
+    const std::span<const VertexId> held = drag_constraint_.held();
+    return {held.begin(), held.end()};
 }
 
 // Equal outlines, sampled and meshed with equal options, have equal meshes.

@@ -71,6 +71,9 @@ class Dressing {
     void set_body(std::shared_ptr<const Body> body);
     void set_pattern(Pattern pattern);
     void set_options(const DressOptions& options);
+    // Hidden parts of the cloth that hangs are coarsened from the next adaptation on; null: none. It must stay valid.
+    void set_visibility(Visibility* visibility);
+    void wake();  // a cloth at rest goes on
 
     DressingStage stage() const;
     double fraction() const;  // of Sew or of Fall, 0..1; 0 in Place and Relax
@@ -117,7 +120,10 @@ class Dressing {
     bool let_go();
     bool pin(const MaterialPoint& at);
     bool unpin_all();
+    bool is_pulled() const { return drag_constraint_.is_pulling(); }
     std::vector<Vec3f> pins() const;  // m
+    // The vertices of the cloth that are pinned at these points. Pre: is_hanging(), and not is_pulled().
+    std::vector<VertexId> pinned_vertices();
 
     // A drape that can be restored later. Pre: is_hanging().
     struct Drape {
@@ -146,7 +152,6 @@ class Dressing {
     void update_drag();
     void reactivate();
     bool has_bad_number() const { return drape_ && drape_->run->result().bad_vertex; }
-    DrapeOptions draping() const;
     std::vector<Fabric> fabrics() const;
     int deepest_level() const { return options_.deepest_level.value_or(options_.max_level); }
 
@@ -174,9 +179,16 @@ class Dressing {
     std::optional<Drape> drape_;
     DragConstraint drag_constraint_;
     std::optional<TriangleBudget> budget_;
+    Visibility* visibility_ = nullptr;
     double past_seconds_ = 0;  // s, simulated before the current drape
     std::vector<std::string> notes_;
 };
+
+// The options of a drape for a garment that is dressed with these, without its budget.
+DrapeOptions drape_options(const DressOptions& options);
+
+// Makes, changes or drops a budget, for that target number of leaf triangles. Returns it; null without one.
+TriangleBudget* set_budget(std::optional<TriangleBudget>& budget, std::optional<int> target);
 
 inline constexpr int kSewingSteps = 4;  // per frame, as many as per adaptation
 

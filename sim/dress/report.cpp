@@ -106,7 +106,7 @@ std::string_view name_of(FaultClass fault_class) {
     return fault_class == FaultClass::DoesNotFit ? "does_not_fit" : "defect";
 }
 
-std::string to_json(const DressReport& report) {
+Json json_of(const DressReport& report) {
     Json json = Json::object();
     json[report_key::kGarment] = report.garment;
     Json garments = Json::array();
@@ -125,7 +125,11 @@ std::string to_json(const DressReport& report) {
     json[report_key::kContact] = contact_json(report.contact);
     json[report_key::kStretch] = stretch_json(report.stretch);
     json[report_key::kTiming] = timing_json(report.timing);
-    return write_json(json);
+    return json;
+}
+
+std::string to_json(const DressReport& report) {
+    return write_json(json_of(report));
 }
 
 namespace {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/cloth/cloth.h"
+#include "sim/core/json.h"
 #include "sim/dress/drape.h"
 #include "sim/dress/sewing.h"
 #include "sim/mesh/draw_mesh.h"
@@ -157,6 +158,7 @@ struct DressReport {
     DressTiming timing;
 };
 
+Json json_of(const DressReport& report);
 // The whole report as JSON text. Equal input gives equal text, except for `timing`.
 std::string to_json(const DressReport& report);
 

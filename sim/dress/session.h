@@ -2,14 +2,22 @@
 // An interactive drape: a dressing that runs on its own thread while the user edits the pattern. The caller reads the
 // newest frame and posts requests at any time; no call waits for the simulation. (thesis 3.6.7, ch. 4)
 //
-// Pattern, body and options may change while it runs (sim/dress/dressing.h).
+// Pattern, body and options may change while it runs (sim/dress/dressing.h). Once the garment hangs, its body may take
+// other poses and move, and carries it along (sim/dress/body_mover.h). The garment as it was dressed is kept: the body
+// can be put back into it, and a pattern that changes is dressed on the body at rest, which then goes on from there.
+// A body whose arms are not where patterns expect them is dressed with lowered arms (dressing_pose()), and goes into
+// its own pose when the garment hangs.
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/adaptive/back_face.h"
 #include "sim/body/body.h"
+#include "sim/body/clip.h"
+#include "sim/body/pose.h"
+#include "sim/dress/body_mover.h"
 #include "sim/dress/dressing.h"
 #include "sim/mesh/draw_mesh.h"
 #include "sim/pattern/pattern.h"
@@ -21,6 +29,7 @@ enum class SessionStage {
     Placed,   // panels are placed around the body, unsewn
     Sewing,   // seams are closing
     Draping,  // the sewn garment is moving
+    Moving,   // the body moves, or has moved and the garment comes to rest
     Settled,  // at rest; continues only after a change
     Failed    // a value is not finite, or an error: see SessionFrame::problem
 };
@@ -29,7 +38,8 @@ enum class SessionStage {
 struct SessionOptions : DressOptions {
     SessionOptions();
 
-    bool keeps_real_time = true;  // false: as fast as possible
+    bool keeps_real_time = true;       // false: as fast as possible
+    bool coarsens_back_faces = false;  // coarse where the fabric's right side faces away from the viewer (look_from)
 
     bool operator==(const SessionOptions&) const = default;
 };
@@ -53,6 +63,21 @@ struct SessionStatistics {
     SessionTimes times;
 };
 
+// What the body does.
+struct SessionMotion {
+    bool can_move = false;    // the body has bones and a skin
+    bool is_waiting = false;  // it is to move, but the garment does not hang yet
+    bool is_playing = false;
+    bool is_blending = false;                       // it goes over into a pose, or into the motion
+    bool is_at_rest = true;                         // it stands where it is dressed
+    bool is_in_motion = false;                      // the motion was played or sought last, rather than a pose
+    double seconds = 0;                             // of the motion, 0 to its length
+    double length = 0;                              // s, of the motion; 0: none
+    Vec3f way = Vec3f::Zero();                      // m over the floor, from where the body was dressed
+    std::shared_ptr<const Pose> pose{};             // of the body; null: its rest pose
+    std::shared_ptr<const std::vector<Vec3f>> x{};  // m, of its surface; null: Body::x
+};
+
 // Snapshot of the drape. Immutable once published.
 struct SessionFrame {
     std::uint64_t number = 0;  // increases with each published frame
@@ -63,6 +88,7 @@ struct SessionFrame {
     std::vector<std::array<Vec3f, 2>> seam_lines;  // m: links of unclosed seams, the positions of both ends
     std::vector<int> seam_line_seams;              // per link: index into Pattern::seams
     std::vector<Vec3f> pins;                       // m, vertices that the user pinned
+    SessionMotion motion;
     SessionStatistics statistics;
     std::string problem;                // error message; empty: none
     std::vector<std::string> messages;  // events that the user should know about, newest last
@@ -95,6 +121,8 @@ class Session {
     void set_pattern(const Pattern& pattern);         // may be called often; outdated requests are skipped
     void set_options(const SessionOptions& options);
 
+    void look_from(const ViewPoint& viewer);  // may be called often
+
     void start();  // closes the seams first when needed
     void pause();
     void reset();  // panels return to their placed position, unsewn; removes pins and drag
@@ -105,6 +133,17 @@ class Session {
     void let_go();
     void pin(const ClothPoint& point);
     void unpin_all();
+
+    // The body's motion (BodyMover). Poses and clips are of `body`; a request for another body than that which the
+    // session has by then is ignored.
+    void go_to(std::shared_ptr<const Body> body, const Pose& pose);
+    void follow(std::shared_ptr<const Body> body, const Pose& pose);  // a pose that changes: may be called often
+    void set_clip(std::shared_ptr<const Body> body, std::shared_ptr<const Clip> clip);  // null: none
+    void set_playback(const Playback& playback);
+    void play();
+    void pause_motion();
+    void seek(double seconds);
+    void back_to_start();  // the body and the garment are as when it was dressed
 
     // The newest frame; never null. Does not wait for the simulation.
     std::shared_ptr<const SessionFrame> frame() const;

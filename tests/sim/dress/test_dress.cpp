@@ -98,6 +98,21 @@ TEST(Dress, a_tshirt_of_no_level_sits_on_the_mannequin_without_a_fault) {
     expect_dressed(dress(shipped("tshirt"), mannequin(), up_to_level(0)), mannequin());
 }
 
+// The thesis' criteria A (collision), B (curvature) and C (length) each refine a worn garment.
+TEST(Dress, a_tshirt_is_refined_by_collision_alone_by_length_alone_and_by_length_beside_the_others) {
+    const auto leaves = [](bool collision, bool curvature, bool length) {
+        DressOptions options;
+        options.criteria = {.collision = collision, .curvature = curvature, .length = length};
+        const DressReport report = dress(shipped("tshirt"), mannequin(), options).report;
+        EXPECT_TRUE(report.settled) << report.stopped_because;
+        return report.mesh.leaf_triangles;
+    };
+    const int base = dress(shipped("tshirt"), mannequin(), up_to_level(0)).report.mesh.leaf_triangles;
+    EXPECT_GT(leaves(true, false, false), base * 3 / 2);
+    EXPECT_GT(leaves(false, false, true), base * 5 / 2);
+    EXPECT_GT(leaves(true, true, true), leaves(true, true, false));
+}
+
 TEST(Dress, a_tshirt_of_three_levels_sits_on_the_mannequin_without_a_fault) {
     const DressedGarment dressed = dress(shipped("tshirt"), mannequin(), up_to_level(3));
     expect_dressed(dressed, mannequin());
@@ -239,7 +254,8 @@ TEST(DressShirt, with_its_front_sewn_right_side_to_wrong_side_hangs_as_the_same_
     };
     const float low = (box_of(plain).min() - box_of(half).min()).cwiseAbs().maxCoeff();
     const float high = (box_of(plain).max() - box_of(half).max()).cwiseAbs().maxCoeff();
-    EXPECT_LT(std::max(low, high), 0.01F) << low << " " << high;
+    // m: plain shirts on bodies whose heights differ by 0.1 mm are up to 6 mm apart, half of them mirrored up to 11 mm.
+    EXPECT_LT(std::max(low, high), 0.015F) << low << " " << high;
     EXPECT_LT(half.report.stretch.warp_weft_p99, 0.05);
 }
 

@@ -1,0 +1,36 @@
+#pragma once
+// Report on an animated garment as plain data and as JSON: what was shown, its quality, and the dressing before it.
+#include <string>
+#include <string_view>
+
+#include "sim/dress/animation.h"
+#include "sim/dress/report.h"
+
+namespace selvedge::sim {
+
+namespace report_key {
+inline constexpr std::string_view kMotion = "motion";
+inline constexpr std::string_view kFrames = "frames";
+inline constexpr std::string_view kPlannedFrames = "planned_frames";
+inline constexpr std::string_view kFramesPerSecond = "frames_per_second";
+inline constexpr std::string_view kSeconds = "seconds";
+inline constexpr std::string_view kQuality = "quality";
+inline constexpr std::string_view kStretchP99 = "stretch_p99";
+inline constexpr std::string_view kStretchMax = "stretch_max";
+inline constexpr std::string_view kOverstretchedS = "overstretched_s";
+inline constexpr std::string_view kDeepestVertexM = "deepest_vertex_m";
+inline constexpr std::string_view kDeepestFaceCentreM = "deepest_face_centre_m";
+inline constexpr std::string_view kDeepVertices = "deep_vertices";
+inline constexpr std::string_view kDeepFaceCentres = "deep_face_centres";
+inline constexpr std::string_view kPinched = "pinched_vertices";
+inline constexpr std::string_view kHasBadNumber = "has_bad_number";
+inline constexpr std::string_view kMotionFaults = "motion_faults";
+inline constexpr std::string_view kMsPerFrame = "ms_per_frame";
+inline constexpr std::string_view kMsPerFrameP95 = "ms_per_frame_p95";
+inline constexpr std::string_view kDressing = "dressing";
+}  // namespace report_key
+
+// Equal input gives equal text, except for timings. motion: the name of the clip.
+std::string to_json(const Animation& animation, const std::string& motion);
+
+}  // namespace selvedge::sim

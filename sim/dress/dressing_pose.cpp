@@ -1,0 +1,52 @@
+#include "sim/dress/dressing_pose.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "sim/body/joint_names.h"
+#include "sim/body/motion_file.h"
+
+namespace selvedge::sim {
+namespace {
+
+constexpr double kAsItIs = 30 * std::numbers::pi / 180;  // rad: arms that are within this of "A" stay, with room
+                                                         // for sleeves above and below them
+
+// Direction from one joint to the next in that pose, unit.
+Vec3d direction(const std::vector<Eigen::Affine3d>& frames, int from, int to) {
+    return (frames[static_cast<std::size_t>(to)].translation() - frames[static_cast<std::size_t>(from)].translation())
+        .normalized();
+}
+
+}  // namespace
+
+Pose dressing_pose(const Body& body) {
+    Pose pose = rest_pose(body);
+    const JointBones joints = find_joints(body.bones);
+    constexpr std::array kArms{std::array{Joint::LeftUpperArm, Joint::LeftLowerArm},
+                               std::array{Joint::RightUpperArm, Joint::RightLowerArm}};
+    for (const auto& [upper, lower] : kArms)
+        if (!joints.has(upper) || !joints.has(lower)) return pose;
+    const Pose with_arms = find_pose("A", body);
+    const auto now = bone_frames(body, pose), wanted = bone_frames(body, with_arms);
+    for (const auto& [upper, lower] : kArms) {
+        const Vec3d is = direction(now, joints[upper], joints[lower]);
+        const Vec3d should = direction(wanted, joints[upper], joints[lower]);
+        if (std::acos(std::clamp(is.dot(should), -1.0, 1.0)) < kAsItIs) continue;
+        const auto bone = static_cast<std::size_t>(joints[upper]);
+        // Turns the upper arm about its joint, in our frame, and leaves the rest of the arm as it is to it.
+        const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(is, should);
+        const Eigen::Matrix3d parent =
+            body.bones[bone].parent < 0
+                ? Eigen::Matrix3d(body.frame.linear())
+                : Eigen::Matrix3d(now[static_cast<std::size_t>(body.bones[bone].parent)].linear());
+        const Eigen::Quaterniond in_parent(Eigen::Affine3d(parent).rotation());
+        Transform& local = pose.bones[bone];
+        local.rotation = (in_parent.conjugate() * turn * in_parent * local.rotation).normalized();
+    }
+    return pose;
+}
+
+}  // namespace selvedge::sim

@@ -1,0 +1,85 @@
+#include "sim/dress/motion_quality.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+#include "sim/cloth/moving_contact.h"
+#include "sim/core/math.h"
+
+namespace selvedge::sim {
+
+void MotionQuality::note(const Cloth& cloth, const MovingBodyCollider& body, double seconds) {
+    ++frames;
+    has_bad_number = has_bad_number || find_bad_vertex(cloth).has_value();
+    if (has_bad_number) return;
+    note_stretch(cloth, seconds);
+    note_depths(cloth, body);
+}
+
+std::vector<std::string> MotionQuality::faults() const {
+    constexpr double kNoticed = 0.1;  // s, for which an overstretched triangle is seen
+    std::vector<std::string> faults;
+    std::array<char, 128> text{};
+    if (has_bad_number) faults.emplace_back("a coordinate is no longer finite");
+    if (deep_vertices + deep_face_centres > 0) {
+        std::snprintf(text.data(), text.size(),
+                      "cloth is in the body by %.1f mm: more than 1 mm at %d places, all frames",
+                      1e3 * std::max(deepest_vertex, deepest_face_centre), deep_vertices + deep_face_centres);
+        faults.emplace_back(text.data());
+    }
+    if (overstretched_seconds > kNoticed) {
+        std::snprintf(text.data(), text.size(), "a triangle is stretched by more than 15 %% for %.2f s",
+                      overstretched_seconds);
+        faults.emplace_back(text.data());
+    }
+    return faults;
+}
+
+void MotionQuality::note_stretch(const Cloth& cloth, double seconds) {
+    const std::vector<TriangleStrain> strains = measure_strain(cloth);
+    const auto& leaves = cloth.mesh.leaf_triangles();
+    std::vector<double> stretches, since;
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        stretches.push_back(static_cast<double>(strains[i].warp));
+        stretches.push_back(static_cast<double>(strains[i].weft));
+        if (std::max(strains[i].warp, strains[i].weft) <= kOverstretched) continue;
+        const std::size_t id = leaves[i].triangle.value;
+        if (since.size() <= id) since.resize(id + 1, 0);
+        since[id] = seconds + (id < stretched_since_.size() ? stretched_since_[id] : 0);
+        overstretched_seconds = std::max(overstretched_seconds, since[id]);
+    }
+    stretched_since_ = std::move(since);
+    p99_stretch = std::max(p99_stretch, quantile(stretches, 0.99));
+    max_stretch = std::max(max_stretch, quantile(stretches, 1));
+}
+
+void MotionQuality::note_depths(const Cloth& cloth, const MovingBodyCollider& body) {
+    const MovingContacts& contacts = cloth.solver.contacts.moving;
+    const auto depth_at = [&](const Vec3f& x) {
+        const auto closest = body.surface().closest(x, std::numeric_limits<float>::infinity());
+        return closest ? std::max(0.0F, -closest->distance) : 0.0F;
+    };
+    int pinched_now = 0;
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        if (is_pinched(contacts, v)) {
+            ++pinched_now;
+            continue;
+        }
+        const float depth = depth_at(cloth.x[v.value].head<3>());
+        deepest_vertex = std::max(deepest_vertex, static_cast<double>(depth));
+        deep_vertices += depth > kDeep ? 1 : 0;
+    }
+    pinched = std::max(pinched, pinched_now);
+    for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
+        if (std::ranges::any_of(leaf.v, [&](VertexId v) { return is_pinched(contacts, v); })) continue;
+        const Vec4f sum = cloth.x[leaf.v[0].value] + cloth.x[leaf.v[1].value] + cloth.x[leaf.v[2].value];
+        const float depth = depth_at(Vec3f(sum.head<3>() / 3));
+        deepest_face_centre = std::max(deepest_face_centre, static_cast<double>(depth));
+        deep_face_centres += depth > kDeep ? 1 : 0;
+    }
+}
+
+}  // namespace selvedge::sim

@@ -1,0 +1,39 @@
+#pragma once
+// What is wrong with cloth on a body that moves: stretch, depth in the body and pinches, over all frames.
+#include <string>
+#include <vector>
+
+#include "sim/cloth/cloth.h"
+#include "sim/collide/moving_body.h"
+
+namespace selvedge::sim {
+
+// A vertex that the body pinches (sim/cloth/moving_contact.h) has no place outside of it. Its depth, and that of the
+// faces at it, is not counted; the vertex is.
+class MotionQuality {
+ public:
+    static constexpr float kDeep = 0.001F;          // m, from which a vertex or a face centre counts as deep
+    static constexpr float kOverstretched = 0.15F;  // from which a triangle counts as overstretched
+
+    // One frame that shows `seconds` of the motion. Pre: the body is where it was at the end of the last step.
+    void note(const Cloth& cloth, const MovingBodyCollider& body, double seconds);
+
+    // What a person would see as wrong, a sentence each.
+    std::vector<std::string> faults() const;
+
+    int frames = 0;
+    double p99_stretch = 0, max_stretch = 0;             // largest of all frames: of all triangles, along warp and weft
+    double overstretched_seconds = 0;                    // longest time for which one triangle is overstretched
+    double deepest_vertex = 0, deepest_face_centre = 0;  // m
+    int deep_vertices = 0, deep_face_centres = 0;        // sums over the frames
+    int pinched = 0;                                     // most in a frame
+    bool has_bad_number = false;
+
+ private:
+    void note_stretch(const Cloth& cloth, double seconds);
+    void note_depths(const Cloth& cloth, const MovingBodyCollider& body);
+
+    std::vector<double> stretched_since_;  // by triangle id: s for which it has been overstretched
+};
+
+}  // namespace selvedge::sim

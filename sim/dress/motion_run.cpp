@@ -1,0 +1,85 @@
+#include "sim/dress/motion_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/cloth/standoff.h"
+#include "sim/core/assert.h"
+
+namespace selvedge::sim {
+namespace {
+
+// A step is divided where a part of the body moves farther within it relative to the rest: the tangent planes of its
+// contacts serve for this way.
+constexpr float kLongestMotion = 0.02F;  // m, half the radius of a wrist and a forearm, on average
+constexpr int kMostParts = 4;
+
+// Where the cloth may meet the body within a step.
+Eigen::AlignedBox3f near(const Cloth& cloth) {
+    constexpr float kNear = 0.1F;  // m: cloth that is faster than 12 m/s relative to the body's mean may miss it
+    Eigen::AlignedBox3f box;
+    for (const VertexId v : cloth.mesh.leaf_vertices()) box.extend(Vec3f(cloth.x[v.value].head<3>()));
+    return {box.min() - Vec3f::Constant(kNear), box.max() + Vec3f::Constant(kNear)};
+}
+
+}  // namespace
+
+MotionRun::MotionRun(Cloth& cloth, const Body& body, BodyAt body_at, MotionOptions options)
+    : body_at_(std::move(body_at)), options_(std::move(options)), collider_(body) {
+    body_at_(0, end_);
+    collider_.place(end_);
+    forget_contacts(cloth);
+    set_substep(cloth, static_cast<float>(options_.step_seconds / options_.substeps));
+}
+
+MotionFrame MotionRun::advance_to(Cloth& cloth, double seconds) {
+    MotionFrame frame;
+    const int interval =
+        std::max(1, static_cast<int>(std::lround(options_.adaptation_seconds / options_.step_seconds)));
+    for (const long last = std::lround(seconds / options_.step_seconds); steps_ < last;) {
+        if (steps_ % interval == 0) adapt(cloth, frame);
+        step_once(cloth, frame);
+    }
+    frame.has_bad_number = find_bad_vertex(cloth).has_value();
+    return frame;
+}
+
+void MotionRun::step_once(Cloth& cloth, MotionFrame& frame) {
+    const double start = seconds(), length = options_.step_seconds;
+    body_at_(start + length, end_);
+    collider_.move_to(end_, near(cloth));
+    const float motion = collider_.longest_deformation();
+    const int parts =
+        std::clamp(static_cast<int>(std::ceil(motion / kLongestMotion)), 1, std::min(kMostParts, options_.substeps));
+    int done = 0;
+    for (int part = 1; part <= parts; ++part) {
+        if (parts > 1) {
+            body_at_(start + length * part / parts, end_);
+            collider_.move_to(end_, near(cloth));
+        }
+        const int until = options_.substeps * part / parts;
+        step(cloth, collider_,
+             {.substeps = until - done,
+              .gravity = options_.gravity,
+              .extra_damping = options_.air_damping,
+              .contact = options_.contact,
+              .self_contact = options_.self_contact,
+              .kinematic = pins_.follow(cloth, collider_.surface(), end_)});
+        done = until;
+        collider_.arrive();
+    }
+    ++steps_;
+    ++frame.steps;
+    frame.pinched = cloth.solver.contacts.moving.pinched;
+}
+
+void MotionRun::adapt(Cloth& cloth, MotionFrame& frame) {
+    const AdaptReport adapted = adapt_cloth(cloth, collider_, options_.adapt, options_.contact);
+    frame.adapted.splits += adapted.splits;
+    frame.adapted.rejoins += adapted.rejoins;
+    frame.adapted.transitions += adapted.transitions;
+    update_standoffs(cloth, collider_, {.free = options_.free_standoff});
+}
+
+}  // namespace selvedge::sim

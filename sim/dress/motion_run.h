@@ -1,0 +1,63 @@
+#pragma once
+// A dressed garment that moves with its body: each frame the body goes on to its next pose, the cloth steps fall
+// between, and the mesh adapts. (thesis 5.3.5, 5.4)
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "sim/body/body.h"
+#include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/cloth.h"
+#include "sim/cloth/step.h"
+#include "sim/collide/moving_body.h"
+#include "sim/dress/pinned_followers.h"
+
+namespace selvedge::sim {
+
+// Writes the vertex positions of the body's surface (m) at that time (s) of the motion.
+using BodyAt = std::function<void(double seconds, std::vector<Vec3f>& x)>;
+
+struct MotionOptions {
+    double step_seconds = 1.0 / 120;
+    double adaptation_seconds = 1.0 / 30;
+    int substeps = 12;  // per step
+    Vec3f gravity = Vec3f(0, -9.81F, 0);
+    float air_damping = 2;  // 1/s
+    AdaptClothOptions adapt{};
+    ContactOptions contact{};
+    float free_standoff = 0.0027F;  // m, that vertices which do not touch the body keep beyond the contact offset
+    std::optional<SelfContactOptions> self_contact{};  // none: cloth passes through itself
+};
+
+struct MotionFrame {
+    int steps = 0;
+    int pinched = 0;  // vertices between two sides of the body with less room than the contact offset, at the end
+    bool has_bad_number = false;
+    AdaptReport adapted{};
+};
+
+class MotionRun {
+ public:
+    // The cloth hangs on the body as body_at(0) gives it. Pre: the cloth is sewn.
+    MotionRun(Cloth& cloth, const Body& body, BodyAt body_at, MotionOptions options);
+
+    // Goes on to that time, in whole steps: to the step that ends nearest to it.
+    MotionFrame advance_to(Cloth& cloth, double seconds);
+
+    double seconds() const { return static_cast<double>(steps_) * options_.step_seconds; }
+    const MovingBodyCollider& collider() const { return collider_; }
+    MotionOptions& options() { return options_; }
+
+ private:
+    void step_once(Cloth& cloth, MotionFrame& frame);
+    void adapt(Cloth& cloth, MotionFrame& frame);
+
+    BodyAt body_at_;
+    MotionOptions options_;
+    MovingBodyCollider collider_;
+    long steps_ = 0;
+    std::vector<Vec3f> end_;
+    PinnedFollowers pins_;
+};
+
+}  // namespace selvedge::sim

@@ -1,0 +1,42 @@
+#include "sim/dress/own_pose.h"
+
+#include <vector>
+
+#include "sim/body/yielding_flesh.h"
+#include "sim/dress/animation.h"
+#include "sim/dress/motion_run.h"
+
+namespace selvedge::sim {
+
+bool needs_other_pose(const Body& body, const Pose& pose) {
+    constexpr double kSame = 1e-6;  // rad
+    for (std::size_t i = 0; i < body.bones.size(); ++i)
+        if (pose.bones[i].rotation.angularDistance(body.bones[i].rest.rotation) > kSame) return true;
+    return false;
+}
+
+DrapeResult move_to_own_pose(Cloth& cloth, const Body& body, const Pose& start, const BodyCollider& own,
+                             const DressOptions& options, const Progress& progress) {
+    constexpr double kReport = 0.1;  // s
+    MovingFlesh flesh(body);
+    const Pose rest = rest_pose(body);
+    MotionRun moving(
+        cloth, body,
+        [&](double seconds, std::vector<Vec3f>& x) {
+            const auto pose_at = [&](double at) { return blend(start, rest, smoothstep(at, 0, kToOwnPose)); };
+            flesh.positions(body, pose_at, seconds, x);
+        },
+        motion_options(options));
+    for (double seconds = kReport; seconds <= kToOwnPose + kReport / 2; seconds += kReport) {
+        moving.advance_to(cloth, seconds);
+        report(progress, "moving", seconds / kToOwnPose);
+    }
+    forget_contacts(cloth);
+    DrapeOptions draping = drape_options(options);
+    draping.relax_time = draping.coarse_time = draping.lowering_time = 0;
+    DrapeRun settling(cloth, draping);
+    while (settling.advance(cloth, own)) report(progress, "settling", settling.fraction());
+    return settling.result();
+}
+
+}  // namespace selvedge::sim
