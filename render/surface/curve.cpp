@@ -75,8 +75,8 @@ CurvedSurface curve(std::span<const Vec4f> x, std::span<const sim::GarmentTriang
                     const CurveOptions& options, const std::vector<CreaseEdge>& creases) {
     const int level = deepest_level(options);
     check_size(triangles.size(), level);
-    CurvedSurface surface = make_curved_surface(
-        x, triangles, {.modifier = curve_modifier(options.kind), .max_level = level, .creases = creases});
+    CurvedSurface surface =
+        make_curved_surface(x, triangles, {.modifier = options.modifier, .max_level = level, .creases = creases});
     const std::vector<Vec4f> normals(surface.normals.begin(),
                                      surface.normals.begin() + static_cast<std::ptrdiff_t>(x.size()));
     CurveOptions at_once = options;
@@ -92,8 +92,8 @@ bool SurfaceOverCloth::is_over(const sim::AdaptiveMesh& mesh) const {
 const CurvedSurface& SurfaceOverCloth::curve(const sim::Cloth& cloth, const CurveOptions& options) {
     const sim::AdaptiveMesh& mesh = cloth.mesh;
     const std::vector<Vec4f> x = at_leaves(mesh, cloth.x);
-    const bool is_kept =
-        surface_ && kind_ == options.kind && surface_->mesh.max_level() == deepest_level(options) && is_over(mesh);
+    const bool is_kept = surface_ && modifier_ == options.modifier &&
+                         surface_->mesh.max_level() == deepest_level(options) && is_over(mesh);
     if (is_kept) {
         leaf_normals(mesh, cloth.x, normals_);
         refine(*surface_, x, at_leaves(mesh, normals_), options);
@@ -103,7 +103,7 @@ const CurvedSurface& SurfaceOverCloth::curve(const sim::Cloth& cloth, const Curv
     surface_ = render::curve(x, leaf_triangles(mesh), options);
     vertices_.assign(mesh.leaf_vertices().begin(), mesh.leaf_vertices().end());
     triangles_.assign(mesh.leaf_triangles().begin(), mesh.leaf_triangles().end());
-    kind_ = options.kind;
+    modifier_ = options.modifier;
     return *surface_;
 }
 

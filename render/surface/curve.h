@@ -21,7 +21,7 @@ inline constexpr int kMaxSurfaceLevel = 6;
 inline constexpr std::size_t kMaxDrawnTriangles = 20'000'000;
 
 struct CurveOptions {
-    SurfaceKind kind = SurfaceKind::Constant;
+    CurveModifier modifier{};    // how far curves leave their chords; curve_modifier() has presets
     std::optional<int> level{};  // uniform level, 0..kMaxSurfaceLevel; none: adaptive, by the criteria
     int deepest_level = 3;       // largest level of the adaptive surface, 0..kMaxSurfaceLevel
     SurfaceCriteria criteria{};
@@ -56,7 +56,7 @@ class SurfaceOverCloth {
     // adaptations that changed nothing, and two cloths may have the same number.
     std::vector<sim::VertexId> vertices_;
     std::vector<sim::LeafTriangle> triangles_;
-    SurfaceKind kind_ = SurfaceKind::Constant;
+    CurveModifier modifier_{};
     std::vector<Vec4f> normals_;  // by the cloth's VertexId, scratch
 };
 

@@ -23,6 +23,8 @@ struct CurveModifier {
     std::array<float, 4> k{1, 0, 0, 0};
     float soft_cap = 1;            // above 0; above it M grows only towards soft_cap + 1
     bool restores_length = false;  // instead: choose M so that the curve is as long as the material
+
+    bool operator==(const CurveModifier&) const = default;
 };
 
 // The thesis' five presets, and Restore, which restores the length.

@@ -39,7 +39,7 @@ TEST(SurfaceOverCloth, is_the_curved_mesh_of_the_leaves) {
     const sim::SphereCollider body{Vec3f(0, 1.9F, 0), 0.1F};
     CurveOptions near_body;
     near_body.move.body = &body;
-    for (const CurveOptions& options : {CurveOptions{}, CurveOptions{.kind = SurfaceKind::Restore},
+    for (const CurveOptions& options : {CurveOptions{}, CurveOptions{.modifier = curve_modifier(SurfaceKind::Restore)},
                                         CurveOptions{.level = 2}, CurveOptions{.deepest_level = 1}, near_body}) {
         SurfaceOverCloth over;
         const sim::DrawMesh drawn = draw_mesh(over.curve(cloth, options), leaves);
@@ -116,7 +116,7 @@ TEST(SurfaceOverCloth, is_made_anew_for_other_curves) {
     const sim::Cloth cloth = waving_patch();
     SurfaceOverCloth over;
     over.curve(cloth, {.level = 2});
-    const CurveOptions flat{.kind = SurfaceKind::Flat, .level = 1};
+    const CurveOptions flat{.modifier = curve_modifier(SurfaceKind::Flat), .level = 1};
     EXPECT_EQ(draw_mesh(over.curve(cloth, flat), leaves_of(cloth)), curved_mesh(leaves_of(cloth), {.curve = flat}));
 }
 
@@ -254,7 +254,8 @@ TEST(CurvedMesh, of_a_mesh_without_material_coordinates_has_none) {
     sim::DrawMesh coarse = ridge();
     coarse.u.clear();
     coarse.panel.clear();
-    const sim::DrawMesh drawn = curved_mesh(coarse, {.curve = {.kind = SurfaceKind::Restore, .level = 1}});
+    const sim::DrawMesh drawn =
+        curved_mesh(coarse, {.curve = {.modifier = curve_modifier(SurfaceKind::Restore), .level = 1}});
     EXPECT_TRUE(drawn.u.empty());
     EXPECT_TRUE(drawn.panel.empty());
     EXPECT_EQ(drawn.triangles.size(), 16U);
