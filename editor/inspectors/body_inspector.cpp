@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "editor/inspectors/controls.h"
 #include "editor/inspectors/material_inspector.h"
+#include "editor/inspectors/motion_names.h"
 #include "editor/inspectors/number_box.h"
 #include "sim/core/error.h"
 #include "sim/dress/anchor.h"
@@ -172,6 +174,155 @@ void draw_measures(InspectorContext& context, const sim::MannequinOptions& optio
     apply_body_edit(context, stance, wanted);
 }
 
+// Poses and motions: of the body while the garment hangs on it, not of the document.
+void draw_activity(InspectorContext& context) {
+    Drape& drape = context.workspace.drape;
+    const std::shared_ptr<const sim::SessionFrame> frame = drape.frame();
+    const CurrentBody& current = drape.current_body();
+    if (current.body != nullptr && current.body->skin.empty())
+        return paragraph(context, "It has no bones: it stands as it is.");
+    const auto choose = [&](const char* name, const char* label, const MotionChoices& choices, const std::string& tip) {
+        row_label(context, label, tip);
+        const int newly = choice_box(context, {.name = name,
+                                               .shown = choices.shown,
+                                               .items = choices.titles,
+                                               .chosen = choices.chosen,
+                                               .tip = tip,
+                                               .width_px = field_width()});
+        return newly < 0 ? std::optional<std::string>() : choices.texts[static_cast<std::size_t>(newly)];
+    };
+    const auto pose = choose("body.pose", "Pose", pose_choices(drape),
+                             "The body goes there once the garment hangs, and carries it along.");
+    if (pose) drape.choose_pose(*pose);
+    const auto motion =
+        choose("body.motion", "Motion", motion_choices(drape), "Played on the timeline under the 3D view.");
+    if (motion) {
+        drape.choose_motion(*motion);
+        if (context.show_timeline) context.show_timeline();
+    }
+    ButtonRow row(context);
+    if (row.button({.name = "body.play",
+                    .title = frame->motion.is_playing ? "Pause" : "Play",
+                    .tip = with_key(context, "The body moves once the garment hangs", "motion.play"),
+                    .is_enabled = !drape.activity().motion.empty()})) {
+        frame->motion.is_playing ? drape.pause_motion() : drape.play();
+        if (context.show_timeline) context.show_timeline();
+    }
+    if (row.button({.name = "body.start",
+                    .title = "Back to start",
+                    .tip = with_key(context, "The body and the garment are as they were dressed", "motion.start"),
+                    .is_enabled = !frame->motion.is_at_rest})) {
+        drape.back_to_start();
+    }
+    if (context.open_motion && row.button({.name = "body.open_motion",
+                                           .title = "Motion from file...",
+                                           .tip = "A BVH, FBX, GLB or glTF file, or one in the shipped format"})) {
+        context.open_motion();
+    }
+    if (frame->motion.is_waiting) paragraph(context, "It waits until the garment hangs.");
+}
+
+// Joints turned by hand.
+
+// A list of the joints of a person, or of the other bones.
+void choose_joint(InspectorContext& context, const char* name, const char* label, bool is_of_person) {
+    const std::vector<BodyJoint>& joints = context.workspace.drape.current_body().joints;
+    std::vector<std::string> titles;
+    std::vector<int> bones;
+    int chosen = -1;
+    for (const BodyJoint& joint : joints) {
+        if (joint.joint.has_value() != is_of_person) continue;
+        if (joint.bone == context.workspace.joint.bone) chosen = static_cast<int>(bones.size());
+        titles.push_back(joint.title);
+        bones.push_back(joint.bone);
+    }
+    if (titles.empty()) return;
+    const std::string tip = is_of_person ? "The joint to turn: choose it here, or click its dot in the 3D view."
+                                         : "Bones that are no joint of a person, by their own names.";
+    row_label(context, label, tip);
+    const int newly = choice_box(context, {.name = name,
+                                           .shown = chosen < 0 ? "Choose..." : titles[static_cast<std::size_t>(chosen)],
+                                           .items = titles,
+                                           .chosen = chosen,
+                                           .tip = tip,
+                                           .width_px = field_width()});
+    if (newly >= 0) context.workspace.joint.bone = bones[static_cast<std::size_t>(newly)];
+}
+
+void draw_angles(InspectorContext& context, const BodyJoint& joint) {
+    constexpr std::array kBoxes{"joint.bend", "joint.spread", "joint.twist"};
+    constexpr double kHalfTurn = std::numbers::pi;
+    Drape& drape = context.workspace.drape;
+    const sim::PoseAngles* now = drape.angles();
+    if (now == nullptr) return paragraph(context, "The pose is being looked for...");
+    const Vec3d angles = angles_of(*now, joint);
+    const std::array<AngleLabel, 3> labels = angle_labels(joint);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto axis = static_cast<Eigen::Index>(i);
+        const NumberEdit edit = number_row(context,
+                                           {.name = kBoxes[i],
+                                            .value = std::remainder(angles[axis], 2 * kHalfTurn),
+                                            .unit = Unit::Degrees,
+                                            .tip = labels[i].tip,
+                                            .least = -kHalfTurn,
+                                            .most = kHalfTurn},
+                                           labels[i].title);
+        if (!edit) continue;
+        Vec3d wanted = angles;
+        wanted[axis] = (edit.phase == EditPhase::Rollback ? edit.before : edit.value).value_or(0);
+        sim::PoseAngles turned = *drape.angles();
+        set_angles(turned, joint, wanted, context.workspace.joint.has_both_sides);
+        drape.turn(turned);
+    }
+}
+
+void draw_joint_buttons(InspectorContext& context, const BodyJoint* joint) {
+    Drape& drape = context.workspace.drape;
+    const bool is_turned = drape.activity().turned.has_value();
+    ButtonRow row(context);
+    if (row.button({.name = "joint.reset",
+                    .title = "Reset joint",
+                    .tip = "Its angles are as they were before a joint was turned.",
+                    .is_enabled = is_turned && joint != nullptr})) {
+        drape.reset_angles(*joint, context.workspace.joint.has_both_sides);
+    }
+    if (row.button({.name = "joint.reset_all",
+                    .title = "Reset all",
+                    .tip = "The body goes back into the pose that was chosen from the list.",
+                    .is_enabled = is_turned})) {
+        drape.reset_angles();
+    }
+    if (context.save_pose && row.button({.name = "joint.save",
+                                         .title = "Save pose...",
+                                         .tip = "A file that the list of poses and selvedge animate --motion take.",
+                                         .is_enabled = !drape.current_body().joints.empty()})) {
+        context.save_pose();
+    }
+    if (context.open_pose && row.button({.name = "joint.open",
+                                         .title = "Pose from file...",
+                                         .tip = "A pose that was saved, or the end of a motion"})) {
+        context.open_pose();
+    }
+}
+
+void draw_joints(InspectorContext& context) {
+    Workspace& workspace = context.workspace;
+    if (workspace.drape.current_body().joints.empty())
+        return paragraph(context, "It has no bones: its joints cannot be turned.");
+    if (check_box(context, "joint.show", "Show joints in the 3D view", workspace.look.has_joints,
+                  with_key(context, "A click on a dot chooses the joint; its rings turn it", "view.joints")))
+        workspace.look.has_joints = !workspace.look.has_joints;
+    choose_joint(context, "joint.list", "Joint", true);
+    choose_joint(context, "joint.others", "Other bones", false);
+    const BodyJoint* joint = chosen_joint(workspace);
+    if (joint != nullptr) draw_angles(context, *joint);
+    const bool has_other_side = joint != nullptr && joint->joint && mirrored(*joint->joint) != *joint->joint;
+    if (has_other_side && check_box(context, "joint.both", "Both sides", workspace.joint.has_both_sides,
+                                    "The joint of the other side turns likewise."))
+        workspace.joint.has_both_sides = !workspace.joint.has_both_sides;
+    draw_joint_buttons(context, joint);
+}
+
 void draw_state(InspectorContext& context) {
     const BodyState& state = context.state.body;
     const CurrentBody& current = context.workspace.drape.current_body();
@@ -204,10 +355,7 @@ void draw_file_body(InspectorContext& context, const std::string& file, bool is_
     }
 }
 
-}  // namespace
-
-void draw_body(InspectorContext& context) {
-    ImGui::PushID("body");
+void draw_shape(InspectorContext& context) {
     const BodyState& state = context.state.body;
     const std::string of_pattern = body_text(context.pattern());
     const std::string current = context.workspace.drape.current_body().text;
@@ -229,6 +377,15 @@ void draw_body(InspectorContext& context) {
                     .tip = with_key(context, "An OBJ, GLB or glTF file, in any unit", "file.body")})) {
         context.open_body();
     }
+}
+
+}  // namespace
+
+void draw_body(InspectorContext& context) {
+    ImGui::PushID("body");
+    if (folding("Pose and motion", Fold::Open)) draw_activity(context);
+    if (folding("Joints", Fold::Open)) draw_joints(context);
+    if (folding("Body and measures", Fold::Open)) draw_shape(context);
     ImGui::PopID();
 }
 

@@ -29,6 +29,8 @@ std::string stage_sentence(sim::SessionStage stage, bool is_running) {
             return is_running ? "Sewing: seams close" : "Sewing, paused";
         case sim::SessionStage::Draping:
             return is_running ? "Draping: the garment falls" : "Draping, paused";
+        case sim::SessionStage::Moving:
+            return is_running ? "Moving: the body carries the garment along" : "Moving, paused";
         case sim::SessionStage::Settled:
             return "Settled: at rest";
         case sim::SessionStage::Failed:
@@ -116,7 +118,7 @@ void draw_buttons(InspectorContext& context, const sim::SessionFrame& frame) {
             {.name = "drape.reset",
              .title = "Reset",
              .tip = with_key(context, "Puts the panels back to where they are placed, unsewn", "simulate.reset")})) {
-        session.reset();
+        context.workspace.drape.reset();
     }
     if (row.button({.name = "drape.unpin",
                     .title = "Unpin all",
@@ -234,6 +236,10 @@ void draw_fineness(InspectorContext& context, sim::SessionOptions& options) {
                     .most = kMaxTriangles,
                     .may_be_empty = true},
                    "Triangles");
+    if (check_box(context, "drape.back_faces", "Coarse where it faces away", options.coarsens_back_faces,
+                  "Fewer triangles where the cloth's right side faces away from the viewer. Turning the view makes the "
+                  "cloth move again."))
+        options.coarsens_back_faces = !options.coarsens_back_faces;
     if (!budget) return;
     options.triangle_budget = budget.value ? std::optional<int>(static_cast<int>(*budget.value)) : std::nullopt;
 }

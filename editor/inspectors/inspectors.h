@@ -115,6 +115,10 @@ struct InspectorContext {
     WidgetMap* widgets = nullptr;               // receives the positions of the widgets; may be null
     std::function<UiTexture()> take_texture{};  // returns an unused texture number
     std::function<void()> open_body{};          // opens a file dialog for a body; unset: no button is shown
+    std::function<void()> open_motion{};        // the same for a motion
+    std::function<void()> open_pose{};          // the same for a pose
+    std::function<void()> save_pose{};          // opens a file dialog to save the pose of the body
+    std::function<void()> show_timeline{};      // shows the timeline of the motion; may be unset
     std::function<std::string(std::string_view action)> key_of{};  // "Ctrl+Z" for an action's id; unset or empty: none
 
     const sim::Pattern& pattern() const { return workspace.document->pattern(); }

@@ -133,13 +133,73 @@ void add_simulate_actions(std::vector<Action>& actions) {
                        .title = "Reset",
                        .tip = "Panels go back to where they are placed, unsewn",
                        .chords = {ctrl('R')},
-                       .run = [](AppState& state) { state.workspace.drape.session().reset(); }});
+                       .run = [](AppState& state) { state.workspace.drape.reset(); }});
     actions.push_back({.id = "simulate.unpin",
                        .menu = "Simulate",
                        .title = "Unpin all",
                        .tip = "Takes out the pins that were set with P in the 3D view",
                        .run = [](AppState& state) { state.workspace.drape.session().unpin_all(); },
                        .can = [](const AppState& state) { return !state.workspace.drape.frame()->pins.empty(); }});
+}
+
+bool can_move(const AppState& state) {
+    return state.workspace.drape.frame()->motion.can_move;
+}
+
+void play_or_pause(AppState& state) {
+    state.layout.has_timeline = true;
+    Drape& drape = state.workspace.drape;
+    drape.frame()->motion.is_playing ? drape.pause_motion() : drape.play();
+}
+
+void repeat_or_not(AppState& state) {
+    sim::Playback playback = state.workspace.drape.activity().playback;
+    playback.is_loop = !playback.is_loop;
+    state.workspace.drape.set_playback(playback);
+}
+
+void add_motion_actions(std::vector<Action>& actions) {
+    actions.push_back(
+        {.id = "motion.play",
+         .menu = "Simulate",
+         .title = "Play or pause the motion",
+         .tip = "The body moves once the garment hangs, and carries it along",
+         .chords = {{Key::Space, {.shift = true}}},
+         .begins_group = true,
+         .run = play_or_pause,
+         .can =
+             [](const AppState& state) { return can_move(state) && !state.workspace.drape.activity().motion.empty(); },
+         .is_on = [](const AppState& state) { return state.workspace.drape.frame()->motion.is_playing; }});
+    actions.push_back({.id = "motion.start",
+                       .menu = "Simulate",
+                       .title = "Back to the start of the motion",
+                       .tip = "The body and the garment are as they were dressed",
+                       .run = [](AppState& state) { state.workspace.drape.back_to_start(); },
+                       .can = [](const AppState& state) { return !state.workspace.drape.frame()->motion.is_at_rest; }});
+    actions.push_back(
+        {.id = "motion.loop",
+         .menu = "Simulate",
+         .title = "Repeat the motion",
+         .run = repeat_or_not,
+         .is_on = [](const AppState& state) { return state.workspace.drape.activity().playback.is_loop; }});
+    actions.push_back({.id = "motion.open",
+                       .menu = "Simulate",
+                       .title = "Motion from file...",
+                       .tip = "A BVH, FBX, GLB or glTF file, or one in the shipped format (.json)",
+                       .run = browse_for_motion,
+                       .can = can_move});
+    actions.push_back({.id = "motion.open_pose",
+                       .menu = "Simulate",
+                       .title = "Pose from file...",
+                       .tip = "One that was saved, or the end of a motion",
+                       .run = browse_for_pose,
+                       .can = can_move});
+    actions.push_back({.id = "motion.save_pose",
+                       .menu = "Simulate",
+                       .title = "Save pose...",
+                       .tip = "As a file for this list of poses and for selvedge animate --motion",
+                       .run = browse_to_save_pose,
+                       .can = can_move});
 }
 
 void add_help_actions(std::vector<Action>& actions) {
@@ -184,6 +244,7 @@ std::vector<Action> make_actions() {
     add_selection_actions(actions);
     add_tool_actions(actions);
     add_simulate_actions(actions);
+    add_motion_actions(actions);
     add_view_actions(actions);
     add_help_actions(actions);
     return actions;
@@ -461,6 +522,13 @@ void add_view_actions(std::vector<Action>& actions) {
     add_switch(
         actions, {.id = "view.tools", .title = "Tools", .chords = {{Key::F6, {}}}},
         [](auto& state) -> auto& { return state.layout.has_tools; });
+    add_switch(
+        actions,
+        {.id = "view.timeline",
+         .title = "Motion",
+         .tip = "The body's motion under the 3D view",
+         .chords = {{Key::F8, {}}}},
+        [](auto& state) -> auto& { return state.layout.has_timeline; });
     add_modes(actions);
     add_switch(
         actions,
@@ -475,6 +543,10 @@ void add_view_actions(std::vector<Action>& actions) {
     add_switch(
         actions, {.id = "view.points", .title = "Arrangement points"},
         [](auto& state) -> auto& { return state.workspace.look.has_points; });
+    add_switch(
+        actions,
+        {.id = "view.joints", .title = "Joints of the body", .tip = "Dots to choose a joint by, and rings to turn it"},
+        [](auto& state) -> auto& { return state.workspace.look.has_joints; });
     add_switch(
         actions, {.id = "view.threads", .title = "Lines of open seams"},
         [](auto& state) -> auto& { return state.workspace.look.has_seam_lines; });

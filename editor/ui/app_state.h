@@ -35,9 +35,16 @@ struct WindowLayout {
     bool has_viewport = true;
     bool has_inspectors = true;
     bool has_tools = true;
+    bool has_timeline = false;      // under the 3D view
     float sheet_share = 0.5F;       // fraction of the width of both views
     float inspector_width = 21.5F;  // font heights
     InspectorTab tab = InspectorTab::Properties;
+};
+
+// A drag on the timeline.
+struct TimelineDrag {
+    bool plays_on = false;           // the motion played when the drag began
+    std::optional<double> sought{};  // s, by the last frame of it
 };
 
 // What the 3D view shows, for export.
@@ -63,6 +70,7 @@ struct AppState {
     std::vector<sim::Panel> clipboard;
     WidgetMap widgets;
     ShownViewport viewport;
+    TimelineDrag timeline;
     bool shows_start_page = true;
     bool wants_to_close = false;
     float user_scale = 1;      // of the interface, multiplied by the screen's scale

@@ -178,7 +178,7 @@ void show_viewport_bar(AppState& state) {
     ImGui::SameLine();
     show_icon(state, "simulate.reset", "reset", side);
     ImGui::SameLine(0, ImGui::GetFontSize());
-    const float switches = 3 * (side + ImGui::GetStyle().ItemSpacing.x);
+    const float switches = 4 * (side + ImGui::GetStyle().ItemSpacing.x);
     const float room = ImGui::GetContentRegionAvail().x - switches;
     ImGui::SetNextItemWidth(std::clamp(room, 3 * ImGui::GetFontSize(), 10 * ImGui::GetFontSize()));
     const Action* shown = nullptr;
@@ -193,8 +193,8 @@ void show_viewport_bar(AppState& state) {
         ImGui::EndCombo();
     }
     show_tip("What the cloth shows", kTipWidth);
-    for (const auto& [action, icon] :
-         {std::pair("view.body", "body"), std::pair("view.threads", "threads"), std::pair("view.points", "points")}) {
+    for (const auto& [action, icon] : {std::pair("view.body", "body"), std::pair("view.threads", "threads"),
+                                       std::pair("view.points", "points"), std::pair("view.timeline", "motion")}) {
         ImGui::SameLine();
         show_icon(state, action, icon, side);
     }

@@ -14,6 +14,7 @@
 #include "editor/ui/actions.h"
 #include "editor/ui/bars.h"
 #include "editor/ui/files.h"
+#include "editor/ui/timeline.h"
 #include "editor/ui/ui_input.h"
 #include "editor/ui/widgets.h"
 #include "editor/viewport3d/viewport.h"
@@ -93,7 +94,9 @@ bool is_pressed(const Chord& chord) {
 }  // namespace
 
 AppState::AppState(Services given, sim::SessionDrive drive)
-    : services(std::move(given)), workspace(empty_garment(), drive, services.make_body), actions(make_actions()) {}
+    : services(std::move(given)),
+      workspace(empty_garment(), drive, services.make_body, services.find_motion),
+      actions(make_actions()) {}
 
 struct Editor::Impl {
     Impl(Services services, EditorOptions given)
@@ -202,6 +205,10 @@ InspectorContext Editor::Impl::inspector_context() {
             .widgets = &state.widgets,
             .take_texture = [this] { return next_texture++; },
             .open_body = [this] { browse_for_body(state); },
+            .open_motion = [this] { browse_for_motion(state); },
+            .open_pose = [this] { browse_for_pose(state); },
+            .save_pose = [this] { browse_to_save_pose(state); },
+            .show_timeline = [this] { state.layout.has_timeline = true; },
             .key_of =
                 [this](std::string_view id) {
                     const Action* action = find_action(state.actions, id);
@@ -215,7 +222,9 @@ void Editor::Impl::show_viewport(const Rectangle& where, double seconds) {
     begin_region("##viewport_bar", {where.low, {where.size.x, bar}}, {0.5F * unit, 0.3F * unit});
     show_viewport_bar(state);
     ImGui::End();
-    begin_region("##viewport", {{where.low.x, where.low.y + bar}, {where.size.x, where.size.y - bar}}, {0, 0});
+    const float timeline = state.layout.has_timeline ? timeline_height() : 0;
+    const float height = std::max(1.0F, where.size.y - bar - timeline);
+    begin_region("##viewport", {{where.low.x, where.low.y + bar}, {where.size.x, height}}, {0, 0});
     viewport.show({.workspace = state.workspace,
                    .output = output,
                    .texture = kViewportTexture,
@@ -224,6 +233,12 @@ void Editor::Impl::show_viewport(const Rectangle& where, double seconds) {
                    .scale = scale,
                    .choice = state.tools.info().picks_parts ? ClothChoice::Parts : ClothChoice::Panels});
     ImGui::End();
+    if (state.layout.has_timeline) {
+        const Rectangle below{{where.low.x, where.low.y + bar + height}, {where.size.x, timeline}};
+        begin_region("##timeline", below, {0.5F * unit, 0.3F * unit});
+        show_timeline(state);
+        ImGui::End();
+    }
     state.viewport = {.scene = viewport.scene(), .camera = viewport.camera(), .light = viewport.light()};
 }
 
@@ -325,7 +340,8 @@ FrameOutput Editor::frame(const std::vector<InputEvent>& events, const FrameSize
         document_name(state) + (state.workspace.document->has_unsaved_changes() ? "* - Selvedge" : " - Selvedge");
     impl.output.wants_to_close = state.wants_to_close;
     impl.output.is_animating = impl.output.is_animating || impl.input.has_more() ||
-                               state.workspace.drape.frame()->is_running || state.workspace.drape.is_making_body();
+                               state.workspace.drape.frame()->is_running || state.workspace.drape.is_making_body() ||
+                               state.workspace.drape.is_finding_motion();
     return std::move(impl.output);
 }
 

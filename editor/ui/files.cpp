@@ -66,6 +66,23 @@ std::string with_ending(const std::string& file, const std::string& ending) {
     return file.ends_with(ending) ? file : file + ending;
 }
 
+void ask_to_replace(AppState& state, const std::string& file, std::function<void(AppState&)> write) {
+    state.questions.push_front(
+        {"There is a file '" + file + "' already.", {{"Replace", std::move(write)}, {"Cancel", [](AppState&) {}}}});
+}
+
+void write_pose_file(AppState& state, const std::string& file, const sim::PoseAngles& angles) {
+    std::string name = name_in_folder(file);
+    name.resize(name.find_last_of('.'));
+    state.services.save(file, write_pose(angles, name));
+    Workspace& workspace = state.workspace;
+    if (!angles.bones.empty())
+        return workspace.messages.warn("Wrote " + file + ", without " + std::to_string(angles.bones.size()) +
+                                       " bones that are no joint of a person");
+    workspace.messages.note("Wrote " + file);
+    workspace.drape.choose_pose(file);
+}
+
 void write_document(AppState& state, const std::string& file) {
     Document& document = *state.workspace.document;
     document.commit();
@@ -144,8 +161,7 @@ void save_as(AppState& state, const std::string& file) {
     const std::string target = with_ending(file, ".json");
     const auto write = [target](AppState& current) { try_to(current, [&] { write_document(current, target); }); };
     if (target == state.workspace.file || !state.services.exists(target)) return write(state);
-    state.questions.push_front(
-        {"There is a file '" + target + "' already.", {{"Replace", write}, {"Cancel", [](AppState&) {}}}});
+    ask_to_replace(state, target, write);
 }
 
 void export_to(AppState& state, const std::string& file) {
@@ -158,6 +174,17 @@ void export_to(AppState& state, const std::string& file) {
         return state.workspace.messages.warn("There is nothing to export yet");
     }
     if (try_to(state, [&] { state.services.write_export(request); })) state.workspace.messages.note("Wrote " + file);
+}
+
+void save_pose(AppState& state, const std::string& file) {
+    const sim::PoseAngles* angles = state.workspace.drape.angles();
+    if (angles == nullptr) return state.workspace.messages.warn("There is no pose to save: the body has no joints");
+    const std::string target = with_ending(file, ".json");
+    const auto write = [target, angles = *angles](AppState& current) {
+        try_to(current, [&] { write_pose_file(current, target, angles); });
+    };
+    if (!state.services.exists(target)) return write(state);
+    ask_to_replace(state, target, write);
 }
 
 void close(AppState& state) {
@@ -213,6 +240,37 @@ void browse_for_body(AppState& state) {
          .endings = body_endings(),
          .choose = [](AppState& current, const std::string& file) { current.workspace.drape.show_body(file); }},
         state.services);
+}
+
+void browse_for_motion(AppState& state) {
+    state.browser.open({.title = "Play a motion",
+                        .verb = "Open",
+                        .endings = {".bvh", ".fbx", ".glb", ".gltf", ".json"},
+                        .choose =
+                            [](AppState& current, const std::string& file) {
+                                current.layout.has_timeline = true;
+                                current.workspace.drape.choose_motion(file);
+                            }},
+                       state.services);
+}
+
+void browse_for_pose(AppState& state) {
+    state.browser.open(
+        {.title = "Go into a pose",
+         .verb = "Open",
+         .endings = {".json"},
+         .choose = [](AppState& current, const std::string& file) { current.workspace.drape.choose_pose(file); }},
+        state.services);
+}
+
+void browse_to_save_pose(AppState& state) {
+    state.browser.open({.title = "Save the pose",
+                        .verb = "Save",
+                        .endings = {".json"},
+                        .is_saving = true,
+                        .name = "my_pose.json",
+                        .choose = [](AppState& current, const std::string& file) { save_pose(current, file); }},
+                       state.services);
 }
 
 void offer_recovery(AppState& state) {

@@ -24,6 +24,7 @@ void take_dropped_file(AppState& state, const std::string& file);
 bool save(AppState& state);  // asks for a name if there is none; false: not saved (yet)
 void save_as(AppState& state, const std::string& file);
 void export_to(AppState& state, const std::string& file);
+void save_pose(AppState& state, const std::string& file);  // the body's, which is then the file's
 void close(AppState& state);
 
 // These open the file browser for a purpose.
@@ -32,6 +33,9 @@ void browse_to_wear_over(AppState& state);
 void browse_to_save(AppState& state);
 void browse_to_export(AppState& state, const std::string& ending);
 void browse_for_body(AppState& state);
+void browse_for_motion(AppState& state);
+void browse_for_pose(AppState& state);
+void browse_to_save_pose(AppState& state);
 
 // Offers to recover the journals that earlier runs left.
 void offer_recovery(AppState& state);

@@ -55,6 +55,7 @@ struct Services {
     std::function<bool(const std::string& file)> exists;
     std::function<void(const ExportRequest& request)> write_export;
     BodyMaker make_body = make_mannequin_body;
+    MotionFinder find_motion = sim::find_motion;
 
     std::function<std::vector<std::string>()> recent_files;  // newest first
     std::function<void(const std::string& file)> remember_file;

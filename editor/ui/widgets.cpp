@@ -80,12 +80,15 @@ void tip_of_whole(const std::string& text, const std::string& shown) {
 namespace {
 
 // Of actions that are no tools (those: ToolInfo::icon). An unknown command of a path ends the icon.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kIcons{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kIcons{{
     {"play", "M4 2.5 L13 8 L4 13.5 Z"},
     {"pause", "M5 3 L5 13 M11 3 L11 13"},
     {"reset", "M3 6 L3 2 M3 6 L7 6 M3 6 L6 3.4 L10 3.2 L13 6 L13 10 L10 13 L6 13 L3.5 10.5"},
     {"frame", "M2 5 L2 2 L5 2 M11 2 L14 2 L14 5 M14 11 L14 14 L11 14 M5 14 L2 14 L2 11"},
     {"body", "C8 3.5 2 M4 15 L5 8 L8 6.5 L11 8 L12 15"},
+    {"to_start", "M3.5 3 L3.5 13 M13 3 L6 8 L13 13 Z"},
+    {"loop", "M3 9 L3 6 L5 4 L13 4 M11 2 L13 4 L11 6 M13 7 L13 10 L11 12 L3 12 M5 10 L3 12 L5 14"},
+    {"motion", "C9 2.6 1.6 M9 5.5 L7.5 9.5 L10.5 11.5 L10 15 M7.5 9.5 L6 12 L3 14 M8.6 6.5 L5 8.5 M9 6 L12.5 8.5"},
     {"threads", "M3 2 L6 8 L3 14 M13 2 L10 8 L13 14 M6 8 L10 8 M4.5 5 L11.5 5 M4.5 11 L11.5 11"},
     {"points", "D4 4 1.6 D12 4 1.6 D4 12 1.6 D12 12 1.6 D8 8 1.6"},
     {"edges", "M2 13 L8 3 L14 13 Z M5 8 L11 8 M8 13 L5 8 M8 13 L11 8"},

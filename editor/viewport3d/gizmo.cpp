@@ -40,6 +40,7 @@ Gizmo make_gizmo(const Viewing& viewing, const Vec3f& centre, const Eigen::Matri
 }
 
 bool is_shown(const Gizmo& gizmo, const Viewing& viewing, const GizmoHandle& handle) {
+    if (gizmo.is_turning_only && handle.kind != GizmoKind::Turn) return false;
     const float facing = std::abs(gizmo.axis(handle.axis).dot(towards_eye(gizmo, viewing)));
     switch (handle.kind) {
         case GizmoKind::MoveAxis:

@@ -28,6 +28,7 @@ struct Gizmo {
     Vec3f centre = Vec3f::Zero();                        // m
     Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();  // one axis per column; a rotation matrix
     float reach = 0.1F;                                  // m, length of an arrow from the centre
+    bool is_turning_only = false;                        // it has rings only
 
     Vec3f axis(int i) const { return axes.col(i); }
 };

@@ -130,6 +130,10 @@ void OrbitCamera::move_to(const CameraPose& there) {
     left_ = kMoveTime;
 }
 
+void OrbitCamera::shift(const Vec3f& by) {
+    for (CameraPose* pose : {&now_, &from_, &to_}) pose->target += by;
+}
+
 void OrbitCamera::advance(float seconds) {
     if (!is_moving()) return;
     left_ = std::max(0.0F, left_ - seconds);

@@ -45,6 +45,8 @@ class OrbitCamera {
 
     void change_lens();
 
+    void shift(const Vec3f& by);  // m: follows what it looks at
+
     void advance(float seconds);
     bool is_moving() const { return left_ > 0; }
 

@@ -62,6 +62,15 @@ void find_point(const Viewing& viewing, const Vec2f& px, const PickScene& room, 
     if (under.point) under.handle.reset();
 }
 
+// The dots are drawn over body and cloth: the nearest one on the screen, however deep it lies.
+void find_joint(const Viewing& viewing, const Vec2f& px, const PickScene& room, UnderCursor& under) {
+    const float tolerance_px = under.handle ? kPointUnderRing : kPointTolerance;
+    Nearest nearest(tolerance_px * room.scale, viewing.camera.far_plane);
+    for (std::size_t i = 0; i < room.joints.size(); ++i)
+        if (nearest.take(distance_to_point(viewing, px, room.joints[i]))) under.joint = i;
+    if (under.joint) under.handle.reset();
+}
+
 void find_part(const Viewing& viewing, const Vec2f& px, const PickScene& room, float farthest, Hover& hover) {
     Nearest vertices(kVertexTolerance * room.scale, farthest), edges(kEdgeTolerance * room.scale, farthest);
     const std::vector<Vec3f>& x = room.garment.mesh().x;
@@ -108,8 +117,9 @@ UnderCursor find_under(const Viewing& viewing, const Vec2f& px, const PickScene&
         const auto on_body = body ? std::optional<Vec3f>(ray.at(body->distance)) : std::nullopt;
         find_point(viewing, px, room, behind(on_body), under);
     }
+    if (!under.point) find_joint(viewing, px, room, under);
     if (room.choice == ClothChoice::Parts) find_part(viewing, px, room, farthest, under.hover);
-    if (under.handle || under.point) under.hover = {};
+    if (under.handle || under.point || under.joint) under.hover = {};
     return under;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "editor/document/selection.h"
@@ -57,6 +58,7 @@ struct PickScene {
     const DisplayedGarment& garment;
     const BodySurface* body = nullptr;                           // null: the body is hidden
     const std::vector<sim::ArrangementPoint>* points = nullptr;  // null: the points are hidden
+    std::span<const Vec3f> joints{};                             // m, dots of the body's joints
     const Gizmo* gizmo = nullptr;                                // null: there is no gizmo
     ClothChoice choice = ClothChoice::Panels;
     float scale = 1;  // interface scale factor
@@ -65,9 +67,10 @@ struct PickScene {
 struct UnderCursor {
     std::optional<GizmoHandle> handle{};
     std::optional<std::size_t> point{};  // index into the arrangement points
+    std::optional<std::size_t> joint{};  // index into the joints
     std::optional<MeshHit> cloth{};      // empty if the body hides the cloth
     std::optional<Vec3f> surface{};      // m, the point on the cloth or body
-    Hover hover{};                       // its panel and part; empty over a handle or arrangement point
+    Hover hover{};                       // its panel and part; empty over a handle, arrangement point or joint
 };
 
 UnderCursor find_under(const Viewing& viewing, const Vec2f& px, const PickScene& room);

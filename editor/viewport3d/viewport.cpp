@@ -123,7 +123,7 @@ void Viewport::request_rendering(const ViewportContext& context) {
 
 void Viewport::choose_cursor(const ViewportContext& context) const {
     const UnderCursor& under = controller_.under();
-    if (under.handle || under.point || controller_.drag() || controller_.pulled_to())
+    if (under.handle || under.point || under.joint || controller_.drag() || controller_.pulled_to())
         context.output.cursor = MouseCursor::Hand;
 }
 
@@ -136,6 +136,7 @@ void Viewport::show(const ViewportContext& context) {
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
     ImGui::InvisibleButton("viewport", {size_px_.x(), size_px_.y()}, kAll);
     controller_.update(context.workspace, take_input(context), context.choice);
+    context.workspace.drape.look_from(camera().eye);
     make_scene(context);
     request_rendering(context);
     choose_cursor(context);

@@ -9,11 +9,11 @@ namespace selvedge::editor {
 namespace {
 
 // px at interface scale 1
-constexpr float kGizmoReach = 82, kClickSlack = 4;
+constexpr float kGizmoReach = 82, kJointReach = 52, kClickSlack = 4;
 
 bool is_sewn_up(sim::SessionStage stage) {
     return stage == sim::SessionStage::Sewing || stage == sim::SessionStage::Draping ||
-           stage == sim::SessionStage::Settled;
+           stage == sim::SessionStage::Moving || stage == sim::SessionStage::Settled;
 }
 
 Selection only_panel(const std::string& name) {
@@ -42,6 +42,8 @@ void ViewportController::update(Workspace& workspace, const ViewportInput& input
     size_px_ = input.size_px.cwiseMax(1);
     orbit_.advance(input.seconds);
     update_garment(workspace);
+    follow_body();
+    find_joints(workspace);
     place_gizmo(workspace, input.scale);
     if (gesture_ == Gesture::None) {
         pick(workspace, input, choice);
@@ -62,11 +64,46 @@ void ViewportController::update_garment(const Workspace& workspace) {
                     workspace.look.as_placed ? GarmentState::AsPlaced : GarmentState::AsItIs);
 }
 
+// The camera goes with a body that walks.
+void ViewportController::follow_body() {
+    const Vec3f way = garment_.body_way();
+    if (way == followed_) return;
+    orbit_.shift(way - followed_);
+    followed_ = way;
+}
+
+// Those of a person have dots; all bones if none is one.
+void ViewportController::find_joints(const Workspace& workspace) {
+    joints_.clear();
+    joint_dots_ = 0;
+    const CurrentBody& current = workspace.drape.current_body();
+    const std::shared_ptr<const sim::Pose> pose = workspace.drape.shown_pose();
+    if (!workspace.look.has_joints || !workspace.look.has_body || !pose) return;
+    const bool is_elsewhere = garment_.body_positions() != nullptr;
+    joints_ = joint_places(*current.body, is_elsewhere ? *pose : rest_pose(*current.body), current.joints);
+    while (joint_dots_ < joints_.size() && current.joints[joint_dots_].joint) ++joint_dots_;
+    if (joint_dots_ == 0) joint_dots_ = joints_.size();
+}
+
+std::optional<Gizmo> ViewportController::joint_gizmo(const Workspace& workspace, float scale) const {
+    const BodyJoint* joint = joints_.empty() ? nullptr : chosen_joint(workspace);
+    const sim::PoseAngles* angles = joint ? workspace.drape.angles() : nullptr;
+    if (!angles) return std::nullopt;
+    const auto i = static_cast<std::size_t>(joint - workspace.drape.current_body().joints.data());
+    const Eigen::Quaterniond own = axes_of(workspace.drape, *joint) * rotation_of(*joint, angles_of(*angles, *joint));
+    Gizmo gizmo = make_gizmo(viewing(), joints_[i], own.toRotationMatrix().cast<float>(), kJointReach * scale);
+    gizmo.is_turning_only = true;
+    return gizmo;
+}
+
 void ViewportController::pick(Workspace& workspace, const ViewportInput& input, ClothChoice choice) {
     const CurrentBody& current = workspace.drape.current_body();
-    if (current.body != body_) {
+    const auto positions = garment_.body_positions();
+    if (current.body != body_ || positions != body_positions_) {
         body_ = current.body;
+        body_positions_ = positions;
         surface_ = body_ ? body_surface(*body_) : BodySurface{};
+        if (positions && positions->size() == surface_.x.size()) surface_.x = *positions;
     }
     under_ = {};
     if (input.is_over) {
@@ -75,6 +112,7 @@ void ViewportController::pick(Workspace& workspace, const ViewportInput& input, 
                              .garment = garment_,
                              .body = workspace.look.has_body ? &surface_ : nullptr,
                              .points = shows_points_ ? &current.points : nullptr,
+                             .joints = std::span(joints_).first(joint_dots_),
                              .gizmo = gizmo_ ? &*gizmo_ : nullptr,
                              .choice = choice,
                              .scale = input.scale});
@@ -92,6 +130,8 @@ void ViewportController::place_gizmo(const Workspace& workspace, float scale) {
     gizmo_.reset();
     if (drag_) {
         gizmo_ = drag_->moved_gizmo();
+    } else if (std::optional<Gizmo> of_joint = joint_gizmo(workspace, scale)) {
+        gizmo_ = std::move(of_joint);
     } else if (can_place) {
         Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
         if (workspace.look.own_axes && panels.size() == 1) axes = panels.front().rotation.cast<float>();
@@ -129,7 +169,8 @@ void ViewportController::hold_material(const MeshHit& hit) {
 void ViewportController::frame_all(const Workspace& workspace) {
     std::vector<Vec3f> points = garment_.mesh().x;
     if (workspace.look.has_body && workspace.drape.current_body().body) {
-        for (const Vec3d& x : workspace.drape.current_body().body->x) points.push_back(x.cast<float>());
+        for (const Vec3d& x : workspace.drape.current_body().body->x)
+            points.push_back(x.cast<float>() + garment_.body_way());
     }
     orbit_.frame(points, size_px_.x() / size_px_.y());
 }
@@ -194,7 +235,7 @@ void ViewportController::type(Workspace& workspace, const ViewportInput& input) 
     if (was_pressed(Key::Backspace)) typed_.remove_last();
     if (was_pressed(Key::Escape)) return end_drag(workspace, false);
     drag_->type(typed_.numbers().value_or(std::vector<double>{}));
-    if (!typed_.is_empty() || was_pressed(Key::Backspace)) workspace.preview(move_command(dragged_, drag_->motion()));
+    if (!typed_.is_empty() || was_pressed(Key::Backspace)) apply_drag(workspace);
     if (was_pressed(Key::Enter) || was_pressed(Key::KeypadEnter)) end_drag(workspace, true);
 }
 
@@ -223,6 +264,8 @@ void ViewportController::press(Workspace& workspace, const ViewportInput& input)
             panels_of(workspace.document->pattern(), workspace.document->selection().panels);
         if (!panels.empty())
             workspace.run(arrange_command(panels, workspace.drape.current_body().points[*under_.point]));
+    } else if (is_left && under_.joint) {
+        workspace.joint.bone = workspace.drape.current_body().joints[*under_.joint].bone;
     } else if (is_left) {
         pressed_ = under_;
         if (under_.cloth) {
@@ -255,8 +298,7 @@ void ViewportController::move(Workspace& workspace, const ViewportInput& input) 
             const bool is_whole = input.modifiers.ctrl || input.modifiers.shift;
             drag_->set_steps(is_whole ? DragSteps::Whole : DragSteps::Free);
             drag_->move(viewing(), input.cursor_px);
-            if ((input.cursor_px - pressed_px_).norm() > 0 && by != Vec2f::Zero())
-                workspace.preview(move_command(dragged_, drag_->motion()));
+            if ((input.cursor_px - pressed_px_).norm() > 0 && by != Vec2f::Zero()) apply_drag(workspace);
             return;
         }
     }
@@ -264,18 +306,43 @@ void ViewportController::move(Workspace& workspace, const ViewportInput& input) 
 
 void ViewportController::begin_drag(Workspace& workspace, const Gizmo& gizmo, const GizmoHandle& handle,
                                     const Vec2f& px) {
-    dragged_ = panels_of(workspace.document->pattern(), workspace.document->selection().panels);
-    if (dragged_.empty()) return;
+    turned_from_.reset();
+    if (gizmo.is_turning_only) {
+        const BodyJoint* joint = chosen_joint(workspace);
+        const sim::PoseAngles* angles = workspace.drape.angles();
+        if (!joint || !angles) return;
+        turned_from_ = *angles;
+        turning_axes_ = axes_of(workspace.drape, *joint);
+    } else {
+        dragged_ = panels_of(workspace.document->pattern(), workspace.document->selection().panels);
+        if (dragged_.empty()) return;
+    }
     typed_.clear();
     drag_.emplace(gizmo, handle, viewing(), px);
     pressed_px_ = px;
     gesture_ = Gesture::Gizmo;
 }
 
+void ViewportController::apply_drag(Workspace& workspace) {
+    if (!turned_from_) {
+        workspace.preview(move_command(dragged_, drag_->motion()));
+        return;
+    }
+    const BodyJoint* joint = chosen_joint(workspace);
+    if (!joint) return;
+    sim::PoseAngles angles = *turned_from_;
+    const Vec3d to =
+        turned_angles(*joint, angles_of(angles, *joint), turning_axes_, Eigen::Quaterniond(drag_->motion().turn));
+    set_angles(angles, *joint, to, workspace.joint.has_both_sides);
+    workspace.drape.turn(angles);
+}
+
 void ViewportController::end_drag(Workspace& workspace, bool is_kept) {
     gesture_ = Gesture::None;
     drag_.reset();
     typed_.clear();
+    if (turned_from_ && !is_kept) workspace.drape.turn(*turned_from_);
+    turned_from_.reset();
     if (!workspace.document->is_previewing()) return;
     is_kept ? workspace.document->commit() : workspace.document->rollback();
 }

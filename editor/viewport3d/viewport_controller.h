@@ -1,6 +1,6 @@
 #pragma once
 // Maps mouse and keyboard input in the 3D view to actions: navigate the camera, select panels, place them with the
-// gizmo or with arrangement points, pull and pin cloth. Does not depend on ImGui.
+// gizmo or with arrangement points, pull and pin cloth, turn joints of the body. Does not depend on ImGui.
 #include <array>
 #include <memory>
 #include <optional>
@@ -61,6 +61,12 @@ class ViewportController {
     const std::string& typed() const { return typed_.text(); }
     bool shows_points() const { return shows_points_; }
 
+    // Where the body's joints are, m, in the order of CurrentBody::joints; empty: they are not shown. The first ones
+    // have dots.
+    const std::vector<Vec3f>& joints() const { return joints_; }
+    std::size_t joint_dots() const { return joint_dots_; }
+    bool is_turning_joint() const { return drag_ && turned_from_; }
+
     // Panel outlines in 3D (m) that differ from what is shown: the panels as arranged at the hovered point, or the
     // placement of the selected panels while the garment is shown sewn.
     const std::vector<std::vector<Vec3f>>& ghosts() const { return ghosts_; }
@@ -78,7 +84,11 @@ class ViewportController {
     enum class Gesture { None, Orbit, Pan, Pressed, Gizmo, Pull };
 
     void update_garment(const Workspace& workspace);
+    void follow_body();
     void place_gizmo(const Workspace& workspace, float scale);
+    void find_joints(const Workspace& workspace);
+    std::optional<Gizmo> joint_gizmo(const Workspace& workspace, float scale) const;
+    void apply_drag(Workspace& workspace);
     void find_ghosts(const Workspace& workspace);
     void pick(Workspace& workspace, const ViewportInput& input, ClothChoice choice);
 
@@ -101,7 +111,9 @@ class ViewportController {
     Vec2f size_px_{1, 1};
     DisplayedGarment garment_;
     std::shared_ptr<const sim::Body> body_;
-    BodySurface surface_;  // of body_
+    std::shared_ptr<const std::vector<Vec3f>> body_positions_;
+    BodySurface surface_;             // of body_, where it is
+    Vec3f followed_ = Vec3f::Zero();  // m, way of the body that the camera has gone with
     UnderCursor under_;
     bool has_set_hover_ = false;
     bool shows_points_ = false;
@@ -115,6 +127,11 @@ class ViewportController {
     std::optional<Gizmo> gizmo_;
     std::optional<GizmoDrag> drag_;
     std::vector<sim::Panel> dragged_;  // copies from before the drag
+    // Of a joint that is dragged: the angles before, and the axes about which they count.
+    std::optional<sim::PoseAngles> turned_from_;
+    Eigen::Quaterniond turning_axes_ = Eigen::Quaterniond::Identity();
+    std::vector<Vec3f> joints_;  // m
+    std::size_t joint_dots_ = 0;
     TypedInput typed_;
     std::vector<std::vector<Vec3f>> ghosts_;
     std::optional<Vec3f> pulled_from_;  // m, the point where the cloth was grabbed

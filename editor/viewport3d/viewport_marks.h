@@ -66,6 +66,9 @@ class DisplayedGarment {
     const sim::SessionFrame& frame() const { return *frame_; }
     const std::shared_ptr<const sim::SessionFrame>& shared_frame() const { return frame_; }
     bool is_placed() const { return is_placed_; }
+    // m, of the body's surface while the garment hangs on it elsewhere than where it was dressed; null: Body::x.
+    std::shared_ptr<const std::vector<Vec3f>> body_positions() const { return is_placed_ ? nullptr : frame_->motion.x; }
+    Vec3f body_way() const { return is_placed_ ? Vec3f(Vec3f::Zero()) : frame_->motion.way; }  // m, over the floor
     const std::vector<ClothOutline>& outlines() const { return outlines_; }  // one per panel of the pattern
     std::uint64_t version() const { return version_; }                       // increases with every change
 

@@ -159,6 +159,7 @@ void draw_gizmo(Overlay& overlay, const ViewportController& controller) {
         const HandleLook look = look_of(overlay, controller, {GizmoKind::Turn, axis});
         overlay.rimmed_path(ring_of(gizmo, overlay.viewing(), axis), look.colour, look.is_held ? 3.0F : 2.0F);
     }
+    if (gizmo.is_turning_only) return;
     for (const GizmoKind kind : {GizmoKind::MovePlane, GizmoKind::MoveAxis}) {
         for (int axis = 0; axis < 3 && !is_free; ++axis) {
             const GizmoHandle handle{kind, axis};
@@ -174,6 +175,56 @@ void draw_gizmo(Overlay& overlay, const ViewportController& controller) {
     overlay.list().AddCircle(overlay.at(*centre), 3.5F * overlay.scale(), ink(overlay.colours().ink, 160));
 }
 
+void draw_name(Overlay& overlay, const std::string& name, const Vec2f& px) {
+    const Vec2f size = overlay.badge_size(name);
+    Vec2f low = px + Vec2f(14 * overlay.scale(), -size.y() - 6 * overlay.scale());
+    low = low.cwiseMin(overlay.viewing().size_px - size - Vec2f(6, 6)).cwiseMax(Vec2f(6, 6));
+    overlay.badge(low, name, overlay.colours().ink);
+}
+
+// The skeleton: lines between joints, and a dot at each, over body and cloth.
+void draw_joints(Overlay& overlay, const Workspace& workspace, const ViewportController& controller) {
+    constexpr float kDot = 4, kChosenDot = 5.5F;  // px
+    const std::vector<BodyJoint>& joints = workspace.drape.current_body().joints;
+    const std::vector<Vec3f>& places = controller.joints();
+    const std::size_t dots = controller.joint_dots();
+    if (joints.size() != places.size()) return;
+    for (std::size_t i = 0; i < dots; ++i)
+        if (joints[i].above)
+            overlay.path({places[*joints[i].above], places[i]}, ink(overlay.colours().badge, 150), 1.6F);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const bool is_chosen = joints[i].bone == workspace.joint.bone, is_hovered = controller.under().joint == i;
+        const std::optional<Vec2f> px = px_of(overlay.viewing(), places[i]);
+        if (!px || (i >= dots && !is_chosen)) continue;
+        const sim::Rgb8& colour = is_hovered  ? overlay.colours().hovered_point
+                                  : is_chosen ? overlay.colours().selected
+                                              : overlay.colours().point;
+        const float radius = (is_chosen || is_hovered ? kChosenDot : kDot) * overlay.scale();
+        overlay.list().AddCircleFilled(overlay.at(*px), radius + 1.5F * overlay.scale(), ink(overlay.colours().badge));
+        overlay.list().AddCircleFilled(overlay.at(*px), radius, ink(colour));
+    }
+    const std::optional<std::size_t> under = controller.under().joint;
+    if (!under || *under >= places.size()) return;
+    if (const std::optional<Vec2f> px = px_of(overlay.viewing(), places[*under]))
+        draw_name(overlay, joints[*under].title, *px);
+}
+
+// "Left elbow: bend 42, spread 0, twist 3" in degrees.
+std::string turning_text(const Workspace& workspace) {
+    const BodyJoint* joint = chosen_joint(workspace);
+    const sim::PoseAngles* angles = workspace.drape.angles();
+    if (!joint || !angles) return "";
+    constexpr double kDegrees = 180 / 3.14159265358979323846;
+    const std::array<AngleLabel, 3> labels = angle_labels(*joint);
+    std::string text = joint->title;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const long degrees =
+            std::lround(std::remainder(kDegrees * angles_of(*angles, *joint)[static_cast<Eigen::Index>(k)], 360));
+        text += (k == 0 ? ": " : "   ") + std::string(labels[k].title) + " " + std::to_string(degrees) + "\u00B0";
+    }
+    return text;
+}
+
 // Draws a line from the grabbed cloth point to the pull target.
 void draw_pull(Overlay& overlay, const ViewportController& controller) {
     if (!controller.pulled_to() || !controller.pulled_at()) return;
@@ -183,11 +234,11 @@ void draw_pull(Overlay& overlay, const ViewportController& controller) {
 }
 
 // Draws the readout beside the cursor, inside the view.
-void draw_readout(Overlay& overlay, const ViewportController& controller) {
+void draw_readout(Overlay& overlay, const Workspace& workspace, const ViewportController& controller) {
     std::string text;
     sim::Rgb8 colour = overlay.colours().ink;
     if (controller.drag()) {
-        text = controller.drag()->readout();
+        text = controller.is_turning_joint() ? turning_text(workspace) : controller.drag()->readout();
         if (!controller.typed().empty()) text += "   = " + controller.typed();
     }
     if (text.empty()) return;
@@ -203,10 +254,7 @@ void draw_point_name(Overlay& overlay, const std::vector<sim::ArrangementPoint>&
     const sim::ArrangementPoint& point = points[*controller.under().point];
     const std::optional<Vec2f> px = px_of(overlay.viewing(), point.position.cast<float>());
     if (!px) return;
-    const Vec2f size = overlay.badge_size(point.name);
-    Vec2f low = *px + Vec2f(14 * overlay.scale(), -size.y() - 6 * overlay.scale());
-    low = low.cwiseMin(overlay.viewing().size_px - size - Vec2f(6, 6)).cwiseMax(Vec2f(6, 6));
-    overlay.badge(low, point.name, overlay.colours().ink);
+    draw_name(overlay, point.name, *px);
 }
 
 // At the lower left. Draws the axis that points most towards the eye last.
@@ -234,6 +282,7 @@ sim::Rgb8 stage_colour(const sim::SessionFrame& frame, const ViewportColours& co
             return colours.good;
         case sim::SessionStage::Sewing:
         case sim::SessionStage::Draping:
+        case sim::SessionStage::Moving:
             return frame.is_running ? colours.busy : colours.faint;
         case sim::SessionStage::Failed:
             return colours.error;
@@ -247,7 +296,8 @@ sim::Rgb8 stage_colour(const sim::SessionFrame& frame, const ViewportColours& co
 void draw_stage(Overlay& overlay, const Workspace& workspace, const ViewportController& controller) {
     const sim::SessionFrame& frame = controller.garment().frame();
     std::string text = stage_badge(frame);
-    const bool is_sewn = frame.stage == sim::SessionStage::Draping || frame.stage == sim::SessionStage::Settled;
+    const bool is_sewn = frame.stage == sim::SessionStage::Draping || frame.stage == sim::SessionStage::Moving ||
+                         frame.stage == sim::SessionStage::Settled;
     if (is_sewn && controller.garment().is_placed()) text += " \u00B7 shown as placed";
     if (workspace.drape.is_making_body()) text += text.empty() ? "Making the body" : " \u00B7 making the body";
     if (text.empty()) return;
@@ -275,6 +325,8 @@ std::string stage_badge(const sim::SessionFrame& frame) {
         }
         case sim::SessionStage::Draping:
             return frame.is_running ? "Draping" : "Paused";
+        case sim::SessionStage::Moving:
+            return frame.is_running ? "Moving" : "Paused";
         case sim::SessionStage::Settled:
             return "Settled";
         case sim::SessionStage::Failed:
@@ -287,12 +339,13 @@ void draw_overlay(ImDrawList& list, const OverlayFrame& place, const Workspace& 
                   const ViewportController& controller, const ViewportColours& colours) {
     Overlay overlay(list, place, controller.viewing(), colours);
     draw_ghosts(overlay, controller);
+    draw_joints(overlay, workspace, controller);
     draw_gizmo(overlay, controller);
     draw_pull(overlay, controller);
     draw_point_name(overlay, workspace.drape.current_body().points, controller);
     draw_axis_cross(overlay);
     draw_stage(overlay, workspace, controller);
-    draw_readout(overlay, controller);
+    draw_readout(overlay, workspace, controller);
 }
 
 }  // namespace selvedge::editor

@@ -1,6 +1,6 @@
 #pragma once
 // The 2D overlay of the 3D view: the gizmo with its readout, outlines of where panels would be placed, names of
-// arrangement points, the simulation stage, and the axis cross.
+// arrangement points, the joints of the body, the simulation stage, and the axis cross.
 #include "editor/viewport3d/viewport_controller.h"
 #include "editor/viewport3d/viewport_marks.h"
 

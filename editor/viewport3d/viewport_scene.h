@@ -54,6 +54,7 @@ class ViewportScene {
     ViewportMarks marks_;
     bool has_body_ = false;
     std::shared_ptr<const sim::Body> body_;
+    std::shared_ptr<const std::vector<Vec3f>> body_positions_;
     std::vector<render::BodyItem> bodies_;
     std::vector<render::ClothItem> cloths_;
     std::string tartan_;

@@ -13,8 +13,12 @@
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/geometry/draft.h"
+#include "editor/workspace/body_joints.h"
 #include "render/scene/scene.h"
 #include "sim/body/body.h"
+#include "sim/body/clip.h"
+#include "sim/body/joint_angles.h"
+#include "sim/body/motion_file.h"
 #include "sim/dress/session.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/place/placement.h"
@@ -69,6 +73,13 @@ struct CurrentBody {
     std::optional<sim::MeasureReport> measures;  // only for a mannequin
     std::vector<sim::ArrangementPoint> points;
     std::vector<std::string> notes{};  // what was assumed about a file, and repaired
+    std::vector<sim::Clip> clips{};    // motions of its file
+    std::vector<BodyJoint> joints{};   // filled in by Drape, as what follows
+
+    // Its own pose, and the one in which it is dressed, which may have lowered arms; null: it has no bones.
+    std::shared_ptr<const sim::Pose> own_pose{}, start_pose{};
+
+    bool has_other_start() const { return own_pose != start_pose; }
 };
 
 // Makes a body from its text or file. Throws InputError. The host program provides this function, since it reads the
@@ -78,9 +89,28 @@ using BodyMaker = std::function<CurrentBody(const std::string& text)>;
 // Makes a mannequin from its text. Uses one subdivision, which is enough for the editor.
 CurrentBody make_mannequin_body(const std::string& text);
 
+// A motion or pose by name or file, on the skeleton of that body, as sim::find_motion takes it. Throws InputError. The
+// host program provides this function, since it reads the files.
+using MotionFinder = std::function<sim::Clip(const std::string& text, const sim::Body& body)>;
+
+// The pose of the body's own file, of a body that is dressed in another one: with lowered arms.
+inline constexpr const char* kOwnPose = "own";
+
+// What the body does while the garment hangs on it. Like the settings of the drape, it is not saved with the garment.
+struct BodyActivity {
+    // A shipped pose, a file with one, or kOwnPose; empty: as it is dressed.
+    std::string pose{};
+    std::optional<sim::PoseAngles> turned{};  // that pose with joints turned by hand; none: it is as it is
+    std::string motion{};  // a clip of the body's file, a shipped motion, or a file with one; empty: none
+    sim::Playback playback{};
+
+    bool operator==(const BodyActivity&) const = default;
+};
+
 class Drape {
  public:
-    explicit Drape(sim::SessionDrive drive, BodyMaker maker = make_mannequin_body);
+    explicit Drape(sim::SessionDrive drive, BodyMaker maker = make_mannequin_body,
+                   MotionFinder motions = sim::find_motion);
 
     // Sends changes of the document, the body and the options to the session, and its messages to `messages`. Call once
     // per displayed frame. Does not block with SessionDrive::Thread. With SessionDrive::Caller it waits for the body
@@ -97,24 +127,77 @@ class Drape {
     const CurrentBody& current_body() const { return current_body_; }  // `body` is null until the first body is ready
 
     sim::SessionOptions& options() { return options_; }  // takes effect at the next `update`
+    void look_from(const Vec3f& eye);                    // m: for back faces that are coarsened
+
+    // The body's poses and motions. Poses are gone to, and motions are played, once the garment hangs; a simulation
+    // that is paused goes on then. play() also starts one that has not begun.
+    const BodyActivity& activity() const { return activity_; }
+    void choose_pose(const std::string& name);
+    void choose_motion(const std::string& text);
+    const std::vector<std::string>& pose_files() const { return pose_files_; }  // that were chosen so far
+
+    // Joints turned by hand. The body follows them from where it stands or goes. angles() are the present ones; null:
+    // there is no body with bones yet, or its pose is still looked for. reset_angles() gives the joint the angle of the
+    // pose that it had before the first turn.
+    const sim::PoseAngles* angles() const;
+    void turn(const sim::PoseAngles& angles);
+    void reset_angles(const BodyJoint& joint, bool has_both_sides);
+    void reset_angles();
+    std::shared_ptr<const sim::Pose> shown_pose() const;  // of the body in the newest frame; null: it has no bones
+    void set_playback(const sim::Playback& playback) { activity_.playback = playback; }
+    void play();
+    void pause_motion();
+    void seek(double seconds);
+    void back_to_start();  // the body and the garment as they were dressed
+    void reset();          // the panels too: as they are placed
+    bool is_finding_motion() const { return finding_.valid(); }
 
     sim::Session& session() { return session_; }
     const sim::Session& session() const { return session_; }
     std::shared_ptr<const sim::SessionFrame> frame() const { return session_.frame(); }
 
  private:
+    // A pose or motion that was looked for.
+    struct FoundMotion {
+        std::string text;
+        std::shared_ptr<const sim::Body> body;
+        std::optional<sim::Pose> pose{};
+        std::optional<sim::PoseAngles> turned{};  // of the pose
+        std::shared_ptr<const sim::Clip> clip{};
+        std::string problem{};  // why there is none
+    };
+
     void begin_body(const std::string& text);
     void update_body(Messages& messages);
+    void update_activity(Messages& messages);
+    void begin_finding(const std::string& text, bool is_pose);
+    void begin_turning();
+    void take_found(Messages& messages);
+    void continue_simulation();
+    void stand_as_made();
 
     sim::SessionDrive drive_;
     BodyMaker maker_;
+    MotionFinder motions_;
     CurrentBody current_body_;
     std::optional<std::string> body_override_;  // body set by `show_body`; none: the document's
     std::string wanted_body_;                   // text of the current body or of the one being made
     std::future<CurrentBody> making_;
     sim::SessionOptions options_;
     std::optional<sim::SessionOptions> taken_options_;
+    std::optional<Vec3f> taken_eye_;
     std::optional<std::uint64_t> taken_revision_;
+    BodyActivity activity_;
+    std::optional<std::string> taken_pose_ = "", taken_motion_ = "";  // that the session has; none: to be sent
+    std::optional<sim::PoseAngles> taken_turned_;
+    std::optional<sim::PoseAngles> unturned_;            // before the first turn by hand
+    std::shared_ptr<const sim::Pose> chosen_pose_;       // of the current body: that of taken_pose_
+    mutable std::shared_ptr<const sim::Pose> measured_;  // the pose of which these are the angles
+    mutable sim::PoseAngles angles_;
+    std::vector<std::string> pose_files_;
+    std::optional<sim::Playback> taken_playback_;
+    bool plays_when_found_ = false;
+    std::future<FoundMotion> finding_;
     std::size_t reported_messages_ = 0;
     sim::Session session_;
 };
@@ -124,6 +207,7 @@ struct ViewOptions {
     render::ShowMode show = render::ShowMode::Tartan;
     bool has_body = true;
     bool has_points = true;                   // arrangement points, while selected panels can be placed
+    bool has_joints = false;                  // the joints of the body, which can be turned
     bool has_seam_lines = true;               // connecting lines of open seams
     bool has_edges = false;                   // triangle edges, over plain cloth
     bool is_curved = true;                    // at rest, the curved surface over the cloth instead of its triangles
@@ -135,12 +219,14 @@ struct ViewOptions {
 };
 
 struct Workspace {
-    Workspace(sim::PatternDocument source, sim::SessionDrive drive, BodyMaker maker)
-        : document(std::make_unique<Document>(std::move(source))), drape(drive, std::move(maker)) {}
+    Workspace(sim::PatternDocument source, sim::SessionDrive drive, BodyMaker maker,
+              MotionFinder motions = sim::find_motion)
+        : document(std::make_unique<Document>(std::move(source))), drape(drive, std::move(maker), std::move(motions)) {}
 
     std::unique_ptr<Document> document;  // replaced when a file is opened
     std::string file{};                  // the document's file; empty: not saved yet
     Drape drape;
+    JointChoice joint{};
     Hover hover{};
     Messages messages{};
     ViewOptions look{};
@@ -153,5 +239,12 @@ struct Workspace {
     bool run(const Command& command);
     bool preview(const Command& command);
 };
+
+// The joint that the user has chosen; null: none, or the present body does not have it.
+const BodyJoint* chosen_joint(const Workspace& workspace);
+
+// The axes about which the angles of that joint count, in our frame, where the body is shown. Pre: Drape::angles() is
+// not null.
+Eigen::Quaterniond axes_of(const Drape& drape, const BodyJoint& joint);
 
 }  // namespace selvedge::editor

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
 
 #include "editor/document/document.h"
@@ -246,6 +247,88 @@ TEST(Placing, the_outline_of_a_bent_panel_is_round) {
     ASSERT_GT(outline.size(), 40U);
     EXPECT_EQ(outline.front(), outline.back());
     for (const Vec3f& x : outline) EXPECT_NEAR(std::hypot(x.x() - 0.6F, x.z() - 0.15F), 0.15F, 1e-5F);
+}
+
+// The joints of a mannequin are shown, without a panel in front of it.
+struct JointsOfMannequin : testing::Test {
+    JointsOfMannequin() {
+        viewport.workspace().look.has_joints = true;
+        viewport.controller().frame_all(viewport.workspace());
+        viewport.rest();
+        viewport.rest();
+    }
+    const BodyJoint& joint(const std::string& title) {
+        const std::vector<BodyJoint>& all = viewport.workspace().drape.current_body().joints;
+        return *std::ranges::find(all, title, &BodyJoint::title);
+    }
+    Vec2f dot(const std::string& title) {
+        const auto i =
+            static_cast<std::size_t>(&joint(title) - viewport.workspace().drape.current_body().joints.data());
+        return viewport.seen(viewport.controller().joints().at(i));
+    }
+    Vec3d angles(const std::string& title) { return angles_of(*viewport.workspace().drape.angles(), joint(title)); }
+    // Drags the ring about that axis by 0.5 rad.
+    void drag_ring(int axis) {
+        const Gizmo gizmo = viewport.controller().gizmo().value();
+        const std::vector<Vec3f> ring = ring_of(gizmo, viewport.controller().viewing(), axis);
+        const Eigen::AngleAxisf turn(0.5F, gizmo.axis(axis));
+        const Vec3f from = ring[ring.size() / 4];
+        viewport.move_to(viewport.seen(from));
+        ASSERT_EQ(viewport.controller().under().handle, (GizmoHandle{GizmoKind::Turn, axis}));
+        viewport.press();
+        viewport.move_to(viewport.seen(gizmo.centre + turn * (from - gizmo.centre)));
+    }
+
+    ViewportFixture viewport{sim::Pattern{}, make_mannequin_body};
+};
+
+TEST_F(JointsOfMannequin, have_dots_of_which_a_click_chooses_one) {
+    ASSERT_EQ(viewport.controller().joint_dots(), sim::kJointCount);
+    viewport.move_to(dot("Left elbow"));
+    EXPECT_TRUE(viewport.controller().under().joint.has_value());
+    viewport.click(dot("Left elbow"));
+    ASSERT_NE(chosen_joint(viewport.workspace()), nullptr);
+    EXPECT_EQ(chosen_joint(viewport.workspace())->title, "Left elbow");
+    EXPECT_TRUE(viewport.controller().gizmo().has_value());
+    const Vec2f knee = dot("Right knee");
+    viewport.workspace().look.has_joints = false;
+    viewport.move_to(knee);
+    EXPECT_FALSE(viewport.controller().gizmo().has_value()) << "it has rings only while the dots are shown";
+    EXPECT_FALSE(viewport.controller().under().joint.has_value());
+}
+
+TEST_F(JointsOfMannequin, are_turned_by_rings_on_both_sides_or_on_one) {
+    viewport.workspace().joint = {.bone = joint("Left elbow").bone, .has_both_sides = false};
+    viewport.rest();
+    EXPECT_TRUE(viewport.controller().gizmo().value().is_turning_only);
+    const Vec3d left = angles("Left elbow"), right = angles("Right elbow");
+    drag_ring(2);
+    EXPECT_TRUE(viewport.controller().is_turning_joint());
+    viewport.release();
+    EXPECT_NEAR((angles("Left elbow") - left).norm(), 0.5, 0.05);
+    EXPECT_EQ(angles("Right elbow"), right);
+    viewport.workspace().joint.has_both_sides = true;
+    drag_ring(2);
+    viewport.release();
+    EXPECT_EQ(angles("Right elbow"), angles("Left elbow"));
+    EXPECT_EQ(viewport.document().history().size(), 0U) << "a pose is no part of the pattern";
+}
+
+TEST_F(JointsOfMannequin, go_back_when_a_drag_is_cancelled_and_take_typed_degrees) {
+    viewport.workspace().joint = {.bone = joint("Left shoulder").bone, .has_both_sides = false};
+    viewport.rest();
+    const Vec3d before = angles("Left shoulder");
+    drag_ring(2);
+    EXPECT_GT((angles("Left shoulder") - before).norm(), 0.3);
+    viewport.key(Key::Escape);
+    EXPECT_LT((angles("Left shoulder") - before).norm(), 1e-12);
+    viewport.release();
+    drag_ring(2);
+    viewport.type("20");
+    viewport.release();
+    const Eigen::Quaterniond from = rotation_of(joint("Left shoulder"), before);
+    const Eigen::Quaterniond to = rotation_of(joint("Left shoulder"), angles("Left shoulder"));
+    EXPECT_NEAR(from.angularDistance(to) * 180 / 3.14159265358979, 20, 1e-6);
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ CurrentBody small_body(const std::string& text) {
     return made;
 }
 
-ViewportFixture::ViewportFixture(const sim::Pattern& pattern)
-    : workspace_({.pattern = pattern, .json = {}}, sim::SessionDrive::Caller, small_body) {
+ViewportFixture::ViewportFixture(const sim::Pattern& pattern, BodyMaker maker)
+    : workspace_({.pattern = pattern, .json = {}}, sim::SessionDrive::Caller, std::move(maker)) {
     controller_.look_from(StandardView::Front);
     rest();
     workspace_.drape.session().advance(0);

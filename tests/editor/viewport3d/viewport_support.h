@@ -16,7 +16,7 @@ CurrentBody small_body(const std::string& text);
 
 class ViewportFixture {
  public:
-    explicit ViewportFixture(const sim::Pattern& pattern = square_pattern());
+    explicit ViewportFixture(const sim::Pattern& pattern = square_pattern(), BodyMaker maker = small_body);
 
     Workspace& workspace() { return workspace_; }
     const Document& document() const { return *workspace_.document; }
