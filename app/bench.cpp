@@ -20,7 +20,6 @@
 #include "bench/drop/report.h"
 #include "bench/fabric/report.h"
 #include "bench/picture/picture.h"
-#include "bench/thesis/thesis.h"
 #include "bench/tshirt/rest.h"
 #include "bench/tshirt/tshirt.h"
 #include "render/image/image.h"
@@ -64,6 +63,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
     add_bench_contact(*command, exit_code);
     add_bench_drop(*command, exit_code);
     add_bench_fabric(*command, exit_code);
+    add_bench_motion(*command, exit_code);
     add_bench_picture(*command, exit_code);
     add_bench_rest(*command, exit_code);
     add_bench_thesis(*command, exit_code);
@@ -321,153 +321,6 @@ void add_bench_rest(CLI::App& bench, int& exit_code) {
         ->type_name("FILE");
     add_json_option(*command, arguments->json);
     command->footer("Example: selvedge bench rest patterns/tshirt.json");
-    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
-}
-
-// selvedge bench thesis: the tables and figures of the thesis, measured with this program.
-
-namespace {
-
-struct ThesisArguments {
-    std::vector<std::string> tables;
-    std::vector<std::string> figures;
-    std::string folder;
-    std::string json;
-    bench::ThesisOptions options;
-};
-
-constexpr std::size_t kMaxRows = 24;  // printed rows of a series
-
-using Names = std::vector<std::string>;
-
-bool has(const Names& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-bool any_of(const Names& names, const Names& wanted) {
-    return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return has(wanted, name); });
-}
-
-void check_names(const Names& wanted, Names bench::Experiment::*known, const char* option) {
-    Names all;
-    for (const bench::Experiment& experiment : bench::thesis_experiments())
-        all.insert(all.end(), (experiment.*known).begin(), (experiment.*known).end());
-    for (const std::string& name : wanted) {
-        if (has(all, name)) continue;
-        std::string list;
-        for (const std::string& other : all) list += (list.empty() ? "" : ", ") + other;
-        throw sim::InputError("", option, "'" + name + "' is none of " + list);
-    }
-}
-
-void check_folder(const std::string& folder) {
-    if (folder.empty()) return;
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error || access(folder.c_str(), W_OK | X_OK) != 0)
-        throw sim::InputError(folder, "", "cannot write: no such folder, and none can be made");
-}
-
-class Run {
- public:
-    explicit Run(const ThesisArguments& arguments)
-        : arguments_(arguments), wants_all_(arguments.tables.empty() && arguments.figures.empty()) {}
-
-    bool wants(const bench::Experiment& experiment) const {
-        if (experiment.makes_pictures_only && arguments_.folder.empty()) return false;
-        return wants_all_ || any_of(experiment.tables, arguments_.tables) ||
-               any_of(experiment.figures, arguments_.figures);
-    }
-
-    void measure(const bench::Experiment& experiment) {
-        const bench::ThesisResult result = experiment.measure(arguments_.options);
-        for (const bench::Table& table : result.tables)
-            if (wants_all_ || has(arguments_.tables, table.name)) show(table);
-        for (const bench::Figure& figure : result.figures)
-            if (wants_all_ || has(arguments_.figures, figure.series.name)) show(figure);
-        for (const bench::Capture& capture : result.captures)
-            if (wants_all_ || has(arguments_.figures, capture.name)) show(capture);
-    }
-
-    sim::Json document() const {
-        sim::Json document = document_of(tables_);
-        document["figures"] = document_of(figures_)["tables"];
-        return document;
-    }
-
- private:
-    void show(const bench::Table& table) {
-        print_table(table);
-        tables_.push_back(table);
-    }
-
-    void show(const bench::Figure& figure) {
-        print_table(thinned(figure.series, kMaxRows));
-        figures_.push_back(figure.series);
-        if (arguments_.folder.empty()) return;
-        const std::string stem = "figure-" + figure.series.name;
-        sim::write_file_atomically(file(stem + ".csv"), to_csv(figure.series));
-        std::printf("wrote %s\n", file(stem + ".csv").c_str());
-        if (!figure.is_plotted) return;
-        if (plot(figure, file(stem + ".png"))) {
-            std::printf("wrote %s\n", file(stem + ".png").c_str());
-        } else if (!std::exchange(has_said_no_plot_, true)) {
-            std::printf("no plots: gnuplot is not installed, or failed\n");
-        }
-    }
-
-    void show(const bench::Capture& capture) {
-        if (arguments_.folder.empty()) return;
-        const std::string path = file("figure-" + capture.name + "-" + capture.moment + ".png");
-        write_png(path, capture.image);
-        std::printf("wrote %s\n", path.c_str());
-    }
-
-    std::string file(const std::string& name) const {
-        return (std::filesystem::path(arguments_.folder) / name).string();
-    }
-
-    const ThesisArguments& arguments_;
-    bool wants_all_;
-    bool has_said_no_plot_ = false;
-    std::vector<bench::Table> tables_;
-    std::vector<bench::Table> figures_;
-};
-
-int run(const ThesisArguments& arguments) {
-    check_names(arguments.tables, &bench::Experiment::tables, "--table");
-    check_names(arguments.figures, &bench::Experiment::figures, "--figure");
-    check_folder(arguments.folder);
-    check_json_output(arguments.json);
-    Run run(arguments);
-    for (const bench::Experiment& experiment : bench::thesis_experiments()) {
-        if (run.wants(experiment) && (experiment.makes_pictures_only || experiment.draws)) check_can_draw();
-    }
-    for (const bench::Experiment& experiment : bench::thesis_experiments()) {
-        if (run.wants(experiment)) run.measure(experiment);
-    }
-    write_json_output(arguments.json, run.document());
-    return 0;
-}
-
-}  // namespace
-
-void add_bench_thesis(CLI::App& bench, int& exit_code) {
-    auto arguments = std::make_shared<ThesisArguments>();
-    CLI::App* command = bench.add_subcommand("thesis", "The thesis' tables and figures, measured here");
-    command->add_option("--table", arguments->tables, "Only these tables, such as 3.1 (default: all)");
-    command->add_option("--figure", arguments->figures, "Only these figures, such as 3.25 (default: all)");
-    command
-        ->add_option("--out", arguments->folder,
-                     "Write figures here: series as CSV and plot, pictures (3.23, 3.24, 6.2, 6.3, 6.6) as PNG")
-        ->type_name("DIR");
-    command->add_flag("--quick", arguments->options.is_quick, "Tiny sizes, one run: does all work? Times mean nothing");
-    add_json_option(*command, arguments->json);
-    command->footer(
-        "Examples:\n"
-        "  selvedge bench thesis\n"
-        "  selvedge bench thesis --table 3.1 3.14 --json drops.json\n"
-        "  selvedge bench thesis --figure 3.25 --out figures");
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

@@ -16,6 +16,7 @@ void add_bench_collide(CLI::App& bench, int& exit_code);
 void add_bench_contact(CLI::App& bench, int& exit_code);
 void add_bench_drop(CLI::App& bench, int& exit_code);
 void add_bench_fabric(CLI::App& bench, int& exit_code);
+void add_bench_motion(CLI::App& bench, int& exit_code);
 void add_bench_picture(CLI::App& bench, int& exit_code);
 void add_bench_rest(CLI::App& bench, int& exit_code);
 void add_bench_thesis(CLI::App& bench, int& exit_code);

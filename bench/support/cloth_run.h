@@ -76,6 +76,13 @@ double rms_speed(const ClothRun& run);  // m/s, mass-weighted
 
 double thread_seconds();  // CPU time that the calling thread has used so far, s
 
+double wall_seconds();  // of a clock that never goes back, s
+
+struct Duration {
+    double wall = 0;  // s
+    double cpu = 0;   // s, of the calling thread
+};
+
 struct Timing {
     double median = 0;  // s
     double least = 0;   // s
@@ -91,6 +98,13 @@ double time_once(Work&& work) {
     const double start = thread_seconds();
     work();
     return thread_seconds() - start;
+}
+
+template <class Work>
+Duration time_both(Work&& work) {
+    const double wall = wall_seconds(), cpu = thread_seconds();
+    work();
+    return {.wall = wall_seconds() - wall, .cpu = thread_seconds() - cpu};
 }
 
 // Calls prepare() and then work(), `runs` times. Only work() is timed.

@@ -1,5 +1,5 @@
 #pragma once
-// The results of an experiment: a table, written as Markdown, JSON or CSV; a figure (a table that gnuplot can draw);
+// The results of an experiment: a table, written as Markdown, JSON or CSV; a figure (a table that plot_of() draws);
 // and a contact sheet that combines several images.
 #include <concepts>
 #include <filesystem>
@@ -53,22 +53,18 @@ Table thinned(const Table& table, std::size_t most);
 // {"name": ..., "title": ..., "note": ..., "columns": [...], "rows": [[...], ...]}
 sim::Json to_json(const Table& table);
 
-// Figures: a series of values, written as CSV and drawn with gnuplot if it is installed.
+// Figures: a series of values, written as CSV and drawn (bench/support/plot.h).
 
 struct Figure {
     Table series;  // columns of numbers; the first column is x
     std::string y_label;
-    bool is_plotted = true;       // false: the series is written as CSV only
-    bool is_logarithmic = false;  // both axes
-    std::string right_column{};   // the column that uses the right-hand y axis; empty: none
+    bool is_logarithmic = false;    // both axes
+    bool is_y_logarithmic = false;  // the left y axis only
+    std::string right_column{};     // the column that uses the right-hand y axis; empty: none
 };
 
 // The column names, then one line per row. Numbers have the decimals of to_text(); text is quoted if necessary.
 std::string to_csv(const Table& table);
-
-// Writes a gnuplot script beside the PNG file and runs it to draw the PNG. Returns false if gnuplot is missing or
-// fails.
-bool plot(const Figure& figure, const std::filesystem::path& png);
 
 // Combines images into one, row by row with `columns` images per row and white gaps between them.
 // Pre: at least one image, all of one size, columns >= 1.

@@ -1,11 +1,13 @@
-// The experiments on the adaptive mesh: tables 3.11 (memory), 3.6 (traversal), 3.2-3.5 (cost of transitions) and
-// 3.7-3.10 with figures 3.21-3.22 (uniform refinement); figure 3.9 (choice of diagonal).
+// The experiments on the adaptive mesh: tables 3.11 (memory), 3.2-3.5 (cost of transitions) and 3.7-3.10 with figures
+// 3.21-3.22 (uniform refinement).
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "bench/support/cloth_run.h"
 #include "bench/support/measured_mesh.h"
 #include "bench/thesis/pointer_mesh.h"
+#include "bench/thesis/pointer_transitions.h"
 #include "bench/thesis/thesis.h"
 #include "bench/thesis/thesis_drop.h"
 #include "sim/adaptive/criteria.h"
@@ -66,112 +68,14 @@ ThesisResult measure_memory(const ThesisOptions& options) {
     }
     ThesisResult result;
     result.tables = {table};
-    return result;
-}
-
-// Table 3.6: traversal of all leaves by recursion through the hierarchy, and by flat lists.
-
-namespace {
-
-// The work at each leaf is small and the same for both traversals: a sum of rest lengths or areas.
-struct Sums {
-    double edges = 0;      // of rest lengths, m
-    double triangles = 0;  // of material areas, m^2
-    long edge_count = 0;
-    long triangle_count = 0;
-
-    void add_edge(float rest_length) {
-        edges += static_cast<double>(rest_length);
-        ++edge_count;
-    }
-    void add_triangle(const std::array<Vec2f, 3>& u) {
-        triangles += static_cast<double>(sim::material_area(u));
-        ++triangle_count;
-    }
-};
-
-void visit_edge(const sim::AdaptiveMesh& mesh, sim::EdgeId id, Sums& sums) {
-    const sim::AdaptiveEdge& edge = mesh.edge(id);
-    if (!edge.centre) return sums.add_edge(edge.rest_length);
-    for (const sim::EdgeId child : edge.children) visit_edge(mesh, child, sums);
-}
-
-void visit_triangle_edges(const sim::AdaptiveMesh& mesh, sim::TriangleId id, Sums& sums) {
-    const sim::AdaptiveTriangle& t = mesh.triangle(id);
-    if (is_leaf(t)) return;
-    const sim::Layout& inside = layout(t.configuration);
-    for (std::size_t i = 0; i < inside.edge_count; ++i) visit_edge(mesh, t.internal_edges[i], sums);
-    for (std::size_t i = 0; i < inside.triangle_count; ++i) visit_triangle_edges(mesh, t.internal_triangles[i], sums);
-}
-
-void visit_triangle(const sim::AdaptiveMesh& mesh, sim::TriangleId id, Sums& sums) {
-    const sim::AdaptiveTriangle& t = mesh.triangle(id);
-    if (is_leaf(t)) return sums.add_triangle(t.u);
-    for (std::size_t i = 0; i < layout(t.configuration).triangle_count; ++i)
-        visit_triangle(mesh, t.internal_triangles[i], sums);
-}
-
-Sums edges_by_recursion(const sim::AdaptiveMesh& mesh) {
-    Sums sums;
-    for (std::uint32_t e = 0; e < mesh.base_edge_count(); ++e) visit_edge(mesh, sim::EdgeId(e), sums);
-    for (std::uint32_t t = 0; t < mesh.base_triangle_count(); ++t) visit_triangle_edges(mesh, sim::TriangleId(t), sums);
-    return sums;
-}
-
-Sums triangles_by_recursion(const sim::AdaptiveMesh& mesh) {
-    Sums sums;
-    for (std::uint32_t t = 0; t < mesh.base_triangle_count(); ++t) visit_triangle(mesh, sim::TriangleId(t), sums);
-    return sums;
-}
-
-Sums edges_by_list(const sim::AdaptiveMesh& mesh) {
-    Sums sums;
-    for (const sim::LeafEdge& edge : mesh.leaf_edges()) sums.add_edge(edge.rest_length);
-    return sums;
-}
-
-Sums triangles_by_list(const sim::AdaptiveMesh& mesh) {
-    Sums sums;
-    for (const sim::LeafTriangle& t : mesh.leaf_triangles()) sums.add_triangle(t.u);
-    return sums;
-}
-
-// Median times of recursion and list, us; the two run alternately.
-template <class Recursion, class List>
-std::array<double, 2> compare(const sim::AdaptiveMesh& mesh, int runs, Recursion&& recursion, List&& list) {
-    std::vector<double> by_recursion, by_list;
-    for (int i = 0; i < runs; ++i) {
-        by_recursion.push_back(time_once([&] { keep(recursion(mesh)); }));
-        by_list.push_back(time_once([&] { keep(list(mesh)); }));
-    }
-    return {1e6 * timing_of(by_recursion).median, 1e6 * timing_of(by_list).median};
-}
-
-}  // namespace
-
-ThesisResult measure_traversal(const ThesisOptions& options) {
-    sim::AdaptiveMesh mesh(make_square({.columns = 8, .rows = 8}));
-    sim::NoState none;
-    Table table{.name = "3.6",
-                .title = "Reaching all leaves: recursion through the hierarchy against flat lists",
-                .note =
-                    "Base mesh of 128 triangles, the same level everywhere. At each leaf a rest length or an area "
-                    "is summed. us, median of runs.",
-                .columns = {"level", "leaf edges", "edges by recursion, us", "edges by list, us",
-                            "edges: recursion / list", "leaf triangles", "triangles by recursion, us",
-                            "triangles by list, us", "triangles: recursion / list"}};
-    const int runs = options.is_quick ? 1 : 101;
-    for (int level = 0; level <= mesh.max_level(); ++level) {
-        set_uniform_level(mesh, none, level);
-        const auto edges = compare(mesh, runs, edges_by_recursion, edges_by_list);
-        const auto triangles = compare(mesh, runs, triangles_by_recursion, triangles_by_list);
-        SELVEDGE_ASSERT(edges_by_recursion(mesh).edge_count == edges_by_list(mesh).edge_count);
-        table.add_row({level, edges_by_recursion(mesh).edge_count, Cell(edges[0], 2), Cell(edges[1], 2),
-                       Cell(edges[0] / edges[1], 1), triangles_by_recursion(mesh).triangle_count, Cell(triangles[0], 2),
-                       Cell(triangles[1], 2), Cell(triangles[0] / triangles[1], 1)});
-    }
-    ThesisResult result;
-    result.tables = {table};
+    const bool is_less =
+        kBytes.vertex < kThesisVertex && kBytes.edge < kThesisEdge && kBytes.triangle < kThesisTriangle;
+    result.trends = {{.item = "T3.11",
+                      .reported = "144, 52 and 120 bytes per vertex, edge and triangle with 32-bit pointers.",
+                      .measured = std::to_string(kBytes.vertex) + ", " + std::to_string(kBytes.edge) + " and " +
+                                  std::to_string(kBytes.triangle) +
+                                  " bytes in a 64-bit build: " + (is_less ? "less" : "not less") + " for each.",
+                      .agrees = is_less}};
     return result;
 }
 
@@ -219,23 +123,25 @@ void for_each_pair(F&& f) {
     }
 }
 
-// Measures direct and indirect transitions alternately.
+// Measures all pairs in turn, direct and indirect, and begins again: so a slow moment of the machine falls on one
+// sample of many pairs, which their medians leave out, not on all samples of one.
 Costs measure(const ThesisOptions& options) {
     TestBed bed(options.is_quick ? 2 : 16);
+    std::array<std::array<std::vector<double>, sim::kConfigurations>, sim::kConfigurations> direct, indirect;
+    for (int i = 0; i < (options.is_quick ? 1 : 21); ++i) {
+        for_each_pair([&](std::size_t from, std::size_t to) {
+            const auto start = static_cast<sim::Configuration>(from), end = static_cast<sim::Configuration>(to);
+            bed.change_all(start);
+            direct[from][to].push_back(time_once([&] { bed.change_all(end); }));
+            bed.change_all(start);
+            indirect[from][to].push_back(time_once([&] { bed.change_all_by_c0(end); }));
+        });
+    }
     Costs costs;
-    const int runs = options.is_quick ? 1 : 21;
+    const double us = 1e6 / static_cast<double>(bed.size());
     for_each_pair([&](std::size_t from, std::size_t to) {
-        const auto start = static_cast<sim::Configuration>(from), end = static_cast<sim::Configuration>(to);
-        std::vector<double> direct, indirect;
-        for (int i = 0; i < runs; ++i) {
-            bed.change_all(start);
-            direct.push_back(time_once([&] { bed.change_all(end); }));
-            bed.change_all(start);
-            indirect.push_back(time_once([&] { bed.change_all_by_c0(end); }));
-        }
-        const double us = 1e6 / static_cast<double>(bed.size());
-        costs.direct[from][to] = us * timing_of(direct).median;
-        costs.indirect[from][to] = us * timing_of(indirect).median;
+        costs.direct[from][to] = us * timing_of(direct[from][to]).median;
+        costs.indirect[from][to] = us * timing_of(indirect[from][to]).median;
     });
     return costs;
 }
@@ -244,14 +150,44 @@ std::string name_of(std::size_t configuration) {
     return "C" + std::to_string(configuration);
 }
 
-Table clear_table(const Costs& costs) {
-    Table table{
-        .name = "3.2",
-        .title = "Clearing a configuration and configuring from C0",
-        .note = "us of one transition of one triangle: median of runs over many triangles that are all changed.",
-        .columns = {"configuration", "clearing to C0, us", "configuring from C0, us"}};
-    for (std::size_t c = 1; c < sim::kConfigurations; ++c)
-        table.add_row({name_of(c), Cell(costs.direct[c][0], 3), Cell(costs.direct[0][c], 3)});
+// us, by configuration, on the thesis' structure.
+struct ClearCosts {
+    std::array<double, sim::kConfigurations> clear{}, configure{};
+};
+
+ClearCosts measure_clearing(const ThesisOptions& options) {
+    PointerTransitions bed(make_square({.columns = options.is_quick ? 2 : 16, .rows = options.is_quick ? 2 : 16}));
+    std::array<std::vector<double>, sim::kConfigurations> clearing, configuring;
+    for (int i = 0; i < (options.is_quick ? 1 : 41); ++i) {
+        for (std::size_t c = 0; c < sim::kConfigurations; ++c) {
+            const auto configuration = static_cast<sim::Configuration>(c);
+            configuring[c].push_back(time_once([&] { bed.configure_all(configuration); }));
+            clearing[c].push_back(time_once([&] { bed.clear_all(); }));
+        }
+    }
+    const double us = 1e6 / static_cast<double>(bed.size());
+    ClearCosts costs;
+    for (std::size_t c = 0; c < sim::kConfigurations; ++c) {
+        costs.clear[c] = us * timing_of(clearing[c]).median;
+        costs.configure[c] = us * timing_of(configuring[c]).median;
+    }
+    return costs;
+}
+
+Table clear_table(const Costs& costs, const ClearCosts& pointers) {
+    Table table{.name = "3.2",
+                .title = "Clearing a configuration to the cleared state SC, and configuring it back",
+                .note =
+                    "us per triangle: median of runs over many triangles that are all changed. SC: a triangle without "
+                    "internal elements that is no leaf either. Selvedge stores no adjacency in vertices and lists "
+                    "leaves lazily, so its SC is C0, and C0 costs nothing. The thesis' structure (pointers, elements "
+                    "from pools, up to 20 adjacent triangles listed in each vertex) follows here the same layouts.",
+                .columns = {"configuration", "Selvedge: clear, us", "Selvedge: configure, us", "pointers: clear, us",
+                            "pointers: configure, us"}};
+    for (std::size_t c = 0; c < sim::kConfigurations; ++c)
+        table.add_row({name_of(c), c == 0 ? Cell(0.0, 3) : Cell(costs.direct[c][0], 3),
+                       c == 0 ? Cell(0.0, 3) : Cell(costs.direct[0][c], 3), Cell(pointers.clear[c], 3),
+                       Cell(pointers.configure[c], 3)});
     return table;
 }
 
@@ -323,7 +259,16 @@ ThesisResult measure_transition_cost(const ThesisOptions& options) {
                                                 .criteria = {.collision = true, .curvature = true, .length = false},
                                                 .seconds = options.is_quick ? 0.4 : 2.0});
     ThesisResult result;
-    result.tables = {clear_table(costs),
+    const double pair = 100 * costs.direct[1][2] / costs.indirect[1][2];
+    WeightedMean all;
+    for_each_pair([&](std::size_t from, std::size_t to) { all.add(costs, from, to, 1); });
+    const double mean = 100 * all.direct / all.indirect;
+    result.trends = {{.item = "T3.5",
+                      .reported = "direct transitions cost less: C1 to C2 58.8 % of the indirect one.",
+                      .measured = "C1 to C2 " + Cell(pair, 1).to_text() + " %, and all pairs in the mean " +
+                                  Cell(mean, 1).to_text() + " %.",
+                      .agrees = pair < 100 && mean < 100}};
+    result.tables = {clear_table(costs, measure_clearing(options)),
                      matrix_table(costs.indirect, "3.3", "Indirect transitions, by way of C0, us", 3),
                      matrix_table(costs.direct, "3.4", "Direct transitions, us", 3),
                      matrix_table(ratio(costs), "3.5", "Direct transitions as a share of indirect ones, %", 1),
@@ -336,8 +281,9 @@ ThesisResult measure_transition_cost(const ThesisOptions& options) {
 namespace {
 
 constexpr std::size_t kLevels = 3;
-constexpr std::size_t kBaselines = 3;
-constexpr std::array<const char*, kBaselines> kBaselineNames{"Selvedge", "pointers in pools", "pointers, new/delete"};
+constexpr std::size_t kBaselines = 4;
+constexpr std::array<const char*, kBaselines> kBaselineNames{"Selvedge", "pools", "new/delete", "list-based pools"};
+constexpr std::size_t kPooled = 1, kPlain = 2;
 
 struct Counts {
     std::size_t vertices = 0, edges = 0, triangles = 0;  // of the whole hierarchy
@@ -387,12 +333,19 @@ std::array<Counts, kLevels + 1> count_elements(sim::AdaptiveMesh& mesh) {
     return counts;
 }
 
+// The C library merges small freed blocks when a large one is next asked for. Asks for one, so that this is not timed
+// with the baseline that follows new and delete.
+void settle_heap() {
+    keep(std::vector<char>(std::size_t{1} << 17U));
+}
+
 // Runs the baselines alternately. The first run is not measured: it lets pools and lists grow to their full size.
 SquareRun run_square(int quads, int runs) {
     const sim::GarmentMesh base = make_square({.columns = quads, .rows = quads});
     sim::AdaptiveMesh mesh(base);
     PointerMesh<Pools> pooled(base);
     PointerMesh<NewDelete> plain(base);
+    PointerMesh<ListPools> listed(base);
     sim::NoState none;
     const auto ours = [&](int level) { set_uniform_level(mesh, none, level); };
     SquareRun run;
@@ -404,6 +357,8 @@ SquareRun run_square(int quads, int runs) {
         climb(ours, refining[0], coarsening[0]);
         climb(climber(pooled), refining[1], coarsening[1]);
         climb(climber(plain), refining[2], coarsening[2]);
+        settle_heap();
+        climb(climber(listed), refining[3], coarsening[3]);
     }
     return run;
 }
@@ -413,9 +368,10 @@ Table table_of(const std::string& name, const SquareRun& run) {
         .name = name,
         .title = "Uniform refinement and coarsening of " + std::to_string(run.counts[0].triangles) + " triangles",
         .note =
-            "ms to reach a level from the one above it, and to leave it again; median of runs. The pointer "
-            "meshes know S0 and S7 only and ask no criteria; Selvedge asks each edge and refreshes its "
-            "leaf lists. Elements are those of the whole hierarchy.",
+            "ms to reach a level from the one above it, and to leave it again; CPU time of one thread, median of runs. "
+            "The thesis' structure (elements linked by pointers) is allocated from memory pools, by new and delete, "
+            "and from list-based pools; it knows S0 and S7 only and asks no criteria. Selvedge asks each edge and "
+            "refreshes its leaf lists. Elements are those of the whole hierarchy.",
         .columns = {"level", "vertices", "edges", "triangles"}};
     for (const char* way : {"refine: ", "coarsen: "})
         for (const char* baseline : kBaselineNames) table.columns.push_back(std::string(way) + baseline + ", ms");
@@ -441,98 +397,85 @@ Table table_of(const std::string& name, const SquareRun& run) {
     return table;
 }
 
+// Leaf triangles at a level.
+std::size_t leaves_at(const SquareRun& run, std::size_t level) {
+    return run.counts[0].triangles << (2 * level);
+}
+
+// us per existing triangle, by the number of existing triangles. Where several squares have the same number at other
+// levels, their mean.
 Figure figure_of(const std::string& name, const std::string& title, const std::vector<SquareRun>& runs,
                  Samples SquareRun::*samples) {
-    Figure figure;
-    figure.series = {.name = name, .title = title, .columns = {"base triangles"}};
-    for (const char* baseline : kBaselineNames) figure.series.columns.push_back(std::string(baseline) + ", ms");
-    figure.y_label = "ms";
-    figure.is_logarithmic = true;
+    const bool refines = samples == &SquareRun::refining;
+    struct Sum {
+        std::array<double, kBaselines> us{};
+        double count = 0;
+    };
+    std::map<std::size_t, Sum> sums;
     for (const SquareRun& run : runs) {
-        std::vector<Cell> row{run.counts[0].triangles};
-        for (std::size_t baseline = 0; baseline < kBaselines; ++baseline)
-            row.push_back(Cell(run.total_ms(run.*samples, baseline), 4));
+        for (std::size_t level = 1; level <= kLevels; ++level) {
+            const std::size_t existing = leaves_at(run, refines ? level - 1 : level);
+            Sum& sum = sums[existing];
+            ++sum.count;
+            for (std::size_t baseline = 0; baseline < kBaselines; ++baseline)
+                sum.us[baseline] += 1e3 * run.ms(run.*samples, baseline, level) / static_cast<double>(existing);
+        }
+    }
+    Figure figure;
+    figure.series = {.name = name,
+                     .title = title,
+                     .note = "us per triangle that exists before, over their number. Measured as tables 3.7 to 3.10.",
+                     .columns = {"existing triangles"}};
+    for (const char* baseline : kBaselineNames) figure.series.columns.push_back(std::string(baseline) + ", us");
+    figure.y_label = "us per existing triangle";
+    figure.is_logarithmic = true;
+    for (const auto& [existing, sum] : sums) {
+        std::vector<Cell> row{existing};
+        for (const double us : sum.us) row.push_back(Cell(us / sum.count, 4));
         figure.series.add_row(std::move(row));
     }
     return figure;
 }
 
+// Whether pools are faster than new and delete, over all squares and levels.
+Trend pool_trend(const std::string& item, const std::vector<SquareRun>& runs, Samples SquareRun::*samples) {
+    double pooled = 0, plain = 0;
+    for (const SquareRun& run : runs) {
+        pooled += run.total_ms(run.*samples, kPooled);
+        plain += run.total_ms(run.*samples, kPlain);
+    }
+    return {.item = item,
+            .reported = "pools are meant to cost less than new and delete.",
+            .measured = "with pools " + Cell(100 * pooled / plain, 0).to_text() + " % of the time with new and delete.",
+            .agrees = pooled < plain};
+}
+
+Trend table_trend(const std::string& name, const SquareRun& run) {
+    const double pooled = run.total_ms(run.refining, kPooled) + run.total_ms(run.coarsening, kPooled);
+    const double plain = run.total_ms(run.refining, kPlain) + run.total_ms(run.coarsening, kPlain);
+    return {.item = "T" + name,
+            .reported = "pools are meant to cost less than new and delete.",
+            .measured =
+                "both together take " + Cell(100 * pooled / plain, 0).to_text() + " % of the time with new and delete.",
+            .agrees = pooled < plain};
+}
+
 }  // namespace
 
 ThesisResult measure_uniform_refinement(const ThesisOptions& options) {
-    const std::vector<int> quads = options.is_quick ? std::vector<int>{4, 8} : std::vector<int>{4, 8, 16, 32};
+    const std::vector<int> quads{4, 8, 16, 32};
     ThesisResult result;
     std::vector<SquareRun> runs;
     for (std::size_t i = 0; i < quads.size(); ++i) {
         runs.push_back(run_square(quads[i], options.is_quick ? 1 : (quads[i] < 16 ? 41 : 11)));
-        result.tables.push_back(table_of("3." + std::to_string(7 + i), runs.back()));
+        const std::string name = "3." + std::to_string(7 + i);
+        result.tables.push_back(table_of(name, runs.back()));
+        result.trends.push_back(table_trend(name, runs.back()));
     }
-    result.figures = {figure_of("3.21", "Uniform refinement from level 0 to 3", runs, &SquareRun::refining),
-                      figure_of("3.22", "Uniform coarsening from level 3 to 0", runs, &SquareRun::coarsening)};
-    return result;
-}
-
-// Figure 3.9: the four ways to choose between two diagonals, as a table.
-
-namespace {
-
-struct TieBreaker {
-    const char* name;
-    DiagonalChoice choice;
-};
-
-constexpr std::array<TieBreaker, 4> kTieBreakers{{{"least work", DiagonalChoice::MinimalChange},
-                                                  {"length", DiagonalChoice::Length},
-                                                  {"rest length", DiagonalChoice::RestLength},
-                                                  {"curvature", DiagonalChoice::Curvature}}};
-
-std::uint64_t total(const sim::TransitionCounts& counts) {
-    std::uint64_t sum = 0;
-    for (const auto& row : counts.by_configuration)
-        for (const std::uint64_t n : row) sum += n;
-    return sum;
-}
-
-void add_row(Table& table, ThesisDropObject object, const TieBreaker& tie_breaker, const ThesisDropRun& run,
-             const ThesisDropRun& uniform) {
-    double triangles = 0, adaptation = 0, steps = 0;
-    for (const ThesisDropFrame& frame : run.frames) {
-        triangles += static_cast<double>(frame.triangles);
-        adaptation += frame.adaptation;
-        steps += frame.steps;
-    }
-    const auto n = static_cast<double>(run.frames.size());
-    table.add_row({name_of(object), tie_breaker.name, Cell(triangles / n, 0), total(run.transitions),
-                   Cell(adaptation / n, 4), Cell((adaptation + steps) / n, 3),
-                   Cell(1e3 * mean_distance(run, uniform), 1)});
-}
-
-}  // namespace
-
-ThesisResult measure_tie_breakers(const ThesisOptions& options) {
-    Figure figure;
-    figure.is_plotted = false;
-    figure.series = {.name = "3.9",
-                     .title = "What decides between two diagonals where either would do",
-                     .note =
-                         "Drops with the criteria A and B, as in table 3.14. Least work is the default; the thesis "
-                         "judged the others no better. Distance: of the last drape from the uniform run's.",
-                     .columns = {"object", "tie-breaker", "triangles, mean", "transitions", "adaptation, ms",
-                                 "frame, ms", "distance, mm"}};
-    const int runs = options.is_quick ? 1 : 3;
-    for (const ThesisDropObject object : {ThesisDropObject::Cylinder, ThesisDropObject::Sphere}) {
-        ThesisDropOptions drop{.object = object, .seconds = options.is_quick ? 0.3 : 3.0};
-        drop.uniform_level = options.is_quick ? 1 : 3;
-        const ThesisDropRun uniform = run_thesis_drop(drop);
-        drop.uniform_level.reset();
-        drop.criteria = {.collision = true, .curvature = true, .length = false};
-        for (const TieBreaker& tie_breaker : kTieBreakers) {
-            drop.diagonal = tie_breaker.choice;
-            add_row(figure.series, object, tie_breaker, run_thesis_drop_repeatedly(drop, runs), uniform);
-        }
-    }
-    ThesisResult result;
-    result.figures = {figure};
+    result.figures = {figure_of("3.21", "The cost of uniform refinement by one level", runs, &SquareRun::refining),
+                      figure_of("3.22", "The cost of uniform coarsening by one level", runs, &SquareRun::coarsening)};
+    result.trends.push_back(pool_trend("F3.21", runs, &SquareRun::refining));
+    result.trends.push_back(pool_trend("F3.22", runs, &SquareRun::coarsening));
     return result;
 }
 

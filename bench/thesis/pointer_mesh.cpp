@@ -157,5 +157,6 @@ void PointerMesh<Store>::clear(PointerTriangle* parent) {
 
 template class PointerMesh<NewDelete>;
 template class PointerMesh<Pools>;
+template class PointerMesh<ListPools>;
 
 }  // namespace selvedge::bench

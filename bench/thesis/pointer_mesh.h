@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <new>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "sim/core/math.h"
@@ -16,17 +18,19 @@ namespace selvedge::bench {
 
 struct PointerTriangle;
 
-struct PointerVertex {
-    std::array<PointerTriangle*, 20> triangles{};
+template <class Triangle>
+struct VertexOf {
+    std::array<Triangle*, 20> triangles{};
     int triangle_count = 0;
 
-    void add(PointerTriangle* t) { triangles[static_cast<std::size_t>(triangle_count++)] = t; }
-    void remove(PointerTriangle* t) {
+    void add(Triangle* t) { triangles[static_cast<std::size_t>(triangle_count++)] = t; }
+    void remove(Triangle* t) {
         auto* const end = triangles.begin() + triangle_count;
         *std::find(triangles.begin(), end, t) = *(end - 1);
         --triangle_count;
     }
 };
+using PointerVertex = VertexOf<PointerTriangle>;
 
 struct PointerEdge {
     std::array<PointerVertex*, 2> ends{};
@@ -58,8 +62,9 @@ class NewDelete {
     }
 };
 
-// Memory pools: blocks of elements, and a stack of free elements.
-class Pools {
+// Memory pools: blocks of elements, and a stack of pointers to the free ones.  (thesis 3.5.1, listing 3.11)
+template <class... Elements>
+class PoolsOf {
  public:
     template <class T>
     T* make() {
@@ -87,8 +92,58 @@ class Pools {
             for (std::size_t i = kBlock; i > 0; --i) free.push_back(&blocks.back()[i - 1]);
         }
     };
-    std::tuple<Pool<PointerVertex>, Pool<PointerEdge>, Pool<PointerTriangle>> pools_;
+    std::tuple<Pool<Elements>...> pools_;
 };
+
+// List-based memory pools: the free elements form a linked list that runs through their own memory, so that no list of
+// pointers is kept beside them. This is our reading of thesis 3.5.2, of which only the title is known to us.
+template <class... Elements>
+class ListPoolsOf {
+ public:
+    template <class T>
+    T* make() {
+        Pool<T>& pool = std::get<Pool<T>>(pools_);
+        if (pool.first == nullptr) pool.grow();
+        Slot<T>* const slot = pool.first;
+        pool.first = slot->next;
+        return ::new (static_cast<void*>(&slot->element)) T{};
+    }
+    template <class T>
+    void drop(T* element) {
+        Pool<T>& pool = std::get<Pool<T>>(pools_);
+        auto* const slot = reinterpret_cast<Slot<T>*>(element);
+        slot->next = pool.first;
+        pool.first = slot;
+    }
+
+ private:
+    template <class T>
+    union Slot {
+        static_assert(std::is_trivially_destructible_v<T>);
+        Slot() : next(nullptr) {}
+        ~Slot() {}
+        Slot* next;
+        T element;
+    };
+    template <class T>
+    struct Pool {
+        static constexpr std::size_t kBlock = 1024;
+        std::vector<std::unique_ptr<Slot<T>[]>> blocks;
+        Slot<T>* first = nullptr;
+
+        void grow() {
+            blocks.push_back(std::make_unique<Slot<T>[]>(kBlock));
+            for (std::size_t i = kBlock; i > 0; --i) {
+                blocks.back()[i - 1].next = first;
+                first = &blocks.back()[i - 1];
+            }
+        }
+    };
+    std::tuple<Pool<Elements>...> pools_;
+};
+
+using Pools = PoolsOf<PointerVertex, PointerEdge, PointerTriangle>;
+using ListPools = ListPoolsOf<PointerVertex, PointerEdge, PointerTriangle>;
 
 template <class Store>
 class PointerMesh {
@@ -106,6 +161,8 @@ class PointerMesh {
     std::size_t vertex_count() const { return vertex_count_; }
     std::size_t edge_count() const;
     std::size_t triangle_count() const;
+
+    const std::vector<PointerEdge*>& finest_edges() const { return levels_.back().edges; }
 
  private:
     struct Level {
@@ -126,5 +183,6 @@ class PointerMesh {
 
 extern template class PointerMesh<NewDelete>;
 extern template class PointerMesh<Pools>;
+extern template class PointerMesh<ListPools>;
 
 }  // namespace selvedge::bench

@@ -7,6 +7,8 @@
 
 #include "bench/support/cloth_run.h"
 #include "bench/support/table.h"
+#include "bench/thesis/base_mesh.h"
+#include "bench/thesis/labels.h"
 #include "bench/thesis/thesis.h"
 #include "sim/adaptive/criteria.h"
 #include "sim/cloth/adapt_cloth.h"
@@ -118,11 +120,14 @@ SurfaceStatistics run_surface(SurfaceExperiment experiment, const SurfaceRow& ro
         run.frame(statistics);
         if (i % interval != 0) continue;
         const sim::DrawMesh mesh = mesh_of(run.surface(), run.surface().light_normals);
-        statistics.drawing_ms += clock_ms([&] {
-            statistics.picture = draw_surface(renderer, mesh, experiment, render::ShowMode::Edges, options.side_px);
-        });
+        statistics.drawing_ms +=
+            clock_ms([&] { keep(draw_surface(renderer, mesh, experiment, render::ShowMode::Edges, options.side_px)); });
         ++drawn;
     }
+    // At twice the size, not timed: edges that are closer than a few pixels would fade.
+    const sim::DrawMesh last = mesh_of(run.surface(), run.surface().light_normals);
+    statistics.triangles_in_picture = last.triangles.size();
+    statistics.picture = draw_surface(renderer, last, experiment, render::ShowMode::Edges, 2 * options.side_px);
     for (double* mean : {&statistics.triangles, &statistics.simulation_ms, &statistics.surface_ms})
         *mean /= static_cast<double>(frames);
     statistics.drawing_ms /= static_cast<double>(drawn);
@@ -155,7 +160,7 @@ render::Image draw_surface(render::Renderer& renderer, const sim::DrawMesh& mesh
                            render::ShowMode show, int side_px) {
     render::Scene scene;
     scene.cloths.push_back({.mesh = mesh, .sett = {}, .show = show});
-    scene.camera = surface_camera(experiment);
+    scene.camera = zoomed(surface_camera(experiment), 1.25F);
     scene.light = studio_light(scene.camera);
     scene.has_ground = false;
     return renderer.draw(scene, {.width_px = side_px, .height_px = side_px});
@@ -178,19 +183,13 @@ sim::Pattern rectangle(double width, double height) {
     return pattern;
 }
 
-// Tries edge lengths and returns the mesh whose number of triangles is nearest to `triangles`.
+// With about `triangles` triangles; a flag of these proportions has 248 at best, not 250.
 sim::GarmentMesh rectangle_of(double width, double height, int triangles) {
-    const sim::Pattern pattern = rectangle(width, height);
-    const double mean = std::sqrt(width * height / triangles * 2.3094);  // m, edge length of equilateral triangles
-    sim::GarmentMesh nearest;
-    const auto off = [&](const sim::GarmentMesh& mesh) {
-        return std::abs(static_cast<int>(mesh.triangles.size()) - triangles);
-    };
-    for (double share = 1.25; share > 0.75; share -= 0.01) {
-        sim::GarmentMesh mesh = assemble(pattern, {.target_edge = share * mean});
-        if (off(mesh) < off(nearest)) nearest = std::move(mesh);
-    }
-    return nearest;
+    constexpr double kUsual = 0.965;  // of the equilateral edge length: gives the square 250 triangles at once
+    constexpr int kTolerance = 2;
+    sim::Pattern pattern = rectangle(width, height);
+    pattern.edge_length = kUsual * std::sqrt(width * height / triangles * 2.3094);  // m
+    return assemble(pattern, {.target_edge = edge_length_for(pattern, triangles, kTolerance)});
 }
 
 // A square pinned at its upper corners, which are moved closer together. The cloth between them bulges forward, so that
@@ -255,16 +254,18 @@ void run_for(SurfaceScene& scene, double seconds) {
     for (long i = 0; i < frames; ++i) run_frame(scene);
 }
 
-// Tables 6.2 and 6.3: coarse cloth drawn as a curved surface, with pictures. 6.2-distance: the distance of the curved
-// surface from cloth simulated on a fine mesh. Figures 6.4 and 6.5: the effect of modifiers on a curve. Figure 6.6:
-// lighting with interpolated and with recomputed normals.
+// Tables 6.2 and 6.3: coarse cloth drawn as a curved surface, with pictures (figures 6.8 and 6.9). 6.2-distance: the
+// distance of the curved surface from cloth simulated on a fine mesh. Figure 6.6: lighting with interpolated and with
+// recomputed normals.
 
 namespace {
 
 constexpr const char* kNote =
     "One thread. Means over the frames of 1/30 s: ms of four steps of the coarse cloth, of adapting and moving the "
     "surface, and, by the clock, of a picture (640x640, software renderer, all its threads). Jump: the farthest that "
-    "a vertex moves in a frame because levels change. Last row: the cloth itself simulated at level 3.";
+    "a vertex moves in a frame because levels change. Constant modifier. The viewer of coarse back faces walks round "
+    "the "
+    "cloth. Last row: the cloth itself simulated at level 3.";
 
 std::string letter(SurfaceExperiment experiment) {
     return experiment == SurfaceExperiment::Flag ? "B, a flag in the wind" : "A, a square pinned at two corners";
@@ -273,6 +274,7 @@ std::string letter(SurfaceExperiment experiment) {
 struct Shown {
     Table table;
     Capture sheet;
+    Trend trend;
 };
 
 SurfaceRunOptions run_options(SurfaceExperiment experiment, const ThesisOptions& options) {
@@ -292,7 +294,26 @@ std::vector<Cell> fine_row(SurfaceExperiment experiment, double seconds) {
             {}};
 }
 
-Shown show(const std::string& name, SurfaceExperiment experiment, const ThesisOptions& options) {
+// Whether each finer level costs more surface and drawing, and the adaptive surface less than level 3.
+Trend trend_of(const std::string& name, const std::vector<SurfaceStatistics>& rows) {
+    const SurfaceStatistics &level3 = rows[3], &adaptive = rows[4], &level0 = rows[0];
+    const auto surface = [](const SurfaceStatistics& row) { return row.surface_ms + row.drawing_ms; };
+    const double share = adaptive.triangles / level3.triangles;
+    const double cost = surface(adaptive) / surface(level3);
+    return {.item = "T" + name,
+            .reported =
+                "the adaptive surface draws fewer triangles than level 3, and costs less; the simulation stays "
+                "that of the coarse mesh.",
+            .measured = "the adaptive surface draws " + Cell(100 * share, 0).to_text() + " % of level 3's triangles (" +
+                        Cell(adaptive.triangles, 0).to_text() + " of " + Cell(level3.triangles, 0).to_text() +
+                        "), surface and drawing take " + Cell(100 * cost, 0).to_text() +
+                        " % of its time, and the simulation " + Cell(adaptive.simulation_ms, 2).to_text() + " ms (" +
+                        Cell(level0.simulation_ms, 2).to_text() + " ms at level 0).",
+            .agrees = share < 1 && cost < 1};
+}
+
+Shown show(const std::string& name, const std::string& figure, SurfaceExperiment experiment,
+           const ThesisOptions& options) {
     const sim::ThreadLimit one(1);
     const SurfaceRunOptions running = run_options(experiment, options);
     Shown shown{.table = {.name = name,
@@ -300,19 +321,24 @@ Shown show(const std::string& name, SurfaceExperiment experiment, const ThesisOp
                           .note = kNote,
                           .columns = {"surface", "drawn triangles", "simulation, ms", "surface, ms", "ns per triangle",
                                       "drawing, ms", "largest jump, mm"}},
-                .sheet = {name, "sheet", {}}};
+                .sheet = {figure, "sheet", {}},
+                .trend = {}};
     render::Renderer renderer;
-    std::vector<render::Image> pictures;
+    std::vector<Tile> tiles;
+    std::vector<SurfaceStatistics> rows;
     for (const SurfaceRow& row : surface_rows()) {
-        const SurfaceStatistics statistics = run_surface(experiment, row, running, renderer);
-        pictures.push_back(statistics.picture);
+        const SurfaceStatistics& statistics = rows.emplace_back(run_surface(experiment, row, running, renderer));
+        tiles.push_back({row.name + (row.coarsens_back_faces ? ", from behind: " : ": ") +
+                             std::to_string(statistics.triangles_in_picture),
+                         statistics.picture});
         shown.table.add_row(
             {row.name, Cell(statistics.triangles, 0), Cell(statistics.simulation_ms, 3), Cell(statistics.surface_ms, 3),
              Cell(1e6 * statistics.surface_ms / statistics.triangles, 1), Cell(statistics.drawing_ms, 1),
              row.level ? Cell() : Cell(1e3 * statistics.largest_jump_m, 3)});
     }
     shown.table.add_row(fine_row(experiment, running.seconds));
-    shown.sheet.image = contact_sheet(pictures, 3);
+    shown.sheet.image = labelled_sheet(tiles, 3);
+    shown.trend = trend_of(name, rows);
     return shown;
 }
 
@@ -357,65 +383,6 @@ Table distances(const ThesisOptions& options) {
     return table;
 }
 
-// An edge of length 1 whose end normals are tilted outward by 30 degrees. r: rest length.
-render::CurveEnds arch(float r) {
-    const float s = 0.5F, c = std::sqrt(0.75F);
-    return {.a = Vec4f::Zero(),
-            .b = Vec4f::UnitX(),
-            .normal_a = Vec4f(-s, c, 0, 0),
-            .normal_b = Vec4f(s, c, 0, 0),
-            .rest_length = r};
-}
-
-float multiplier(render::SurfaceKind kind, float r) {
-    if (kind != render::SurfaceKind::Restore) return modified(curve_modifier(kind), r);
-    const render::CurveEnds ends = arch(r);
-    return render::restoring(r, render::arc_over_chord(ends.b, ends.normal_a * 0.5F, ends.normal_b * 0.5F));
-}
-
-std::vector<std::string> with_kinds(const std::string& first) {
-    std::vector<std::string> columns{first};
-    for (int i = 0; i < render::kSurfaceKinds; ++i) columns.emplace_back(name(static_cast<render::SurfaceKind>(i)));
-    return columns;
-}
-
-Figure modifiers() {
-    Figure figure{.series = {.name = "6.4",
-                             .title = "The curve modifier M by rest length over length",
-                             .note = "Restore: of an arch of 30 degrees.",
-                             .columns = with_kinds("r")},
-                  .y_label = "M"};
-    for (int i = 0; i <= 80; ++i) {
-        const float r = 0.8F + 0.01F * static_cast<float>(i);
-        std::vector<Cell> row{Cell(double(r), 2)};
-        for (int k = 0; k < render::kSurfaceKinds; ++k)
-            row.emplace_back(double(multiplier(static_cast<render::SurfaceKind>(k), r)), 4);
-        figure.series.add_row(row);
-    }
-    return figure;
-}
-
-Figure curves() {
-    Figure figure{.series = {.name = "6.5",
-                             .title = "The curve of an edge a fifth shorter than its material, by modifier",
-                             .note = "An edge of length 1 whose end normals lean out by 30 degrees.",
-                             .columns = with_kinds("x")},
-                  .y_label = "height"};
-    const render::CurveWeights weights(5);
-    for (std::size_t i = 0; i <= weights.steps(); ++i) {
-        std::vector<Cell> row;
-        for (int k = 0; k < render::kSurfaceKinds; ++k) {
-            const render::EdgeCurve curve =
-                make_edge_curve(arch(1.25F), curve_modifier(static_cast<render::SurfaceKind>(k)));
-            const Vec4f point = weights.point(curve, i);
-            if (row.empty()) row.emplace_back(static_cast<double>(i) / static_cast<double>(weights.steps()), 4);
-            row.emplace_back(double(point.y()), 4);
-        }
-        figure.series.add_row(row);
-    }
-    return figure;
-}
-
 Capture lighting(const ThesisOptions& options) {
     SurfaceScene scene = make_surface_scene(SurfaceExperiment::PinnedSquare);
     run_for(scene, options.is_quick ? 0.1 : 3);
@@ -424,36 +391,35 @@ Capture lighting(const ThesisOptions& options) {
     set_surface_level(surface, 3);
     update_surface(surface, scene.cloth.x, surface_normals(scene.cloth));
     render::Renderer renderer;
-    std::vector<render::Image> pair;
-    for (const auto* normals : {&surface.normals, &surface.light_normals})
-        pair.push_back(draw_surface(renderer, mesh_of(surface, *normals), scene.experiment, render::ShowMode::Plain,
-                                    options.is_quick ? 96 : 640));
-    return {"6.6", "interpolated-recomputed", contact_sheet(pair, 2)};
+    const auto drawn = [&](const std::vector<Vec4f>& normals) {
+        return draw_surface(renderer, mesh_of(surface, normals), scene.experiment, render::ShowMode::Plain,
+                            options.is_quick ? 96 : 640);
+    };
+    return {"6.6", "interpolated-recomputed",
+            labelled_sheet({{"interpolated normals", drawn(surface.normals)},
+                            {"recomputed normals", drawn(surface.light_normals)}},
+                           2)};
 }
 
 }  // namespace
 
 ThesisResult measure_curved_surface(const ThesisOptions& options) {
     ThesisResult result;
-    for (const auto& [name, experiment] :
-         {std::pair{"6.2", SurfaceExperiment::PinnedSquare}, std::pair{"6.3", SurfaceExperiment::Flag}}) {
-        Shown shown = show(name, experiment, options);
+    for (Shown shown : {show("6.2", "6.8", SurfaceExperiment::PinnedSquare, options),
+                        show("6.3", "6.9", SurfaceExperiment::Flag, options)}) {
         result.tables.push_back(std::move(shown.table));
         result.captures.push_back(std::move(shown.sheet));
+        result.trends.push_back(std::move(shown.trend));
     }
     return result;
 }
 
 ThesisResult measure_surface_distance(const ThesisOptions& options) {
-    return {.tables = {distances(options)}, .figures = {}, .captures = {}};
-}
-
-ThesisResult measure_curve_modifiers(const ThesisOptions&) {
-    return {.tables = {}, .figures = {modifiers(), curves()}, .captures = {}};
+    return {.tables = {distances(options)}};
 }
 
 ThesisResult measure_surface_lighting(const ThesisOptions& options) {
-    return {.tables = {}, .figures = {}, .captures = {lighting(options)}};
+    return {.captures = {lighting(options)}};
 }
 
 }  // namespace selvedge::bench

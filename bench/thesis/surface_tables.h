@@ -55,6 +55,7 @@ struct SurfaceStatistics {
     double drawing_ms = 0;      // wall-clock time
     double largest_jump_m = 0;  // greatest displacement of a vertex in one frame by a change of level
     render::Image picture;      // of the last frame
+    std::size_t triangles_in_picture = 0;
 };
 
 struct SurfaceRunOptions {

@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "bench/support/cloth_run.h"
 #include "bench/support/measured_mesh.h"
-#include "render/draw/cloth_vertices.h"
+#include "bench/thesis/provot_cloth.h"
 #include "render/marks/show.h"
 #include "sim/adaptive/criteria.h"
+#include "sim/cloth/standoff.h"
 #include "sim/cloth/step.h"
 #include "sim/collide/collider.h"
+#include "sim/core/parallel.h"
+#include "sim/dress/drape.h"
 #include "sim/dress/report.h"
 
 namespace selvedge::bench {
@@ -23,21 +27,26 @@ constexpr double kSide = 1.0;              // m, of the cloth
 constexpr double kBeside = 0.15;           // m, start distance from the centre of a cloth that falls off
 constexpr float kSlipperyFriction = 0.2F;  // times the fabric's friction, so that the cloth does fall off
 constexpr float kNoFloor = -1000.0F;       // m
-constexpr sim::LengthOptions kCompression{.split_compression = 0.01F,
-                                          .rejoin_compression = 0.004F};  // these drops compress less than garments
+constexpr float kNoSamples = 10;           // m, longer than any edge
+constexpr int kProvotSubsteps = 4;         // of a step of the mass-spring cloth
+constexpr int kDeepest = 3;
 
 sim::Cloth make_drop_cloth(const ThesisDropOptions& options) {
     sim::GarmentMesh base =
         make_square({.columns = 4, .rows = 4, .width = kSide, .depth = kSide, .height = kDropRadius + 0.1});
     for (Vec3d& x : base.x) x += Vec3d(0, 0, options.shift + (options.falls_off ? kBeside : 0.0));
-    return make_cloth(base, {sim::find_fabric("cotton_shirting")});
+    return make_cloth(base, {sim::find_fabric("cotton_shirting")}, {.max_level = kDeepest});
 }
 
+// The settings of a drape for cloth that falls on a body (DrapeRun).
 struct ThesisDropScene {
     sim::Cloth cloth;
     std::unique_ptr<sim::Collider> object;
     sim::StepOptions stepping{};
     sim::AdaptClothOptions adapting{};
+    sim::StandoffOptions standoffs{};
+    std::optional<ProvotOptions> provot{};  // of the mass-spring cloth
+    sim::StepTimes times{};
     ThesisDropRun run{};
 };
 
@@ -46,22 +55,47 @@ sim::MinimumLevelDisc everywhere(int level) {
     return {.panel = 0, .centre = Vec2f::Zero(), .radius = 10.0F * static_cast<float>(kSide), .level = level};
 }
 
+void refine_uniformly(ThesisDropScene& scene, int level) {
+    const sim::MinimumLevelDisc disc = everywhere(level);
+    adapt_cloth(scene.cloth, *scene.object,
+                {.criteria = {.collision = false, .curvature = false, .length = false},
+                 .minimum_levels = {&disc, 1},
+                 .shortest_edge = 0},
+                scene.stepping.contact);
+}
+
+// The mass-spring cloth keeps the whole contact offset at its vertices and has no standoffs.
+void make_mass_spring(ThesisDropScene& scene) {
+    const sim::Fabric& fabric = scene.cloth.material.fabrics.front();
+    sim::set_substep(scene.cloth, step_seconds(scene.cloth, scene.stepping) / kProvotSubsteps);
+    const double bending = (fabric.bending_warp + fabric.bending_weft) / 2;
+    const float finest = static_cast<float>(kSide) / (4 << kDeepest);  // m
+    scene.stepping.contact.offset = sim::ContactOptions{}.offset;
+    scene.provot = {.substeps = kProvotSubsteps,
+                    .spring = stable_spring(static_cast<float>(fabric.area_density), finest, scene.cloth.substep),
+                    .bending = static_cast<float>(bending),
+                    .damping = static_cast<float>(fabric.damping),
+                    .friction = static_cast<float>(fabric.friction) * scene.stepping.contact.friction_scale,
+                    .offset = scene.stepping.contact.offset};
+}
+
 ThesisDropScene make_scene(const ThesisDropOptions& options) {
     ThesisDropScene scene{.cloth = make_drop_cloth(options), .object = make_drop_object(options.object)};
+    const sim::DrapeOptions drape;
+    scene.stepping.contact = drape.contact;
+    scene.stepping.contact.offset = std::min(drape.rest_offset, drape.contact.offset);
     scene.stepping.contact.floor = kNoFloor;
     if (options.falls_off) scene.stepping.contact.friction_scale = kSlipperyFriction;
+    scene.standoffs = {.free = std::min(sim::kMaxStandoff, drape.contact.offset - scene.stepping.contact.offset),
+                       .lowering = drape.offset_speed * static_cast<float>(kFrameSeconds)};
+    if (options.cloth == DropCloth::VerticesOnly) scene.stepping.contact.sample_spacing = kNoSamples;
+    if (options.cloth == DropCloth::VerticesOnly) scene.stepping.contact.sampled_edge = kNoSamples;
+    scene.adapting = drape.adapt;
     scene.adapting.criteria = options.criteria;
-    scene.adapting.shortest_edge = 0;
-    scene.adapting.length = kCompression;
+    if (options.cloth == DropCloth::MassSpring) make_mass_spring(scene);
     refresh_contacts(scene.cloth, scene.stepping.contact);
-    if (options.uniform_level) {
-        const sim::MinimumLevelDisc disc = everywhere(*options.uniform_level);
-        adapt_cloth(scene.cloth, *scene.object,
-                    {.criteria = {.collision = false, .curvature = false, .length = false},
-                     .minimum_levels = {&disc, 1},
-                     .shortest_edge = 0},
-                    scene.stepping.contact);
-    }
+    if (options.uniform_level) refine_uniformly(scene, *options.uniform_level);
+    if (!scene.provot) free_standoffs(scene.cloth, scene.standoffs);
     return scene;
 }
 
@@ -76,30 +110,42 @@ void adapt_frame(ThesisDropScene& scene, const ThesisDropOptions& options) {
     }
 }
 
-void step_frame(sim::Cloth& cloth, const sim::Collider& object, const sim::StepOptions& stepping) {
-    for (int i = 0; i < kStepsPerFrame; ++i) step(cloth, object, stepping);
+void step_frame(ThesisDropScene& scene) {
+    scene.times = {};
+    if (!scene.provot) {
+        scene.times.collision = time_both([&] { update_standoffs(scene.cloth, *scene.object, scene.standoffs); }).wall;
+    }
+    scene.stepping.times = &scene.times;
+    for (int i = 0; i < kStepsPerFrame; ++i) {
+        if (scene.provot) {
+            provot_step(scene.cloth, *scene.object, *scene.provot, &scene.times);
+        } else {
+            step(scene.cloth, *scene.object, scene.stepping);
+        }
+    }
 }
 
-void draw_frame(const sim::Cloth& cloth) {
-    const sim::DrawMesh mesh = draw_mesh(cloth, {"cloth"});
-    keep(make_cloth_vertices(mesh, vertex_normals(mesh), std::vector<render::AmbientVisibility>(mesh.x.size())));
+// The least distance of a vertex from the object, m.
+double gap_of(const ThesisDropScene& scene) {
+    float least = 1000;
+    for (const sim::VertexId v : scene.cloth.mesh.leaf_vertices())
+        least = std::min(least, scene.object->contact(scene.cloth.x[v.value].head<3>()).distance);
+    return static_cast<double>(least);
 }
 
 ThesisDropFrame run_frame(ThesisDropScene& scene, const ThesisDropOptions& options) {
     ThesisDropFrame frame;
-    frame.adaptation = 1e3 * time_once([&] { adapt_frame(scene, options); });
+    frame.gap = gap_of(scene);
+    const Duration adaptation = time_both([&] { adapt_frame(scene, options); });
     frame.triangles = scene.cloth.mesh.leaf_triangles().size();
-    double free_steps = 0;
-    if (options.times_parts) {
-        sim::Cloth free = scene.cloth;
-        forget_contacts(free);
-        free_steps = 1e3 * time_once([&] { step_frame(free, sim::NoBody{}, scene.stepping); });
-    }
-    frame.steps = 1e3 * time_once([&] { step_frame(scene.cloth, *scene.object, scene.stepping); });
-    if (options.times_parts) {
-        frame.collision = std::max(0.0, frame.steps - free_steps);
-        frame.drawing = 1e3 * time_once([&] { draw_frame(scene.cloth); });
-    }
+    const Duration steps = time_both([&] { step_frame(scene); });
+    frame.wall = {.adaptation = 1e3 * adaptation.wall,
+                  .simulation = 1e3 * (steps.wall - scene.times.collision),
+                  .collision = 1e3 * scene.times.collision};
+    frame.update_cpu = 1e3 * (adaptation.cpu + steps.cpu);
+    if (options.painter != nullptr &&
+        scene.run.frames.size() % static_cast<std::size_t>(options.frames_per_picture) == 0)
+        frame.wall.rendering = 1e3 * time_both([&] { keep(options.painter->draw(scene.cloth, options.object)); }).wall;
     return frame;
 }
 
@@ -148,12 +194,14 @@ const char* name_of(ThesisDropObject object) {
 }
 
 ThesisDropRun run_thesis_drop(const ThesisDropOptions& options) {
+    const sim::ThreadLimit one_thread(1);
     ThesisDropScene scene = make_scene(options);
     scene.adapting.transitions = &scene.run.transitions;
     const int frames = static_cast<int>(std::lround(options.seconds / kFrameSeconds));
     for (int i = 0; i < frames; ++i) {
-        ThesisDropFrame& frame = scene.run.frames.emplace_back(run_frame(scene, options));
+        ThesisDropFrame frame = run_frame(scene, options);
         frame.time = (i + 1) * kFrameSeconds;
+        scene.run.frames.push_back(frame);
         if (options.watch) options.watch(scene.cloth, frame.time);
     }
     scene.run.grid = sample_grid(scene.cloth);
@@ -162,14 +210,15 @@ ThesisDropRun run_thesis_drop(const ThesisDropOptions& options) {
 
 ThesisDropRun run_thesis_drop_repeatedly(const ThesisDropOptions& options, int runs) {
     ThesisDropRun run = run_thesis_drop(options);
+    ThesisDropOptions unpainted = options;
+    unpainted.painter = nullptr;
     for (int i = 1; i < runs; ++i) {
-        const ThesisDropRun again = run_thesis_drop(options);
+        const ThesisDropRun again = run_thesis_drop(unpainted);
         for (std::size_t f = 0; f < run.frames.size(); ++f) {
-            ThesisDropFrame& least = run.frames[f];
-            least.adaptation = std::min(least.adaptation, again.frames[f].adaptation);
-            least.steps = std::min(least.steps, again.frames[f].steps);
-            least.collision = std::min(least.collision, again.frames[f].collision);
-            least.drawing = std::min(least.drawing, again.frames[f].drawing);
+            ThesisDropFrame &best = run.frames[f], other = again.frames[f];
+            best.update_cpu = other.update_cpu = std::min(best.update_cpu, other.update_cpu);
+            other.wall.rendering = best.wall.rendering;
+            if (other.wall.total_update() < best.wall.total_update()) best = other;
         }
     }
     return run;
@@ -179,6 +228,19 @@ double mean_distance(const ThesisDropRun& a, const ThesisDropRun& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.grid.size(); ++i) sum += static_cast<double>((a.grid[i] - b.grid[i]).norm());
     return sum / static_cast<double>(a.grid.size());
+}
+
+double mean_bend(const ThesisDropRun& run) {
+    constexpr int kInner = kGridSide - 2;
+    const double spacing = kSide / (kGridSide - 1);
+    const auto x = [&](int row, int column) { return run.grid[static_cast<std::size_t>(row * kGridSide + column)]; };
+    double sum = 0;
+    for (int row = 1; row <= kInner; ++row)
+        for (int column = 1; column <= kInner; ++column)
+            sum += static_cast<double>(
+                (x(row - 1, column) + x(row + 1, column) + x(row, column - 1) + x(row, column + 1) - 4 * x(row, column))
+                    .norm());
+    return sum / (kInner * kInner * spacing * spacing);
 }
 
 namespace {
@@ -206,7 +268,9 @@ render::BodyItem revolve(const std::vector<Vec2f>& profile, bool about_x) {
     return item;
 }
 
-render::BodyItem object_item(ThesisDropObject object) {
+}  // namespace
+
+render::BodyItem drop_object_item(ThesisDropObject object) {
     if (object == ThesisDropObject::Cylinder)
         return revolve({{-kDropHalfLength, 0.001F},
                         {-kDropHalfLength, 0.999F * kDropRadius},
@@ -223,13 +287,23 @@ render::BodyItem object_item(ThesisDropObject object) {
     return revolve(profile, false);
 }
 
+namespace {
+
+// llvmpipe reads this when a context is made.
+int with_one_drawing_thread(int side_px) {
+    ::setenv("LP_NUM_THREADS", "0", 0);
+    return side_px;
+}
+
 }  // namespace
+
+DropPainter::DropPainter(int side_px) : side_px_(with_one_drawing_thread(side_px)) {}
 
 render::Image DropPainter::draw(const sim::Cloth& cloth, ThesisDropObject object) {
     render::Scene scene;
     scene.cloths.push_back({.mesh = draw_mesh(cloth, {"cloth"}), .sett = {}, .show = render::ShowMode::Level});
-    scene.bodies.push_back(object_item(object));
-    scene.camera = {.eye = Vec3f(1.25F, 1.0F, 2.9F), .target = Vec3f(0, -0.08F, 0)};
+    scene.bodies.push_back(drop_object_item(object));
+    scene.camera = {.eye = Vec3f(1.45F, 1.0F, 3.3F), .target = Vec3f(0, -0.16F, 0)};
     scene.light = studio_light(scene.camera);
     scene.has_ground = false;
     render::Image image = renderer_.draw(scene, {.width_px = side_px_, .height_px = side_px_});

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/step.h"
@@ -29,11 +30,41 @@ class SplitPoints {
         std::ranges::sort(key);
         const auto [place, is_new] = known_.try_emplace(key, static_cast<int>(body_.x.size()));
         if (key[1][0] < 0) return key[2][0];  // a corner
-        if (is_new) body_.x.emplace_back(x / parts_);
+        if (!is_new) return place->second;
+        body_.x.emplace_back(x / parts_);
+        if (!body_.skin.empty()) body_.skin.push_back(mixed_skin(corners, weights));
+        if (!body_.bind.empty()) body_.bind.push_back(mixed_bind(corners, weights));
         return place->second;
     }
 
  private:
+    // The four largest of the mixed weights.
+    sim::SkinWeights mixed_skin(const std::array<int, 3>& corners, const std::array<int, 3>& weights) const {
+        std::map<std::uint16_t, float> mixed;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const sim::SkinWeights& skin = body_.skin[static_cast<std::size_t>(corners[k])];
+            for (std::size_t i = 0; i < 4; ++i)
+                mixed[skin.bones[i]] += static_cast<float>(weights[k]) * skin.weights[i];
+        }
+        std::vector<std::pair<float, std::uint16_t>> ordered;
+        for (const auto& [bone, weight] : mixed) ordered.emplace_back(-weight, bone);
+        std::ranges::sort(ordered);
+        sim::SkinWeights result;
+        float sum = 0;
+        for (std::size_t i = 0; i < std::min<std::size_t>(4, ordered.size()); ++i) sum -= ordered[i].first;
+        for (std::size_t i = 0; i < std::min<std::size_t>(4, ordered.size()); ++i) {
+            result.bones[i] = ordered[i].second;
+            result.weights[i] = -ordered[i].first / sum;
+        }
+        return result;
+    }
+
+    Vec3d mixed_bind(const std::array<int, 3>& corners, const std::array<int, 3>& weights) const {
+        Vec3d x = Vec3d::Zero();
+        for (std::size_t k = 0; k < 3; ++k) x += weights[k] * body_.bind[static_cast<std::size_t>(corners[k])];
+        return x / parts_;
+    }
+
     sim::Body& body_;
     int parts_;
     std::map<std::array<std::array<int, 2>, 3>, int> known_;
@@ -72,7 +103,9 @@ void refine_on(DressedCloth& dressed, const sim::BodyCollider& collider, int min
 sim::Body split_triangles(const sim::Body& body, int triangles) {
     const double ratio = triangles / static_cast<double>(body.triangles.size());
     const int parts = std::max(1, static_cast<int>(std::ceil(std::sqrt(ratio) - 1e-9)));
-    sim::Body split{.name = body.name, .x = body.x, .triangles = {}, .bones = {}, .skin = {}};
+    sim::Body split = body;
+    split.triangles.clear();
+    split.made_from.clear();
     SplitPoints points(split, parts);
     for (const auto& corners : body.triangles) split_triangle(corners, parts, points, split.triangles);
     return split;

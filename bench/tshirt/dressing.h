@@ -12,7 +12,7 @@
 namespace selvedge::bench {
 
 // Divides each triangle into n^2 coplanar triangles, with the smallest n that gives `triangles` or more. The shape does
-// not change. The result has no bones and no skin weights.
+// not change; new vertices take part in the skin by the mean of their corners.
 sim::Body split_triangles(const sim::Body& body, int triangles);
 
 struct DressingOptions {

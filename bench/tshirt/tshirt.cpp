@@ -181,16 +181,16 @@ sim::Json to_json(const TshirtReport& report) {
     return json;
 }
 
-namespace {
-
-constexpr int kSteps = 4;  // of 1/120 s, per adaptation
-
 Vec3f leaning_gravity(double seconds) {
     const double lean = 5 * std::numbers::pi / 180;
     const double turn = 2 * std::numbers::pi * seconds;
     return (9.81 * Vec3d(std::sin(lean) * std::cos(turn), -std::cos(lean), std::sin(lean) * std::sin(turn)))
         .cast<float>();
 }
+
+namespace {
+
+constexpr int kSteps = 4;  // of 1/120 s, per adaptation
 
 // Runs cycles and accumulates their times and statistics.
 class Cycles {
@@ -201,19 +201,19 @@ class Cycles {
     void run(int cycle, bool is_measured) {
         seconds_ = cycle * kSteps / 120.0;
         const std::size_t allocated = allocations();
-        const double start = thread_seconds();
+        const double start = thread_seconds(), wall_start = wall_seconds();
         const sim::AdaptReport adapted = adapt_cloth(cloth_, body_, {.shortest_edge = options_.shortest_edge});
         const double adapted_at = thread_seconds();
         const std::size_t allocated_by_adaptation = allocations() - allocated;
-        const bool compares = cycle % options_.shares_every == 0;
-        const double without = compares ? steps_without_body() : 0;
         const std::size_t before_steps = allocations();
-        const double with = four_steps(cloth_, body_);
+        sim::StepTimes times;
+        const bool times_parts = cycle % options_.shares_every == 0;
+        const double steps = four_steps(times_parts ? &times : nullptr);
+        const double whole_wall = wall_seconds() - wall_start;
         if (!is_measured) return;
         const std::size_t allocated_by_steps = allocations() - before_steps;
-        if (compares) shares_.push_back((with - without) / (with + adapted_at - start));
-        if (compares) return;  // the steps without a body have warmed the caches for these
-        add(adapted_at - start, with, adapted.splits + adapted.rejoins);
+        if (times_parts) shares_.push_back(times.collision / whole_wall);
+        add(adapted_at - start, steps, adapted.splits + adapted.rejoins);
         adaptation_allocations_ += allocated_by_adaptation;
         step_allocations_ += allocated_by_steps;
     }
@@ -241,19 +241,16 @@ class Cycles {
  private:
     std::size_t allocations() const { return options_.allocations == nullptr ? 0 : options_.allocations(); }
 
-    double four_steps(sim::Cloth& cloth, const sim::Collider& body) const {
+    double four_steps(sim::StepTimes* times) const {
         const double start = thread_seconds();
         for (int i = 0; i < kSteps; ++i) {
-            step(cloth, body,
-                 {.substeps = options_.substeps, .gravity = leaning_gravity(seconds_ + i / 120.0), .extra_damping = 2});
+            step(cloth_, body_,
+                 {.substeps = options_.substeps,
+                  .gravity = leaning_gravity(seconds_ + i / 120.0),
+                  .extra_damping = 2,
+                  .times = times});
         }
         return thread_seconds() - start;
-    }
-
-    // Runs on a copy, so that the cloth itself is not affected. CPU time, s.
-    double steps_without_body() const {
-        sim::Cloth copy = cloth_;
-        return four_steps(copy, sim::NoBody());
     }
 
     void add(double adaptation, double steps, int changes) {
