@@ -14,6 +14,7 @@
 
 #include "app/commands.h"
 #include "app/film.h"
+#include "app/garment_options.h"
 #include "app/options.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
@@ -34,16 +35,9 @@ namespace {
 
 using Path = std::filesystem::path;
 
-constexpr int kFinestLevel = 8;  // with --shortest-edge 0.1: 1 mm
-
 struct DressArguments {
-    Path garment;
-    std::vector<Path> over;  // garments that are worn over it, from the inside out
+    GarmentOptions garment;
     BodyOptions body;
-    std::string fabric;
-    sim::DressOptions dress;
-    std::optional<int> threads;  // none: one per CPU core
-    bool is_quiet = false;
 
     PictureOptions picture;
     TurntableOptions turntable;
@@ -53,43 +47,6 @@ struct DressArguments {
     bool exports_surface = false;  // exports the curved surface instead of the simulated triangles
     std::vector<Path> body_files;
 };
-
-template <class T>
-struct Limits {
-    T least;
-    T most;
-};
-
-template <class T>
-CLI::Option* add_number(CLI::App& command, const std::string& name, Limits<T> limits, const std::string& help,
-                        const std::function<void(T)>& take) {
-    const auto check_and_take = [=](const T& value) {
-        const bool is_within = value >= limits.least && value <= limits.most;  // false for NaN
-        if (!is_within) {
-            throw sim::InputError(
-                "", name,
-                "must be from " + CLI::detail::to_string(limits.least) + " to " + CLI::detail::to_string(limits.most));
-        }
-        take(value);
-    };
-    return command.add_option_function<T>(name, check_and_take, help);
-}
-
-sim::CriteriaOptions parse_criteria(const std::string& text) {
-    sim::CriteriaOptions criteria{.collision = false, .curvature = false, .length = false};
-    for (const std::string& name : CLI::detail::split(text, ',')) {
-        if (name == "collision") {
-            criteria.collision = true;
-        } else if (name == "curvature") {
-            criteria.curvature = true;
-        } else if (name == "length") {
-            criteria.length = true;
-        } else {
-            throw sim::InputError("", "--criteria", "'" + name + "' is none of collision, curvature, length");
-        }
-    }
-    return criteria;
-}
 
 std::vector<Path> all_outputs(const DressArguments& arguments) {
     std::vector<Path> outputs = arguments.garment_files;
@@ -106,26 +63,11 @@ void check_outputs(const DressArguments& arguments) {
     check_turntable(arguments.turntable, arguments.picture);
     for (const Path& file : arguments.garment_files) check_output(file, sim::mesh_extensions());
     for (const Path& file : arguments.body_files) check_output(file, sim::mesh_extensions());
-    std::vector<Path> inputs{arguments.garment};
-    inputs.insert(inputs.end(), arguments.over.begin(), arguments.over.end());
-    if (arguments.body.is_file()) inputs.emplace_back(arguments.body.source);
-    check_distinct(all_outputs(arguments), inputs);
+    check_distinct(all_outputs(arguments), input_files(arguments.garment, arguments.body));
 }
 
 bool draws(const DressArguments& arguments) {
     return !arguments.picture_file.empty() || !arguments.turntable.file.empty();
-}
-
-// Takes values that the command line does not set from the pattern.
-void fill_in(DressArguments& arguments, const sim::Pattern& pattern) {
-    if (!arguments.fabric.empty()) arguments.dress.fabric = sim::find_fabric(arguments.fabric);
-    PictureOptions& picture = arguments.picture;
-    if (!picture.sett && !picture.sett_size) picture.sett_size = pattern.sett_size;
-    if (!picture.sett && !pattern.tartan.empty()) picture.sett = sim::find_tartan(pattern.tartan);
-    if (!picture.sett_position) picture.sett_position = pattern.sett_position;
-    if (arguments.body.source.empty())
-        arguments.body.source = pattern.body.empty() ? "mannequin:sex=female" : pattern.body;
-    if (arguments.body.is_file()) check_distinct(all_outputs(arguments), {arguments.body.source});
 }
 
 // The files that were written, and the failures.
@@ -165,16 +107,11 @@ Writing write_outputs(const DressArguments& arguments, const sim::DressedGarment
     }
     if (!arguments.turntable.file.empty()) {
         write(arguments.turntable.file, [&](const Path&) {
-            ProgressBar bar(progress_bar_options(arguments.is_quiet));
+            ProgressBar bar(progress_bar_options(arguments.garment.is_quiet));
             write_turntable(subject, arguments.picture, arguments.turntable, bar.progress());
         });
     }
     return writing;
-}
-
-std::string fault_text(std::string kind) {
-    std::replace(kind.begin(), kind.end(), '_', ' ');
-    return kind;
 }
 
 void print_summary(const sim::DressReport& report) {
@@ -200,97 +137,39 @@ void print_sett_note(const sim::Pattern& pattern, const PictureOptions& picture)
     }
 }
 
-void print_faults(const sim::DressReport& report) {
-    for (const sim::DressFault& fault : report.faults) {
-        if (class_of(fault) == sim::FaultClass::DoesNotFit) {
-            std::printf("does not fit: %s\n", fault.place.c_str());
-        } else {
-            std::printf("defect: %s: %s (%.4g)\n", fault_text(fault.kind).c_str(), fault.place.c_str(), fault.value);
-        }
-    }
-}
-
-// The garment with those over it.
-sim::Pattern load_garments(const DressArguments& arguments, std::vector<std::string>& notes) {
-    sim::Pattern pattern = sim::load_pattern(arguments.garment).pattern;
-    for (const Path& over : arguments.over) {
-        const sim::Pattern outer = moved_to_body_of(pattern, sim::load_pattern(over).pattern, notes);
-        std::ranges::move(put_over(pattern, outer), std::back_inserter(notes));
-        pattern.name += " + " + outer.name;
-    }
-    return pattern;
-}
-
 int run(DressArguments arguments) {
     check_outputs(arguments);
     std::vector<std::string> notes;
-    const sim::Pattern pattern = load_garments(arguments, notes);
-    fill_in(arguments, pattern);
+    const sim::Pattern pattern = load_garments(arguments.garment, notes);
+    fill_in(arguments.garment, arguments.body, arguments.picture, pattern);
+    check_distinct(all_outputs(arguments), input_files(arguments.garment, arguments.body));
     if (draws(arguments)) check_can_draw(arguments.picture);
 
     std::optional<sim::ThreadLimit> limit;
-    if (arguments.threads) limit.emplace(*arguments.threads);
+    if (arguments.garment.threads) limit.emplace(*arguments.garment.threads);
     const BodyWithNotes wearer = make_body(arguments.body);
-    ProgressBar bar(progress_bar_options(arguments.is_quiet));
-    sim::DressedGarment dressed = dress(pattern, wearer.body, arguments.dress, bar.progress());
+    ProgressBar bar(progress_bar_options(arguments.garment.is_quiet));
+    sim::DressedGarment dressed = dress(pattern, wearer.body, arguments.garment.dress, bar.progress());
     bar.finish();
     sim::DressReport& report = dressed.report;
     std::ranges::copy(wearer.notes, std::back_inserter(notes));
     report.notes.insert(report.notes.begin(), notes.begin(), notes.end());
 
-    arguments.picture.material =
-        render::material_of(sim::find_fabric(arguments.fabric.empty() ? pattern.fabric : arguments.fabric));
     const Writing writing = write_outputs(arguments, dressed, wearer.body);
-    if (!arguments.is_quiet) print_summary(report);
-    if (!arguments.is_quiet && draws(arguments)) print_sett_note(pattern, arguments.picture);
+    if (!arguments.garment.is_quiet) print_summary(report);
+    if (!arguments.garment.is_quiet && draws(arguments)) print_sett_note(pattern, arguments.picture);
     print_faults(report);
-    if (!arguments.is_quiet)
+    if (!arguments.garment.is_quiet)
         for (const std::string& file : writing.written) std::printf("wrote %s\n", file.c_str());
     for (const std::string& failure : writing.failures) std::fprintf(stderr, "selvedge: %s\n", failure.c_str());
     if (!report.faults.empty()) return 3;
     return writing.failures.empty() ? 0 : 2;
 }
 
-void add_garment_options(CLI::App& command, DressArguments& arguments) {
-    sim::DressOptions& dress = arguments.dress;
-    command.add_option("GARMENT", arguments.garment, "Garment file (patterns/FORMAT.md)")
-        ->required()
-        ->type_name("FILE");
-    command
-        .add_option("--over", arguments.over, "A garment that is worn over it; may be repeated, from the inside out")
-        ->type_name("FILE")
-        ->allow_extra_args(false);
-    command.add_option("--fabric", arguments.fabric, "A shipped fabric or a fabric file (default: the pattern's)")
-        ->type_name("NAME|FILE");
-    add_number<double>(command, "--edge-length", {0.5, 50},
-                       "Edge length of the base mesh in cm (default: the pattern's, or 5)",
-                       [&dress](double length_cm) { dress.edge_length = length_cm / 100; })
-        ->type_name("CM");
-    add_number<int>(command, "--max-level", {0, kFinestLevel}, "Times an edge may be halved (default 3)",
-                    [&dress](int level) { dress.max_level = level; })
-        ->type_name("N");
-    add_number<double>(command, "--shortest-edge", {0.1, 50},
-                       "Edges shorter than this, in cm, are not halved (default 2)",
-                       [&dress](double length_cm) { dress.shortest_edge = length_cm / 100; })
-        ->type_name("CM");
-    command.add_flag(
-        "--no-self-collision", [&dress](std::int64_t) { dress.self_collision = false; },
-        "Let the cloth pass through itself, which is faster");
-    command
-        .add_option_function<std::string>(
-            "--criteria", [&dress](const std::string& text) { dress.criteria = parse_criteria(text); },
-            "What asks for smaller triangles (default collision,curvature,length)")
-        ->type_name("NAMES");
-}
-
 void add_run_options(CLI::App& command, DressArguments& arguments) {
     add_number<double>(command, "--seconds", {0.01, 600}, "Longest simulated time of the drape (default 12)",
-                       [&arguments](double seconds) { arguments.dress.max_seconds = seconds; })
+                       [&arguments](double seconds) { arguments.garment.dress.max_seconds = seconds; })
         ->type_name("S");
-    add_number<int>(command, "--threads", {1, 1024}, "Threads to use (default: all there are); the result is the same",
-                    [&arguments](int threads) { arguments.threads = threads; })
-        ->type_name("N");
-    command.add_flag("-q,--quiet", arguments.is_quiet, "Show no progress, and print only faults");
 }
 
 void add_output_options(CLI::App& command, DressArguments& arguments) {
@@ -312,8 +191,9 @@ void add_output_options(CLI::App& command, DressArguments& arguments) {
 void add_dress_command(CLI::App& app, int& exit_code) {
     auto arguments = std::make_shared<DressArguments>();
     CLI::App* command = app.add_subcommand("dress", "Put a garment on a body");
-    add_garment_options(*command, *arguments);
+    add_garment_options(*command, arguments->garment);
     add_run_options(*command, *arguments);
+    add_thread_options(*command, arguments->garment);
     add_body_options(*command, arguments->body,
                      "Body that wears it: mannequin[:sex=female,bust=92,...] or a file (default: the pattern's, or "
                      "mannequin:sex=female)");

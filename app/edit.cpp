@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/commands.h"
+#include "app/edit.h"
 #include "app/edit_loop.h"
 #include "app/editor_services.h"
 #include "app/options.h"
@@ -55,10 +56,10 @@ std::filesystem::path state_of(const EditArguments& arguments) {
     return arguments.state.empty() ? state_folder() : std::filesystem::path(arguments.state);
 }
 
-void open_at_start(editor::Editor& editor, const EditArguments& arguments) {
-    if (arguments.file.empty()) return;
-    sim::PatternDocument source = sim::load_pattern(arguments.file);  // an invalid file ends the program
-    open_loaded(editor.state(), std::move(source), arguments.file);
+void open_at_start(editor::Editor& editor, const std::string& file) {
+    if (file.empty()) return;
+    sim::PatternDocument source = sim::load_pattern(file);  // an invalid file ends the program
+    open_loaded(editor.state(), std::move(source), file);
 }
 
 int run_window(const EditArguments& arguments) {
@@ -74,7 +75,7 @@ int run_window(const EditArguments& arguments) {
         {.fonts = read_fonts()});
     editor.set_clipboard(
         {[&] { return window.clipboard(); }, [&](const std::string& text) { window.set_clipboard(text); }});
-    open_at_start(editor, arguments);
+    open_at_start(editor, arguments.file);
     EditorSurface surface(editor);
     run_edit_loop(surface, window, {.frame_times = arguments.frame_times});
     return 0;
@@ -82,29 +83,39 @@ int run_window(const EditArguments& arguments) {
 
 int run_script(const EditArguments& arguments) {
     const Size size = parse_size(arguments.size);
-    const std::vector<editor::ScriptStep> steps = editor::parse_script(
-        arguments.script.empty() ? std::string() : sim::read_file(arguments.script, kLargestScript), arguments.script);
+    EditorScript script{.file = arguments.file,
+                        .name = arguments.script,
+                        .state = state_of(arguments),
+                        .width_px = size.width,
+                        .height_px = size.height,
+                        .scale = arguments.scale.value_or(1)};
+    if (!arguments.script.empty()) script.text = sim::read_file(arguments.script, kLargestScript);
     if (!arguments.screenshot.empty()) check_output(arguments.screenshot, kPictureExtensions);
-    OffscreenEditLoop loop({.width_px = size.width, .height_px = size.height, .scale = arguments.scale.value_or(1)});
-    const auto render_full_quality = [](const render::Scene&) -> render::Image {
-        throw sim::InputError("", "export", "a script takes pictures by 'screenshot'");
-    };
-    editor::Editor editor(
-        make_editor_services({.state = state_of(arguments), .render_full_quality = render_full_quality}),
-        {.drive = sim::SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true});
-    open_at_start(editor, arguments);
-    EditorSurface surface(editor);
-    const auto shoot = [&](const std::string& file) { write_png(file, loop.screenshot()); };
-    const auto step = [&](const std::vector<editor::InputEvent>& events) { loop.step(surface, events); };
-    const auto say = [](const std::string& text) { std::printf("%s\n", text.c_str()); };
-    editor::ScriptPlayer player(editor, {step, shoot, say}, arguments.script);
-    for (int i = 0; i < 3; ++i) loop.step(surface);
-    player.play(steps);
-    if (!arguments.screenshot.empty()) shoot(arguments.screenshot);
+    const render::Image last = play_script(script);
+    if (!arguments.screenshot.empty()) write_png(arguments.screenshot, last);
     return 0;
 }
 
 }  // namespace
+
+render::Image play_script(const EditorScript& script) {
+    const std::vector<editor::ScriptStep> steps = editor::parse_script(script.text, script.name);
+    OffscreenEditLoop loop({.width_px = script.width_px, .height_px = script.height_px, .scale = script.scale});
+    const auto render_full_quality = [](const render::Scene&) -> render::Image {
+        throw sim::InputError("", "export", "a script takes pictures by 'screenshot'");
+    };
+    editor::Editor editor(make_editor_services({.state = script.state, .render_full_quality = render_full_quality}),
+                          {.drive = sim::SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true});
+    open_at_start(editor, script.file);
+    EditorSurface surface(editor);
+    const auto shoot = [&](const std::string& file) { write_png(file, loop.screenshot()); };
+    const auto step = [&](const std::vector<editor::InputEvent>& events) { loop.step(surface, events); };
+    const auto say = [](const std::string& text) { std::printf("%s\n", text.c_str()); };
+    editor::ScriptPlayer player(editor, {step, shoot, say}, script.name);
+    for (int i = 0; i < 3; ++i) loop.step(surface);
+    player.play(steps);
+    return loop.screenshot();
+}
 
 void add_edit_command(CLI::App& app, int& exit_code) {
     auto arguments = std::make_shared<EditArguments>();

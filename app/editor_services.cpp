@@ -6,6 +6,7 @@
 #include "app/edit_loop.h"
 #include "render/image/image.h"
 #include "sim/body/load_body.h"
+#include "sim/body/motion_file.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
@@ -40,11 +41,11 @@ editor::FolderListing list_folder(const std::string& folder) {
 editor::CurrentBody make_body(const std::string& text) {
     if (!sim::is_body_file(text)) return editor::make_mannequin_body(text);
     sim::LoadBodyReport report;
-    editor::CurrentBody made{.text = text,
-                             .body = std::make_shared<const sim::Body>(sim::load_body(text, {}, &report)),
-                             .measures = {},
-                             .points = {}};
+    sim::BodyClips moving = sim::load_moving_body(text, {}, &report);
+    editor::CurrentBody made{
+        .text = text, .body = std::make_shared<const sim::Body>(std::move(moving.body)), .measures = {}, .points = {}};
     made.points = arrangement_points(*made.body);
+    made.clips = std::move(moving.clips);
     made.notes = std::move(report.notes);
     return made;
 }
@@ -106,6 +107,7 @@ editor::Services make_editor_services(const EditorServicesOptions& options) {
     services.exists = [](const std::string& file) { return fs::exists(file); };
     services.write_export = [options](const editor::ExportRequest& request) { write_export(request, options); };
     services.make_body = make_body;
+    services.find_motion = sim::find_motion;
     services.recent_files = [recent] { return recent->list(); };
     services.remember_file = [recent](const std::string& file) { recent->add(file); };
     services.examples = examples();

@@ -55,7 +55,11 @@ int spawn(pid_t& process, std::vector<std::string> arguments, int input, int com
     pointers.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
-    const int error = ::posix_spawnp(&process, pointers.front(), &files, nullptr, pointers.data(), environ);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    const int error = ::posix_spawnp(&process, pointers.front(), &files, &attributes, pointers.data(), environ);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
     return error;
 }
@@ -257,7 +261,7 @@ FilmKind film_kind(const fs::path& path) {
         "cannot write: a film's name should end in .mp4, .gif or, for a folder of frames, in / or .frames");
 }
 
-void check_film(const fs::path& path, const FilmFormat& format) {
+void check_film(const fs::path& path, const FilmFormat& format, const std::string& option) {
     const FilmKind kind = film_kind(path);
     if (kind == FilmKind::Frames) {
         check_folder(path);
@@ -270,7 +274,7 @@ void check_film(const fs::path& path, const FilmFormat& format) {
         throw sim::InputError("", "--size", "an .mp4 film has sides of even numbers of pixels");
     if (!has_program("ffmpeg")) {
         throw sim::InputError(
-            "", "--turntable",
+            "", option,
             "films are written by ffmpeg, which is missing: install the package ffmpeg, or name a folder "
             "for frames");
     }
@@ -383,7 +387,7 @@ void add_turntable_options(CLI::App& command, TurntableOptions& options) {
 
 void check_turntable(const TurntableOptions& options, const PictureOptions& picture) {
     if (options.file.empty()) return;
-    check_film(options.file, film_format(picture, options));
+    check_film(options.file, film_format(picture, options), "--turntable");
     if (picture.is_transparent && film_kind(options.file) != FilmKind::Frames)
         throw sim::InputError("", "--transparent", "films have no transparency: name a folder for frames");
 }

@@ -33,8 +33,8 @@ struct FilmFormat {
 FilmKind film_kind(const std::filesystem::path& path);
 
 // Throws InputError if the film cannot be written to the path, if the folder contains frames of a longer film, or if
-// ffmpeg is required and missing. Call it before long work.
-void check_film(const std::filesystem::path& path, const FilmFormat& format);
+// ffmpeg is required and missing; this names the option. Call it before long work.
+void check_film(const std::filesystem::path& path, const FilmFormat& format, const std::string& option);
 
 // Writes to a temporary file and replaces `path` when the film is complete; the destructor removes an incomplete film.
 // Frames are written directly, as frame_0001.png and so on.
@@ -66,6 +66,7 @@ bool has_program(const std::string& name);
 
 class PipedProcess {
  public:
+    // It runs in a process group of its own, so that an interrupt from the terminal leaves it to its owner.
     // arguments: the program's name first; it is searched in PATH. Its stdout is discarded.
     // Throws std::runtime_error if it cannot be started.
     explicit PipedProcess(const std::vector<std::string>& arguments);

@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
 
     int exit_code = 0;
     selvedge::app::add_dress_command(app, exit_code);
+    selvedge::app::add_animate_command(app, exit_code);
     selvedge::app::add_edit_command(app, exit_code);
     selvedge::app::add_check_command(app, exit_code);
     selvedge::app::add_mannequin_command(app, exit_code);

@@ -138,9 +138,32 @@ std::optional<int> parse_level(Text text) {
     return level;
 }
 
-render::SurfaceKind parse_kind(Text text) {
-    if (const auto kind = render::parse_surface_kind(text)) return *kind;
-    throw sim::InputError("", "--surface", "'" + text + "' is none of " + render::kSurfaceKindNames);
+constexpr double kMaxCoefficient = 100;  // of K0 to K3
+
+// A preset by name, or K0,K1,K2,K3.
+render::CurveModifier parse_modifier(Text text) {
+    if (const auto kind = render::parse_surface_kind(text)) return curve_modifier(*kind);
+    const auto numbers = parse_numbers(text);
+    if (!numbers || numbers->size() != 4) {
+        throw sim::InputError(
+            "", "--surface",
+            "'" + text + "' is none of " + render::kSurfaceKindNames + ", nor four numbers K0,K1,K2,K3");
+    }
+    render::CurveModifier modifier;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double k = (*numbers)[i];
+        if (std::abs(k) > kMaxCoefficient)
+            throw sim::InputError("", "--surface", "'" + text + "': each of K0 to K3 must be from -100 to 100");
+        modifier.k[i] = static_cast<float>(k);
+    }
+    return modifier;
+}
+
+float parse_soft_cap(Text text) {
+    const auto numbers = parse_numbers(text);
+    if (!numbers || numbers->size() != 1 || numbers->front() < 0.001 || numbers->front() > kMaxCoefficient)
+        throw sim::InputError("", "--surface-soft-cap", "'" + text + "' is not a number from 0.001 to 100");
+    return static_cast<float>(numbers->front());
 }
 
 render::LightNormals parse_normals(Text text) {
@@ -155,11 +178,16 @@ void add_surface_options(CLI::App& command, SurfaceChoice& choice) {
     const auto add = [&](const char* name, Text help, const std::function<void(Text)>& read) {
         return command.add_option_function<std::string>(name, read, help)->group("Surface");
     };
-    CLI::Option* kind = add("--surface",
-                            std::string("Draw the cloth as a curved surface over its triangles: ") +
-                                render::kSurfaceKindNames + " (default: the triangles themselves)",
-                            [&](Text text) { choice.kind = parse_kind(text); })
-                            ->type_name("KIND");
+    CLI::Option* kind =
+        add("--surface",
+            std::string("Draw the cloth as a curved surface over its triangles: ") + render::kSurfaceKindNames +
+                ", or the curve modifier's K0,K1,K2,K3 (default: the triangles themselves)",
+            [&](Text text) { choice.modifier = parse_modifier(text); })
+            ->type_name("KIND|K0,K1,K2,K3");
+    add("--surface-soft-cap", "The curve modifier grows slowly above this (default 1)",
+        [&](Text text) { choice.soft_cap = parse_soft_cap(text); })
+        ->type_name("SC")
+        ->needs(kind);
     add("--surface-level", "How often its edges are halved: 0 to 6, or adaptive (default adaptive, to 3)",
         [&](Text text) { choice.level = parse_level(text); })
         ->type_name("N|adaptive")
@@ -177,8 +205,10 @@ void add_surface_options(CLI::App& command, SurfaceChoice& choice) {
 
 sim::DrawMesh drawn_mesh(const sim::DrawMesh& garment, const sim::Body* body, const SurfaceChoice& choice,
                          const std::optional<sim::ViewPoint>& view) {
-    if (!choice.kind) return garment;
-    render::CurvedMeshOptions options{.curve = {.kind = *choice.kind, .level = choice.level},
+    if (!choice.modifier) return garment;
+    render::CurveModifier modifier = *choice.modifier;
+    if (choice.soft_cap) modifier.soft_cap = *choice.soft_cap;
+    render::CurvedMeshOptions options{.curve = {.modifier = modifier, .level = choice.level},
                                       .light_normals = choice.light_normals};
     if (choice.coarsens_back_faces) options.curve.view = view;
     std::optional<sim::BodyCollider> collider;

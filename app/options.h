@@ -57,14 +57,15 @@ std::optional<std::vector<double>> parse_numbers(std::string_view text);
 // Options to draw the cloth as a curved surface (thesis ch. 6).
 
 struct SurfaceChoice {
-    std::optional<render::SurfaceKind> kind;  // none: draw the simulated triangles
-    std::optional<int> level;                 // none: adaptive
+    std::optional<render::CurveModifier> modifier;  // none: draw the simulated triangles
+    std::optional<int> level;                       // none: adaptive
+    std::optional<float> soft_cap{};                // replaces the modifier's
     bool coarsens_back_faces = false;
     render::LightNormals light_normals = render::LightNormals::Recomputed;
 };
 
-// Adds --surface, --surface-level, --surface-normals and --back-face-coarsening; validates them while parsing. `choice`
-// must outlive the parsing.
+// Adds --surface, --surface-soft-cap, --surface-level, --surface-normals and --back-face-coarsening; validates them
+// while parsing. `choice` must outlive the parsing.
 void add_surface_options(CLI::App& command, SurfaceChoice& choice);
 
 // The mesh to draw. view: the viewer, for back-face coarsening; may be empty. body: the surface is kept outside it; may

@@ -329,7 +329,8 @@ render::RenderOptions render_options(const PictureOptions& options) {
             .supersample = options.supersample};
 }
 
-Layout compose(const RenderSubject& subject, const PictureOptions& options, const std::vector<float>& turns) {
+Layout compose(const RenderSubject& subject, const PictureOptions& options, const std::vector<float>& turns,
+               const std::vector<Vec3f>& also_framed) {
     check_can_show(options.show, subject.body != nullptr, subject.hierarchy != nullptr);
     const float line_px = 2.4F * line_scale(options);
     Layout layout;
@@ -338,7 +339,9 @@ Layout compose(const RenderSubject& subject, const PictureOptions& options, cons
     if (options.show == render::ShowMode::Hierarchy) layout.legend = fill_model(scene, subject, options, turns);
     layout.axis = render::upright_through(scene_points(scene));
 
-    const render::SubjectFrame frame = make_frame(scene, options, layout.axis, turns);
+    render::SubjectFrame frame = make_frame(scene, options, layout.axis, turns);
+    if (frame.may_move || !options.view || !is_detail(*options.view))
+        frame.points.insert(frame.points.end(), also_framed.begin(), also_framed.end());
     scene.camera = frame.camera();
     if (options.camera && options.camera->eye_and_target) {
         const auto& [eye, target] = *options.camera->eye_and_target;
@@ -357,6 +360,20 @@ Layout compose(const RenderSubject& subject, const PictureOptions& options, cons
     scene.background.is_transparent = options.is_transparent;
     set_ground(scene);
     return layout;
+}
+
+render::Scene moved(const Layout& first, const RenderSubject& subject, const PictureOptions& options, const Vec3f& by) {
+    render::Scene scene = bare_scene(subject, options);
+    scene.camera = first.scene.camera;
+    scene.camera.eye += by;
+    scene.camera.target += by;
+    curve(scene, subject, options, {0});
+    fill(scene, subject, options, 2.4F * line_scale(options) * pixel_size(scene.camera, options.height_px));
+    set_light(scene, options);
+    scene.background = first.scene.background;
+    scene.has_ground = first.scene.has_ground;
+    scene.ground_y = first.scene.ground_y;
+    return scene;
 }
 
 render::Scene turned(const Layout& layout, const PictureOptions& options, float angle) {

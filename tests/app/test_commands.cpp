@@ -25,17 +25,28 @@ TEST(BenchCommand, prints_the_table_that_is_asked_for_and_keeps_it_as_json) {
         EXPECT_EQ(row.elements().size(), table.find("columns")->elements().size());
 }
 
-TEST(BenchCommand, writes_a_series_as_csv_and_says_on_one_line_that_it_cannot_draw_it) {
+TEST(BenchCommand, writes_a_series_as_csv_and_svg_and_a_page_that_holds_it) {
     const ScratchFolder folder;
     const ProgramResult result =
-        run_command("PATH=/nowhere '" SELVEDGE_PROGRAM "' bench thesis --quick --figure 3.21 3.22 --out '" +
+        run_command("PATH=/nowhere '" SELVEDGE_PROGRAM "' bench thesis --quick --figure 3.21 6.4 --out '" +
                     folder / "figures" + "'");
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(content_of(folder / "figures/figure-3.21.csv").rfind("base triangles,", 0), 0U);
-    const std::string line = "no plots: ";
-    EXPECT_NE(result.out.find(line), std::string::npos) << result.out;
-    EXPECT_EQ(result.out.find(line), result.out.rfind(line)) << "once is enough";
-    EXPECT_FALSE(std::filesystem::exists(folder / "figures/figure-3.21.png"));
+    EXPECT_EQ(content_of(folder / "figures/figure-3.21.csv").rfind("existing triangles,", 0), 0U);
+    EXPECT_NE(content_of(folder / "figures/figure-3.21.svg").find("<path"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder / "figures/figure-3.22.csv")) << "it was not asked for";
+    const std::string page = content_of(folder / "figures/index.html");
+    EXPECT_NE(page.find("href=\"figure-3.21.csv\""), std::string::npos);
+    EXPECT_EQ(page.find(folder / ""), std::string::npos) << "links are relative";
+    EXPECT_NE(result.out.find("F6.4 agrees."), std::string::npos) << result.out;
+}
+
+TEST(BenchCommand, a_tshirt_that_is_not_there_is_noticed_before_anything_is_measured) {
+    const ScratchFolder folder;
+    const ProgramResult result =
+        run_selvedge("bench thesis --quick --figure 6.5 4.12 --tshirt none.json --out '" + folder / "figures" + "'");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(count_lines(result.err), 1) << result.err;
+    EXPECT_EQ(result.out, "");
 }
 
 TEST(BenchCommand, a_picture_is_measured_for_every_kind_of_change) {
@@ -53,7 +64,7 @@ TEST(BenchCommand, a_picture_is_measured_for_every_kind_of_change) {
 }
 
 TEST(BenchCommand, a_table_that_is_not_there_gets_one_line_with_those_that_are) {
-    for (const char* arguments : {"bench thesis --table 9.9", "bench thesis --figure 3.1"}) {
+    for (const char* arguments : {"bench thesis --table 9.9", "bench thesis --figure 2.1"}) {
         const ProgramResult result = run_selvedge(arguments);
         EXPECT_EQ(result.exit_code, 2);
         EXPECT_EQ(count_lines(result.err), 1) << result.err;

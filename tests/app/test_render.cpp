@@ -59,6 +59,17 @@ TEST_F(RenderCommand, a_curved_surface_is_another_picture_and_flat_with_its_own_
     EXPECT_FALSE(picture("own.png") == picture("adaptive.png"));
 }
 
+TEST_F(RenderCommand, a_curve_modifier_is_given_by_name_or_by_its_coefficients_and_soft_cap) {
+    const std::string level = "--show plain --surface-level 2 ";
+    ASSERT_EQ(render(level + "--surface quadratic -o named.png").exit_code, 0);
+    ASSERT_EQ(render(level + "--surface 0,0,1,0 -o same.png").exit_code, 0);
+    ASSERT_EQ(render(level + "--surface 2,0,1,0 -o more.png").exit_code, 0);
+    ASSERT_EQ(render(level + "--surface 2,0,1,0 --surface-soft-cap 3 -o uncapped.png").exit_code, 0);
+    EXPECT_EQ(picture("named.png"), picture("same.png"));
+    EXPECT_FALSE(picture("named.png") == picture("more.png"));
+    EXPECT_FALSE(picture("more.png") == picture("uncapped.png"));
+}
+
 TEST_F(RenderCommand, back_faces_are_coarse_only_where_they_are_not_seen) {
     const std::string edges = "--show edges --surface constant --size 256x256 ";
     ASSERT_EQ(render(edges + "-o front.png").exit_code, 0);
@@ -71,6 +82,11 @@ TEST_F(RenderCommand, back_faces_are_coarse_only_where_they_are_not_seen) {
 
 TEST_F(RenderCommand, surfaces_are_refused_by_one_line) {
     expect_refused("-o x.png --surface wavy", "--surface: 'wavy' is none of flat, constant");
+    expect_refused("-o x.png --surface 1,2,3", "nor four numbers K0,K1,K2,K3");
+    expect_refused("-o x.png --surface 1,2,3,nan", "nor four numbers K0,K1,K2,K3");
+    expect_refused("-o x.png --surface 1,2,3,101", "each of K0 to K3 must be from -100 to 100");
+    expect_refused("-o x.png --surface flat --surface-soft-cap 0", "'0' is not a number from 0.001 to 100");
+    expect_refused("-o x.png --surface-soft-cap 1", "--surface");
     expect_refused("-o x.png --surface flat --surface-level 9", "'9' is neither adaptive nor a level from 0 to 6");
     expect_refused("-o x.png --surface flat --surface-level -1", "neither adaptive nor a level");
     expect_refused("-o x.png --surface-level 2", "--surface");

@@ -68,7 +68,8 @@ TEST_P(ShippedPattern, is_as_long_on_the_left_as_on_the_right) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, ShippedPattern,
-                         ::testing::Values("tshirt", "tshirt_thesis", "skirt", "poncho", "two_squares", "vest"),
+                         ::testing::Values("tshirt", "tshirt_thesis", "skirt", "poncho", "two_squares", "vest",
+                                           "dress"),
                          [](const auto& garment) { return std::string(garment.param); });
 
 TEST(FormatGuide, shows_a_garment_that_is_sound) {

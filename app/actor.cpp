@@ -1,0 +1,51 @@
+#include "app/actor.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/body/clear_arms.h"
+#include "sim/body/grounding.h"
+#include "sim/body/load_body.h"
+#include "sim/body/motion_file.h"
+#include "sim/core/error.h"
+
+namespace selvedge::app {
+namespace {
+
+// A motion of the body's own file, or else one that ships or is in another file.
+sim::Clip choose_motion(const MotionChoice& motion, const sim::BodyClips& own, const std::string& source) {
+    const std::string& name = motion.name;
+    if (name.empty() && own.clips.empty())
+        throw sim::InputError("", "--motion", "is missing: the body's file has no motion of its own");
+    const bool is_own = name.empty() || std::ranges::any_of(own.clips, [&](const sim::Clip& clip) {
+                            return clip.name == name || clip.name.ends_with("|" + name);
+                        });
+    if (!is_own) return sim::find_motion(name, own.body);
+    sim::Clip clip = sim::find_clip(own.clips, name, source);
+    if (clip.name.empty()) clip.name = own.body.name;
+    if (motion.opens_arms) sim::clear_arms(own.body, clip);
+    sim::stand_on_floor(own.body, clip);
+    return clip;
+}
+
+}  // namespace
+
+Actor make_actor(const BodyOptions& body, const MotionChoice& motion) {
+    sim::BodyClips own;
+    std::vector<std::string> notes;
+    if (body.is_file()) {
+        sim::LoadBodyReport report;
+        own = sim::load_moving_body(body.source, body.load, &report);
+        notes = report.notes;
+    } else {
+        BodyWithNotes made = make_body(body);
+        own.body = std::move(made.body);
+        notes = std::move(made.notes);
+    }
+    if (own.body.skin.empty())
+        throw sim::InputError(body.source, "skin", "is missing: a body moves by bones that its surface is bound to");
+    sim::Clip clip = choose_motion(motion, own, body.source);
+    return {std::make_shared<const sim::Body>(std::move(own.body)), std::move(clip), std::move(notes)};
+}
+
+}  // namespace selvedge::app

@@ -1,0 +1,28 @@
+#pragma once
+// A body that can move, and what it does: of animate and bench motion.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/options.h"
+#include "sim/body/body.h"
+#include "sim/body/clip.h"
+
+namespace selvedge::app {
+
+struct Actor {
+    std::shared_ptr<const sim::Body> body;  // with bones and a skin
+    sim::Clip clip;
+    std::vector<std::string> notes;
+};
+
+struct MotionChoice {
+    std::string name;         // a clip of the body's own file, or a shipped motion or a file with one
+                              // (sim/body/motion_file.h); empty: the first of the body's file
+    bool opens_arms = false;  // where a motion of the body's own file would put them into the trunk; others always do
+};
+
+// Throws InputError. Pre: body.source is not empty.
+Actor make_actor(const BodyOptions& body, const MotionChoice& motion);
+
+}  // namespace selvedge::app

@@ -1,0 +1,344 @@
+// selvedge animate GARMENT: dresses a body and lets it move; writes a film, animation caches and a report.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/actor.h"
+#include "app/commands.h"
+#include "app/film.h"
+#include "app/garment_options.h"
+#include "app/options.h"
+#include "app/picture.h"
+#include "app/progress_bar.h"
+#include "app/stop_signal.h"
+#include "render/marks/legend.h"
+#include "sim/cloth/fixed_mesh.h"
+#include "sim/core/error.h"
+#include "sim/core/file.h"
+#include "sim/core/parallel.h"
+#include "sim/dress/animation.h"
+#include "sim/dress/animation_report.h"
+#include "sim/dress/dressing_pose.h"
+#include "sim/exchange/mesh_cache.h"
+#include "sim/mesh/draw_mesh.h"
+
+namespace selvedge::app {
+namespace {
+
+using Path = std::filesystem::path;
+
+struct AnimateArguments {
+    GarmentOptions garment;
+    BodyOptions body;
+    MotionChoice motion;
+    sim::AnimationOptions animation;
+    int frames_per_second = 25;
+    PictureOptions picture;
+    bool camera_stays = false;
+    Path film;  // empty: no such output
+    std::vector<Path> caches;
+    int cache_triangles = 20'000;
+    Path report_file;
+};
+
+std::vector<Path> all_outputs(const AnimateArguments& arguments) {
+    std::vector<Path> outputs = arguments.caches;
+    for (const Path& file : {arguments.film, arguments.report_file}) {
+        if (!file.empty()) outputs.push_back(file);
+    }
+    return outputs;
+}
+
+FilmFormat film_format(const AnimateArguments& arguments, int frames) {
+    return {.width_px = arguments.picture.width_px,
+            .height_px = arguments.picture.height_px,
+            .frames_per_second = arguments.frames_per_second,
+            .frames = frames};
+}
+
+// The middle of a body over the floor, m.
+Vec3f place_of(std::span<const Vec3f> body) {
+    const Vec3f middle = sim::box_around(body).center();
+    return {middle.x(), 0, middle.z()};
+}
+
+// Draws the frames of a film. The camera follows the body over the floor, smoothly, and frames it in all its poses.
+class Filming {
+ public:
+    Filming(const AnimateArguments& arguments, const sim::Animation& animation)
+        : arguments_(arguments),
+          writer_(arguments.film, film_format(arguments, animation.frame_count())),
+          start_(place_of(animation.body_points())),
+          at_(start_) {
+        const sim::DrawMesh mesh = draw_mesh(animation.cloth(), animation.panel_names());
+        layout_ = compose({.garment = mesh, .body = &animation.body()}, arguments.picture, {0}, framed(animation));
+    }
+
+    void add(const sim::Animation& animation) {
+        const double share = 1 - std::exp(-1 / (kFollowSeconds * arguments_.frames_per_second));
+        if (!arguments_.camera_stays) at_ += (place_of(animation.body_points()) - at_) * static_cast<float>(share);
+        const sim::DrawMesh mesh = draw_mesh(animation.cloth(), animation.panel_names());
+        const render::Scene scene =
+            moved(layout_, {.garment = mesh, .body = &animation.body()}, arguments_.picture, at_ - start_);
+        render::Image image = renderer_.draw(scene, render_options(arguments_.picture));
+        if (layout_.legend) draw_legend(image, *layout_.legend, layout_.corner);
+        writer_.add(image);
+    }
+
+    void finish() { writer_.finish(); }
+
+ private:
+    static constexpr double kFollowSeconds = 0.3;  // time constant of the camera
+
+    // Where the body will be, as seen by the camera.
+    std::vector<Vec3f> framed(const sim::Animation& animation) const {
+        constexpr int kMoments = 48;
+        const sim::BodyTimeline& timeline = animation.timeline();
+        const sim::SkinnedSurface surface(animation.body());
+        std::vector<Vec3f> points, x;
+        for (int i = 0; i < kMoments; ++i) {
+            surface.positions(animation.body(), timeline.pose(timeline.seconds() * i / (kMoments - 1)), x);
+            const Vec3f by = arguments_.camera_stays ? Vec3f::Zero() : Vec3f(start_ - place_of(x));
+            for (std::size_t v = 0; v < x.size(); v += 16) points.emplace_back(x[v] + by);
+        }
+        return points;
+    }
+
+    const AnimateArguments& arguments_;
+    render::Renderer renderer_;
+    FilmWriter writer_;
+    Vec3f start_, at_;
+    Layout layout_;
+};
+
+// The caches of an animation: the garment on a mesh that stays the same, and its body where the format has room for it.
+class Caching {
+ public:
+    Caching(const AnimateArguments& arguments, const sim::Animation& animation) {
+        if (arguments.caches.empty()) return;
+        const int level = sim::fixed_level_for(animation.cloth(), static_cast<std::size_t>(arguments.cache_triangles));
+        fixed_ = sim::make_fixed_mesh(animation.cloth(), animation.panel_names(), level);
+        const sim::DrawMesh body = sim::body_mesh(animation.body());
+        for (const Path& path : arguments.caches) {
+            caches_.push_back(
+                sim::open_mesh_cache(path, fixed_.mesh,
+                                     {.frames = static_cast<std::size_t>(animation.frame_count()),
+                                      .frames_per_second = static_cast<double>(arguments.frames_per_second)},
+                                     path.extension() == ".glb" ? &body : nullptr));
+            has_body_.push_back(path.extension() == ".glb");
+        }
+    }
+
+    void add(const sim::Animation& animation) {
+        if (caches_.empty()) return;
+        sample(fixed_, animation.cloth(), x_);
+        const std::vector<Vec3f> body(animation.body_points().begin(), animation.body_points().end());
+        for (std::size_t i = 0; i < caches_.size(); ++i)
+            caches_[i]->add(x_, has_body_[i] ? body : std::vector<Vec3f>{});
+    }
+
+    void finish() {
+        for (const auto& cache : caches_) cache->finish();
+    }
+
+ private:
+    sim::FixedMesh fixed_;
+    std::vector<std::unique_ptr<sim::MeshCache>> caches_;
+    std::vector<bool> has_body_;
+    std::vector<Vec3f> x_;
+};
+
+void check_outputs(const AnimateArguments& arguments) {
+    constexpr int kMostFrames = 1'000'000;  // the number is known when the motion is: no older frame is in the way yet
+    if (!arguments.film.empty()) check_film(arguments.film, film_format(arguments, kMostFrames), "--film");
+    for (const Path& path : arguments.caches) {
+        if (!sim::is_mesh_cache(path))
+            throw sim::InputError(
+                path.string(), "",
+                "cannot write: a cache's name ends in .pc2, .glb or, with one file per frame, /*.obj");
+    }
+    if (!arguments.report_file.empty()) check_output(arguments.report_file);
+    if (arguments.picture.show == render::ShowMode::Hierarchy)
+        throw sim::InputError("", "--show", "hierarchy is a picture of one moment: see selvedge dress");
+    check_distinct(all_outputs(arguments), input_files(arguments.garment, arguments.body));
+}
+
+std::string seconds_text(double seconds) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.1f s", seconds);
+    return text.data();
+}
+
+void print_summary(const AnimateArguments& arguments, const sim::Animation& animation, const Actor& actor) {
+    const sim::MotionQuality& quality = animation.quality();
+    std::printf("%s on %s, '%s': %d of %d frames, %s, about %zu triangles\n", animation.dress_report().garment.c_str(),
+                actor.body->name.c_str(), actor.clip.name.c_str(), animation.frame() + 1, animation.frame_count(),
+                seconds_text(animation.seconds()).c_str(), animation.cloth().mesh.leaf_triangles().size());
+    std::printf(
+        "stretch: 99 %% of the triangles at most %.1f %%, one %.1f %%; deeper in the body than 1 mm: %d vertices and "
+        "%d faces in all frames; at most %d vertices pinched\n",
+        100 * quality.p99_stretch, 100 * quality.max_stretch, quality.deep_vertices, quality.deep_face_centres,
+        quality.pinched);
+    constexpr int kMany = 20;
+    if (quality.pinched > kMany && !arguments.motion.opens_arms)
+        std::printf(
+            "note: limbs that lie inside of other parts of the body stretch the cloth between them; --open-arms moves "
+            "arms out of the trunk\n");
+    for (const std::string& note : actor.notes) std::printf("note: %s\n", note.c_str());
+    for (const std::string& note : animation.dress_report().notes) std::printf("note: %s\n", note.c_str());
+    for (const Path& file : all_outputs(arguments)) std::printf("wrote %s\n", file.c_str());
+}
+
+int run(AnimateArguments arguments) {
+    std::vector<std::string> notes;
+    const sim::Pattern pattern = load_garments(arguments.garment, notes);
+    fill_in(arguments.garment, arguments.body, arguments.picture, pattern);
+    check_outputs(arguments);
+    if (!arguments.film.empty()) check_can_draw(arguments.picture);
+    arguments.animation.dress = arguments.garment.dress;
+    arguments.animation.frames_per_second = arguments.frames_per_second;
+
+    std::optional<sim::ThreadLimit> limit;
+    if (arguments.garment.threads) limit.emplace(*arguments.garment.threads);
+    Actor actor = make_actor(arguments.body, arguments.motion);
+    if (arguments.animation.from > actor.clip.seconds)
+        throw sim::InputError("", "--from",
+                              "is behind the end of '" + actor.clip.name + "', " + seconds_text(actor.clip.seconds));
+    if (arguments.animation.to && *arguments.animation.to <= arguments.animation.from)
+        throw sim::InputError("", "--to", "is not behind --from, " + seconds_text(arguments.animation.from));
+    actor.notes.insert(actor.notes.begin(), notes.begin(), notes.end());
+    ProgressBar bar(progress_bar_options(arguments.garment.is_quiet));
+    sim::Animation animation(pattern, actor.body, sim::dressing_pose(*actor.body), actor.clip, arguments.animation,
+                             bar.progress());
+    const StopSignal stop;
+    if (!arguments.film.empty()) check_film(arguments.film, film_format(arguments, animation.frame_count()), "--film");
+    std::optional<Filming> film;
+    if (!arguments.film.empty()) film.emplace(arguments, animation);
+    Caching caches(arguments, animation);
+    do {
+        if (film) film->add(animation);
+        caches.add(animation);
+        bar.show("moving", static_cast<double>(animation.frame()) / std::max(1, animation.frame_count() - 1));
+    } while (!stop.is_raised() && animation.advance());
+    if (film) film->finish();
+    caches.finish();
+    if (!arguments.report_file.empty())
+        sim::write_file_atomically(arguments.report_file, to_json(animation, actor.clip.name));
+    bar.finish();
+    if (!arguments.garment.is_quiet) print_summary(arguments, animation, actor);
+    print_faults(animation.dress_report());
+    const std::vector<std::string> motion_faults = animation.quality().faults();
+    for (const std::string& fault : motion_faults) std::printf("defect: in motion: %s\n", fault.c_str());
+    if (stop.is_raised()) {
+        std::fprintf(stderr, "selvedge: stopped after %s of %s\n", seconds_text(animation.seconds()).c_str(),
+                     seconds_text(animation.timeline().seconds()).c_str());
+        return stop.exit_code();
+    }
+    return animation.dress_report().faults.empty() && motion_faults.empty() ? 0 : 3;
+}
+
+void add_motion_options(CLI::App& command, AnimateArguments& arguments) {
+    sim::AnimationOptions& animation = arguments.animation;
+    command
+        .add_option(
+            "--motion", arguments.motion.name,
+            "A shipped motion or pose, a clip of the body's file, or a file with one (default: the first of the "
+            "body's file)")
+        ->type_name("NAME|FILE[#CLIP]")
+        ->group("Motion");
+    command
+        .add_flag("--open-arms", arguments.motion.opens_arms,
+                  "Open the arms of the body's own motion where they would cut its trunk")
+        ->group("Motion");
+    add_number<double>(command, "--from", {0, 3600}, "Where in the motion to begin, s (default 0)",
+                       [&animation](double seconds) { animation.from = seconds; })
+        ->type_name("S")
+        ->group("Motion");
+    const auto seconds = [&animation](double length) { animation.seconds = length; };
+    CLI::Option* length =
+        add_number<double>(command, "--seconds", {0, 3600},
+                           "How much of it to show after --blend, s (default: all; of a loop, once)", seconds)
+            ->type_name("S")
+            ->group("Motion");
+    add_number<double>(command, "--to", {0, 3600},
+                       "Where in the motion to end, s, instead of --seconds; behind its end, its last pose is held",
+                       [&animation](double to) { animation.to = to; })
+        ->type_name("S")
+        ->group("Motion")
+        ->excludes(length);
+    add_number<double>(command, "--speed", {0.05, 20}, "Speed of the motion (default 1)",
+                       [&animation](double speed) { animation.speed = speed; })
+        ->type_name("FACTOR")
+        ->group("Motion");
+    add_number<double>(command, "--blend", {0.1, 60}, "Time from the dressed pose into the motion, s (default 1.5)",
+                       [&animation](double blend) { animation.blend_seconds = blend; })
+        ->type_name("S")
+        ->group("Motion");
+    add_number<int>(command, "--fps", {1, 240}, "Frames per second (default 25)",
+                    [&arguments](int rate) { arguments.frames_per_second = rate; })
+        ->type_name("N")
+        ->group("Motion");
+}
+
+void add_output_options(CLI::App& command, AnimateArguments& arguments) {
+    command.add_option("--film", arguments.film, "A film: .mp4 or .gif by ffmpeg, or a folder of PNG files (frames/)")
+        ->type_name("FILE")
+        ->group("Output");
+    command
+        .add_flag("--fixed-camera", arguments.camera_stays, "The camera stays where it is, and has all in the picture")
+        ->group("Output");
+    command
+        .add_option("--export", arguments.caches,
+                    "The moving garment on one mesh: .pc2, .glb (with the body) or frames/*.obj; may be repeated")
+        ->type_name("FILE")
+        ->group("Output")
+        ->allow_extra_args(false);
+    add_number<int>(command, "--export-triangles", {1, 1'000'000},
+                    "The exported mesh has at most so many triangles (default 20000)",
+                    [&arguments](int triangles) { arguments.cache_triangles = triangles; })
+        ->type_name("N")
+        ->group("Output");
+    command.add_option("--report", arguments.report_file, "What came of it, as JSON")
+        ->type_name("JSON")
+        ->group("Output");
+}
+
+}  // namespace
+
+void add_animate_command(CLI::App& app, int& exit_code) {
+    auto arguments = std::make_shared<AnimateArguments>();
+    arguments->picture.width_px = arguments->picture.height_px = 720;
+    CLI::App* command = app.add_subcommand("animate", "Dress a body and let it move: a film, or a cache for Blender");
+    add_garment_options(*command, arguments->garment);
+    add_thread_options(*command, arguments->garment);
+    add_body_options(*command, arguments->body,
+                     "Body that moves: mannequin[:sex=female,bust=92,...], or a .glb, .gltf or .fbx file with bones "
+                     "(default: the pattern's, or mannequin:sex=female)");
+    add_motion_options(*command, *arguments);
+    add_picture_options(*command, arguments->picture);
+    add_output_options(*command, *arguments);
+    command->footer(
+        "The body is dressed at rest, goes over into the motion within --blend seconds, and moves. Ctrl-C ends early\n"
+        "and leaves a film and caches of what was done.\n"
+        "Exit code: 0 done, 2 wrong input or a file that could not be written, 3 a fault of the drape, at rest or in\n"
+        "motion, 130 interrupted.\n"
+        "Examples:\n"
+        "  selvedge animate patterns/tshirt.json --motion walk --film walk.mp4\n"
+        "  selvedge animate patterns/skirt.json --body dancer.glb --film dance/ --export dance.glb\n"
+        "  selvedge animate patterns/tshirt.json --motion walk.bvh --seconds 4 --export cache.pc2");
+    command->callback([arguments, &exit_code] {
+        if (arguments->film.empty() && arguments->caches.empty() && arguments->report_file.empty())
+            throw sim::InputError("", "animate", "has nothing to write: add --film, --export or --report");
+        exit_code = run(*arguments);
+    });
+}
+
+}  // namespace selvedge::app

@@ -1,0 +1,118 @@
+#include "app/garment_options.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <iterator>
+
+#include "sim/dress/anchor.h"
+#include "sim/pattern/garments.h"
+#include "sim/pattern/pattern_file.h"
+#include "sim/tartan/tartan_file.h"
+
+namespace selvedge::app {
+
+namespace {
+
+std::string fault_text(std::string kind) {
+    std::replace(kind.begin(), kind.end(), '_', ' ');
+    return kind;
+}
+
+constexpr int kFinestLevel = 8;  // with --shortest-edge 0.1: 1 mm
+
+sim::CriteriaOptions parse_criteria(const std::string& text) {
+    sim::CriteriaOptions criteria{.collision = false, .curvature = false, .length = false};
+    for (const std::string& name : CLI::detail::split(text, ',')) {
+        if (name == "collision") {
+            criteria.collision = true;
+        } else if (name == "curvature") {
+            criteria.curvature = true;
+        } else if (name == "length") {
+            criteria.length = true;
+        } else {
+            throw sim::InputError("", "--criteria", "'" + name + "' is none of collision, curvature, length");
+        }
+    }
+    return criteria;
+}
+
+}  // namespace
+
+void add_garment_options(CLI::App& command, GarmentOptions& options) {
+    sim::DressOptions& dress = options.dress;
+    command.add_option("GARMENT", options.garment, "Garment file (patterns/FORMAT.md)")->required()->type_name("FILE");
+    command.add_option("--over", options.over, "A garment that is worn over it; may be repeated, from the inside out")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    command.add_option("--fabric", options.fabric, "A shipped fabric or a fabric file (default: the pattern's)")
+        ->type_name("NAME|FILE");
+    add_number<double>(command, "--edge-length", {0.5, 50},
+                       "Edge length of the base mesh in cm (default: the pattern's, or 5)",
+                       [&dress](double length_cm) { dress.edge_length = length_cm / 100; })
+        ->type_name("CM");
+    add_number<int>(command, "--max-level", {0, kFinestLevel}, "Times an edge may be halved (default 3)",
+                    [&dress](int level) { dress.max_level = level; })
+        ->type_name("N");
+    add_number<double>(command, "--shortest-edge", {0.1, 50},
+                       "Edges shorter than this, in cm, are not halved (default 2)",
+                       [&dress](double length_cm) { dress.shortest_edge = length_cm / 100; })
+        ->type_name("CM");
+    add_number<int>(command, "--triangles", {100, 10'000'000},
+                    "Number of triangles to keep near, by how much shape they show (default: as many as it takes)",
+                    [&dress](int target) { dress.triangle_budget = target; })
+        ->type_name("N");
+    command.add_flag(
+        "--no-self-collision", [&dress](std::int64_t) { dress.self_collision = false; },
+        "Let the cloth pass through itself, which is faster");
+    command
+        .add_option_function<std::string>(
+            "--criteria", [&dress](const std::string& text) { dress.criteria = parse_criteria(text); },
+            "What asks for smaller triangles (default collision,curvature,length)")
+        ->type_name("NAMES");
+}
+
+void add_thread_options(CLI::App& command, GarmentOptions& options) {
+    add_number<int>(command, "--threads", {1, 1024}, "Threads to use (default: all there are); the result is the same",
+                    [&options](int threads) { options.threads = threads; })
+        ->type_name("N");
+    command.add_flag("-q,--quiet", options.is_quiet, "Show no progress, and print only faults");
+}
+
+sim::Pattern load_garments(const GarmentOptions& options, std::vector<std::string>& notes) {
+    sim::Pattern pattern = sim::load_pattern(options.garment).pattern;
+    for (const std::filesystem::path& over : options.over) {
+        const sim::Pattern outer = moved_to_body_of(pattern, sim::load_pattern(over).pattern, notes);
+        std::ranges::move(put_over(pattern, outer), std::back_inserter(notes));
+        pattern.name += " + " + outer.name;
+    }
+    return pattern;
+}
+
+std::vector<std::filesystem::path> input_files(const GarmentOptions& options, const BodyOptions& body) {
+    std::vector<std::filesystem::path> inputs{options.garment};
+    inputs.insert(inputs.end(), options.over.begin(), options.over.end());
+    if (body.is_file()) inputs.emplace_back(body.source);
+    return inputs;
+}
+
+void fill_in(GarmentOptions& options, BodyOptions& body, PictureOptions& picture, const sim::Pattern& pattern) {
+    if (!options.fabric.empty()) options.dress.fabric = sim::find_fabric(options.fabric);
+    if (!picture.sett && !picture.sett_size) picture.sett_size = pattern.sett_size;
+    if (!picture.sett && !pattern.tartan.empty()) picture.sett = sim::find_tartan(pattern.tartan);
+    if (!picture.sett_position) picture.sett_position = pattern.sett_position;
+    if (body.source.empty()) body.source = pattern.body.empty() ? "mannequin:sex=female" : pattern.body;
+    picture.material = render::material_of(sim::find_fabric(options.fabric.empty() ? pattern.fabric : options.fabric));
+}
+
+void print_faults(const sim::DressReport& report) {
+    for (const sim::DressFault& fault : report.faults) {
+        if (class_of(fault) == sim::FaultClass::DoesNotFit) {
+            std::printf("does not fit: %s\n", fault.place.c_str());
+        } else {
+            std::printf("defect: %s: %s (%.4g)\n", fault_text(fault.kind).c_str(), fault.place.c_str(), fault.value);
+        }
+    }
+}
+
+}  // namespace selvedge::app

@@ -1,0 +1,67 @@
+#pragma once
+// Command-line options that say which garment is dressed and how: of dress and animate.
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/options.h"
+#include "app/picture.h"
+#include "sim/core/error.h"
+#include "sim/dress/dressing.h"
+#include "sim/dress/report.h"
+#include "sim/pattern/pattern.h"
+
+namespace selvedge::app {
+
+struct GarmentOptions {
+    std::filesystem::path garment;
+    std::vector<std::filesystem::path> over;  // garments that are worn over it, from the inside out
+    std::string fabric;                       // empty: the pattern's
+    sim::DressOptions dress;
+    std::optional<int> threads;  // none: one per CPU core
+    bool is_quiet = false;
+};
+
+template <class T>
+struct Limits {
+    T least;
+    T most;
+};
+
+// A number that is checked while parsing: an InputError names the limits.
+template <class T>
+CLI::Option* add_number(CLI::App& command, const std::string& name, Limits<T> limits, const std::string& help,
+                        const std::function<void(T)>& take) {
+    const auto check_and_take = [=](const T& value) {
+        const bool is_within = value >= limits.least && value <= limits.most;  // false for NaN
+        if (!is_within) {
+            throw sim::InputError(
+                "", name,
+                "must be from " + CLI::detail::to_string(limits.least) + " to " + CLI::detail::to_string(limits.most));
+        }
+        take(value);
+    };
+    return command.add_option_function<T>(name, check_and_take, help);
+}
+
+// `options` must outlive the parsing.
+void add_garment_options(CLI::App& command, GarmentOptions& options);
+void add_thread_options(CLI::App& command, GarmentOptions& options);
+
+// The garment with those over it. Notes: one sentence per change. Throws InputError.
+sim::Pattern load_garments(const GarmentOptions& options, std::vector<std::string>& notes);
+
+// The files that are read: the garment and those over it, and the body's, if it is a file.
+std::vector<std::filesystem::path> input_files(const GarmentOptions& options, const BodyOptions& body);
+
+// Takes values that the command line does not set from the pattern: fabric, body, and how the cloth is drawn.
+void fill_in(GarmentOptions& options, BodyOptions& body, PictureOptions& picture, const sim::Pattern& pattern);
+
+// One line each, to standard output.
+void print_faults(const sim::DressReport& report);
+
+}  // namespace selvedge::app

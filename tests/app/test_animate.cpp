@@ -1,0 +1,90 @@
+// selvedge animate, as a black box: films, caches and reports, an early stop, and wrong input.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+
+#include "render/image/image.h"
+#include "sim/core/json.h"
+#include "tests/app/selvedge_program.h"
+
+namespace selvedge::app {
+namespace {
+
+const std::string kQuick = " --body mannequin:resolution=1 --max-level 0 --blend 0.2 --fps 10 --size 96x128 ";
+
+std::size_t files_in(const std::filesystem::path& folder) {
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++count;
+    return count;
+}
+
+TEST(AnimateCommand, writes_a_film_caches_and_a_report) {
+    const ScratchFolder folder;
+    const ProgramResult run =
+        run_selvedge("animate " + shipped("tshirt.json") + kQuick + "--motion walk --seconds 0.4 --film '" +
+                     folder / "walk.frames" + "' --export '" + folder / "walk.pc2" + "' --export '" +
+                     folder / "walk.glb" + "' --report '" + folder / "walk.json" + "'");
+    ASSERT_TRUE(run.exit_code == 0 || run.exit_code == 3) << run.err;
+    EXPECT_EQ(files_in(folder / "walk.frames"), 7U) << "0.6 s at 10 frames per second, and the first";
+    EXPECT_EQ(render::read_png(folder / "walk.frames/frame_0007.png").height_px, 128);
+    const sim::Json report = sim::read_json(folder / "walk.json");
+    EXPECT_EQ(report.find("motion")->string(), "walk");
+    EXPECT_EQ(report.find("frames")->number(), 7);
+    EXPECT_FALSE(report.find("quality")->find("has_bad_number")->boolean());
+    const bool has_fault = report.find("motion_faults")->elements().size() > 0 ||
+                           report.find("dressing")->find("faults")->elements().size() > 0;
+    EXPECT_EQ(run.exit_code, has_fault ? 3 : 0);
+    EXPECT_EQ(run.out.find("defect: in motion:") != std::string::npos,
+              report.find("motion_faults")->elements().size() > 0);
+    EXPECT_EQ(content_of(folder / "walk.pc2").substr(0, 11), "POINTCACHE2");
+    EXPECT_TRUE(std::filesystem::exists(folder / "walk.obj")) << "the mesh of the cache";
+    EXPECT_EQ(content_of(folder / "walk.glb").substr(0, 4), "glTF");
+}
+
+TEST(AnimateCommand, gives_the_same_frames_for_any_number_of_threads) {
+    const ScratchFolder folder;
+    for (const std::string threads : {"1", "2"}) {
+        const ProgramResult run =
+            run_selvedge("animate " + shipped("tshirt.json") + kQuick + "--motion arms_up --seconds 0.2 --threads " +
+                         threads + " --export '" + folder / ("up" + threads + ".pc2") + "'");
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+    }
+    EXPECT_EQ(content_of(folder / "up1.pc2"), content_of(folder / "up2.pc2"));
+}
+
+TEST(AnimateCommand, leaves_a_film_of_what_was_done_when_it_is_stopped) {
+    const ScratchFolder folder;
+    const ProgramResult run = run_command(
+        "'" SELVEDGE_PROGRAM "' animate " + shipped("tshirt.json") + kQuick + "--motion walk --seconds 600 --export '" +
+        folder / "walk.pc2" + "' --film '" + folder / "walk.frames" + "' & task=$!; for i in $(seq 300); do [ -e '" +
+        folder / "walk.frames/frame_0003.png" + "' ] && break; sleep 0.1; done; kill -TERM $task; wait $task");
+    EXPECT_EQ(run.exit_code, 128 + SIGTERM) << run.err;
+    EXPECT_NE(run.err.find("stopped after"), std::string::npos) << run.err;
+    EXPECT_TRUE(std::filesystem::exists(folder / "walk.pc2"));
+    EXPECT_EQ(files_in(folder.path()), 3U) << "film, cache and its mesh, and no temporary file";
+}
+
+TEST(AnimateCommand, refuses_wrong_input_in_one_line) {
+    const ScratchFolder folder;
+    const std::string film = " --film '" + folder / "x.frames" + "'";
+    const auto refused = [&](const std::string& options, const std::string& reason) {
+        const ProgramResult run = run_selvedge("animate " + shipped("tshirt.json") + options);
+        EXPECT_EQ(run.exit_code, 2) << options;
+        EXPECT_EQ(count_lines(run.err), 1) << run.err;
+        EXPECT_NE(run.err.find(reason), std::string::npos) << run.err;
+    };
+    refused("", "nothing to write");
+    refused(film + " --motion moonwalk", "moonwalk");
+    refused(film, "--motion");
+    refused(film + " --motion walk --from 99", "--from");
+    refused(film + " --motion walk --speed 0", "--speed");
+    refused(" --motion walk --film '" + folder / "x.avi" + "'", "x.avi");
+    refused(" --motion walk --export '" + folder / "x.abc" + "'", "x.abc");
+    refused(film + " --motion walk --show hierarchy", "hierarchy");
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+}  // namespace
+}  // namespace selvedge::app
