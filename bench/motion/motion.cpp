@@ -71,8 +71,8 @@ MotionStatistics measure_motion(const MotionExperiment& experiment, const sim::P
     }
     sim::Cloth cloth = dressed.cloth;
     double body_seconds = 0;
-    const auto body_at = [&](double seconds, std::vector<Vec3f>& x) {
-        body_seconds += time_once([&] { timeline.positions(seconds, x); });
+    const auto body_at = [&](double seconds, const sim::Region& region, std::vector<Vec3f>& x) {
+        body_seconds += time_once([&] { timeline.positions(seconds, region, x); });
     };
     sim::MotionRun run(cloth, start, body_at, options);
     const double blend = timeline.seconds() - experiment.seconds;

@@ -237,7 +237,10 @@ std::vector<PatchBounds> YieldingFlesh::bind_bounds() const {
         x.push_back(sample.bind);
         normals.push_back(sample.bind_normal);
     }
-    return bounds_of(x, normals);
+    std::vector<PatchBounds> bounds;
+    for (const auto& [begin, end] : patches_)
+        bounds.emplace_back(std::span(x).subspan(begin, end - begin), std::span(normals).subspan(begin, end - begin));
+    return bounds;
 }
 
 // Of a vertex that was bound at a, to a sample of the other side. Far places are never the same flesh.
@@ -248,36 +251,54 @@ YieldingFlesh::Relation YieldingFlesh::relation(const Vec3f& a, const Sample& b)
             .room = near * std::min(kRoom, height) + (1 - near) * kRoom};
 }
 
-void YieldingFlesh::place_samples(const std::vector<Vec3f>& x, Now& now) const {
+// With a part in the region, or near enough to press on one that has. None if a sample is not finite.
+std::vector<std::uint32_t> YieldingFlesh::patches_near(const std::vector<Vec3f>& x, const Region& region) const {
+    const Region wide = grown(region, kReach + kSpacing);
+    std::vector<std::uint32_t> near;
+    for (std::uint32_t p = 0; p < patches_.size(); ++p) {
+        Region box;
+        for (std::uint32_t i = patches_[p].begin; i < patches_[p].end; ++i) {
+            const Vec3f& at = x[samples_[i].vertex];
+            if (!at.allFinite()) return {};
+            box.extend(at);
+        }
+        if (box.intersects(wide)) near.push_back(p);
+    }
+    return near;
+}
+
+void YieldingFlesh::place_samples(const std::vector<Vec3f>& x, std::span<const std::uint32_t> patches, Now& now) const {
     now.x.resize(samples_.size());
     now.normal.resize(samples_.size());
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-        const Sample& sample = samples_[i];
-        now.x[i] = x[sample.vertex];
-        Vec3f normal = Vec3f::Zero();
-        for (std::uint32_t t = sample.triangles_begin; t < sample.triangles_end; ++t) {
-            const auto [a, b, c] = around_[t];
-            normal += (x[b] - x[a]).cross(x[c] - x[a]);
+    for (const std::uint32_t p : patches) {
+        for (std::uint32_t i = patches_[p].begin; i < patches_[p].end; ++i) {
+            const Sample& sample = samples_[i];
+            now.x[i] = x[sample.vertex];
+            Vec3f normal = Vec3f::Zero();
+            for (std::uint32_t t = sample.triangles_begin; t < sample.triangles_end; ++t) {
+                const auto [a, b, c] = around_[t];
+                normal += (x[b] - x[a]).cross(x[c] - x[a]);
+            }
+            now.normal[i] = normal.stableNormalized();
         }
-        now.normal[i] = normal.stableNormalized();
     }
 }
 
-std::vector<PatchBounds> YieldingFlesh::bounds_of(std::span<const Vec3f> x, std::span<const Vec3f> normals) const {
-    std::vector<PatchBounds> bounds;
-    for (const auto& [begin, end] : patches_)
-        bounds.emplace_back(x.subspan(begin, end - begin), normals.subspan(begin, end - begin));
-    return bounds;
-}
-
 // Samples that face each other with too little room between them, or between their members.
-std::vector<YieldingFlesh::Pair> YieldingFlesh::find_pairs(const Now& now) const {
+std::vector<YieldingFlesh::Pair> YieldingFlesh::find_pairs(const Now& now,
+                                                           std::span<const std::uint32_t> patches) const {
     std::vector<Pair> pairs;
-    const std::vector<PatchBounds> bounds = bounds_of(now.x, now.normal);
+    std::vector<PatchBounds> bounds;
+    for (const std::uint32_t p : patches) {
+        const auto [begin, end] = patches_[p];
+        bounds.emplace_back(std::span(now.x).subspan(begin, end - begin),
+                            std::span(now.normal).subspan(begin, end - begin));
+    }
     for_facing(bounds, kReach, [&](std::uint32_t a, std::uint32_t b) {
-        if (never_meet_[a * patches_.size() + b]) return;
-        find_between(now, patches_[a], patches_[b], bounds[b], pairs);
-        if (a != b) find_between(now, patches_[b], patches_[a], bounds[a], pairs);
+        const std::uint32_t first = patches[a], second = patches[b];
+        if (never_meet_[first * patches_.size() + second]) return;
+        find_between(now, patches_[first], patches_[second], bounds[b], pairs);
+        if (a != b) find_between(now, patches_[second], patches_[first], bounds[a], pairs);
     });
     return pairs;
 }
@@ -323,14 +344,14 @@ void YieldingFlesh::gather(const std::vector<Vec3f>& x, const Now& now, std::spa
     }
 }
 
-void YieldingFlesh::give_way(std::vector<Vec3f>& x) const {
+void YieldingFlesh::give_way(std::vector<Vec3f>& x, const Region& region) const {
     SELVEDGE_ASSERT(x.size() == bind_.size());
+    const std::vector<std::uint32_t> patches = patches_near(x, region);
     Now now;
-    place_samples(x, now);
-    if (!std::ranges::all_of(now.x, [](const Vec3f& p) { return p.allFinite(); })) return;
-    const std::vector<Pair> pairs = find_pairs(now);
+    place_samples(x, patches, now);
+    const std::vector<Pair> pairs = find_pairs(now, patches);
     for (int pass = 0; pass < kPasses && !pairs.empty(); ++pass) {
-        if (pass > 0) place_samples(x, now);
+        if (pass > 0) place_samples(x, patches, now);
         std::vector<Found> found(x.size());
         gather(x, now, pairs, found);
         for (std::size_t v = 0; v < x.size(); ++v)
@@ -338,30 +359,31 @@ void YieldingFlesh::give_way(std::vector<Vec3f>& x) const {
     }
 }
 
-const MovingFlesh::Knot& MovingFlesh::knot(const Body& body, const std::function<Pose(double)>& pose_at, long index) {
+const MovingFlesh::Knot& MovingFlesh::knot(const Body& body, const std::function<Pose(double)>& pose_at, long index,
+                                     const Region& region) {
     Knot& knot = knots_[static_cast<std::size_t>(index % 2)];
     if (knot.index == index) return knot;
     std::vector<Vec3f> x;
     surface_.skin().positions(body, pose_at(static_cast<double>(index) * kFleshSeconds), x);
     knot = {.index = index, .way = x};
-    surface_.flesh().give_way(knot.way);
+    surface_.flesh().give_way(knot.way, region);
     for (std::size_t v = 0; v < x.size(); ++v) knot.way[v] -= x[v];
     return knot;
 }
 
 void MovingFlesh::positions(const Body& body, const std::function<Pose(double)>& pose_at, double seconds,
-                            std::vector<Vec3f>& x) {
+                            const Region& region, std::vector<Vec3f>& x) {
     constexpr double kAtKnot = 1e-6;  // share of the way between two
     const double at = std::max(0.0, seconds / kFleshSeconds);
     const auto index = static_cast<long>(std::floor(at + kAtKnot));
     const double share = at - static_cast<double>(index);
     surface_.skin().positions(body, pose_at(seconds), x);
-    const std::vector<Vec3f>& before = knot(body, pose_at, index).way;
+    const std::vector<Vec3f>& before = knot(body, pose_at, index, region).way;
     if (share < kAtKnot) {
         for (std::size_t v = 0; v < x.size(); ++v) x[v] += before[v];
         return;
     }
-    const std::vector<Vec3f>& after = knot(body, pose_at, index + 1).way;
+    const std::vector<Vec3f>& after = knot(body, pose_at, index + 1, region).way;
     const auto weight = static_cast<float>(share);
     for (std::size_t v = 0; v < x.size(); ++v) x[v] += (1 - weight) * before[v] + weight * after[v];
 }

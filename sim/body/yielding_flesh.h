@@ -22,6 +22,7 @@
 #include "sim/body/body.h"
 #include "sim/body/skin.h"
 #include "sim/core/math.h"
+#include "sim/core/region.h"
 
 namespace selvedge::sim {
 
@@ -33,8 +34,8 @@ class YieldingFlesh {
     explicit YieldingFlesh(const Body& body);
 
     // x: the vertices of the skinned surface in a pose, m, in the order of Body::x. Changes little when x does; leaves
-    // x as it is if it has numbers that are not finite.
-    void give_way(std::vector<Vec3f>& x) const;
+    // x as it is if it has numbers that are not finite. Flesh outside of the region (m) may stay as it is.
+    void give_way(std::vector<Vec3f>& x, const Region& region = everywhere()) const;
 
  private:
     // A vertex of the surface that stands for those round it.
@@ -60,11 +61,11 @@ class YieldingFlesh {
     void make_samples(const Body& body);
     void measure_thickness();
     void find_what_never_meets(const Body& body);
-    std::vector<PatchBounds> bounds_of(std::span<const Vec3f> x, std::span<const Vec3f> normals) const;
+    std::vector<std::uint32_t> patches_near(const std::vector<Vec3f>& x, const Region& region) const;
     std::vector<PatchBounds> bind_bounds() const;
     Relation relation(const Vec3f& a, const Sample& b) const;
-    void place_samples(const std::vector<Vec3f>& x, Now& now) const;
-    std::vector<Pair> find_pairs(const Now& now) const;
+    void place_samples(const std::vector<Vec3f>& x, std::span<const std::uint32_t> patches, Now& now) const;
+    std::vector<Pair> find_pairs(const Now& now, std::span<const std::uint32_t> patches) const;
     void find_between(const Now& now, const Range& own, const Range& other, const PatchBounds& bounds,
                       std::vector<Pair>& pairs) const;
     void gather(const std::vector<Vec3f>& x, const Now& now, std::span<const Pair> pairs,
@@ -104,8 +105,10 @@ class MovingFlesh {
 
     explicit MovingFlesh(const Body& body) : surface_(body) {}
 
-    // pose_at: the pose at a time, s, of the same motion in each call, up to the next multiple of kFleshSeconds.
-    void positions(const Body& body, const std::function<Pose(double)>& pose_at, double seconds, std::vector<Vec3f>& x);
+    // pose_at: the pose at a time, s, of the same motion in each call, up to the next multiple of kFleshSeconds. Flesh
+    // outside of the region (m) may stay as it is.
+    void positions(const Body& body, const std::function<Pose(double)>& pose_at, double seconds,
+                   const Region& region, std::vector<Vec3f>& x);
     const FleshSurface& surface() const { return surface_; }
 
  private:
@@ -113,7 +116,7 @@ class MovingFlesh {
         long index = -1;
         std::vector<Vec3f> way;  // of each vertex, m
     };
-    const Knot& knot(const Body& body, const std::function<Pose(double)>& pose_at, long index);
+    const Knot& knot(const Body& body, const std::function<Pose(double)>& pose_at, long index, const Region& region);
 
     FleshSurface surface_;
     std::array<Knot, 2> knots_;  // of even and odd indices

@@ -22,14 +22,15 @@ MovingBodyCollider::MovingBodyCollider(const Body& body) : bvh_(body) {
     place(bvh_.points());
 }
 
-void MovingBodyCollider::move_to(std::span<const Vec3f> x, const Eigen::AlignedBox3f& region) {
+void MovingBodyCollider::move_to(std::span<const Vec3f> x, const Region& region) {
     SELVEDGE_ASSERT(x.size() == bvh_.points().size());
     bvh_.sweep_to(x, region);
     float motion = 0, deformation = 0;
     for (std::size_t v = 0; v < x.size(); ++v) {
         const Vec3f by = x[v] - bvh_.points()[v];
         motion = std::max(motion, by.squaredNorm());
-        deformation = std::max(deformation, (by - bvh_.drift()).squaredNorm());
+        if (region.contains(bvh_.points()[v]) || region.contains(x[v] - bvh_.drift()))
+            deformation = std::max(deformation, (by - bvh_.drift()).squaredNorm());
     }
     longest_motion_ = std::sqrt(motion);
     longest_deformation_ = std::sqrt(deformation);

@@ -27,7 +27,7 @@ class MovingBodyCollider final : public Collider {
 
     // Sets where the surface is at the end of the next step: vertex positions, m. What stays outside of the region is
     // left out of all answers until the next call, as in SurfaceBvh::sweep_to(). Pre: as many as the body has.
-    void move_to(std::span<const Vec3f> x, const Eigen::AlignedBox3f& region = SurfaceBvh::everywhere());
+    void move_to(std::span<const Vec3f> x, const Region& region = everywhere());
     // Ends the step: the surface is where move_to() sent it, and rests until the next call of that.
     void arrive();
     // Puts the surface there without motion. Contact caches of cloths are invalid after it (forget_contacts).
@@ -35,7 +35,8 @@ class MovingBodyCollider final : public Collider {
 
     // The surface at the start of the step.
     const SurfaceBvh& surface() const { return bvh_; }
-    // m, the largest distance that a vertex travels in the step; and relative to the surface's drift
+    // m, the largest distance that a vertex travels in the step; and that one in the region travels relative to the
+    // surface's drift
     float longest_motion() const { return longest_motion_; }
     float longest_deformation() const { return longest_deformation_; }
     // The tangent plane at the point of the triangle that is nearest to p.

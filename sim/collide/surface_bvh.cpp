@@ -586,7 +586,7 @@ void SurfaceBvh::make_parts() {
     std::ranges::sort(upper_nodes_);
 }
 
-void SurfaceBvh::sweep_part(Part& part, const Eigen::AlignedBox3f& region) {
+void SurfaceBvh::sweep_part(Part& part, const Region& region) {
     Eigen::AlignedBox3f box;
     for (const std::uint32_t v : part.vertices) box.extend(x_[v]).extend(Vec3f(end_[v] - drift_));
     if (!box.intersects(region)) {
@@ -605,7 +605,7 @@ void SurfaceBvh::sweep_part(Part& part, const Eigen::AlignedBox3f& region) {
         sweep_node(nodes_[i]);  // children follow their parents
 }
 
-void SurfaceBvh::sweep_to(std::span<const Vec3f> end, const Eigen::AlignedBox3f& region) {
+void SurfaceBvh::sweep_to(std::span<const Vec3f> end, const Region& region) {
     SELVEDGE_ASSERT(end.size() == x_.size());
     if (!adjacency_) {
         make_adjacency();

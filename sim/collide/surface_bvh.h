@@ -14,6 +14,7 @@
 #include "sim/body/body.h"
 #include "sim/collide/kernels.h"
 #include "sim/core/math.h"
+#include "sim/core/region.h"
 
 namespace selvedge::sim {
 
@@ -113,11 +114,7 @@ class SurfaceBvh {
     //
     // Parts of the surface that stay outside of `region` (m) on the way, less the drift, are left out: until the next
     // sweep_to(), searches do not find them.
-    void sweep_to(std::span<const Vec3f> end, const Eigen::AlignedBox3f& region = everywhere());
-    static Eigen::AlignedBox3f everywhere() {
-        constexpr float kFar = std::numeric_limits<float>::infinity();
-        return {Vec3f(-kFar, -kFar, -kFar), Vec3f(kFar, kFar, kFar)};
-    }
+    void sweep_to(std::span<const Vec3f> end, const Region& region = everywhere());
     void arrive();
     // Where the vertices will be, m. Pre: between sweep_to() and arrive().
     std::span<const Vec3f> end_points() const { return end_; }
@@ -191,7 +188,7 @@ class SurfaceBvh {
     void make_adjacency();
     void make_parts();
     std::array<std::size_t, 2> ends_of_subtree(std::size_t node) const;
-    void sweep_part(Part& part, const Eigen::AlignedBox3f& region);
+    void sweep_part(Part& part, const Region& region);
     void sweep_node(Node& node);
     std::array<float, 6> box_at(std::int32_t place) const;
     Vec3f pseudo_normal(std::uint32_t triangle, int feature) const;

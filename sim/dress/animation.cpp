@@ -29,9 +29,9 @@ Pose BodyTimeline::pose(double seconds) const {
     return blend(start_, moving, smoothstep(seconds, 0, options_.blend_seconds));
 }
 
-void BodyTimeline::positions(double seconds, std::vector<Vec3f>& x) {
+void BodyTimeline::positions(double seconds, const Region& region, std::vector<Vec3f>& x) {
     flesh_.positions(
-        *body_, [this](double at) { return pose(at); }, seconds, x);
+        *body_, [this](double at) { return pose(at); }, seconds, region, x);
 }
 
 Body posed(const Body& body, const Pose& pose) {
@@ -81,7 +81,11 @@ Animation::Animation(const Pattern& pattern, std::shared_ptr<const Body> body, P
     const double frame_seconds = 1 / options_.frames_per_second;
     moving.step_seconds = frame_seconds / std::ceil(frame_seconds / moving.step_seconds - 1e-6);
     run_.emplace(
-        *cloth_, met, [this](double seconds, std::vector<Vec3f>& x) { timeline_.positions(seconds, x); }, moving);
+        *cloth_, met,
+        [this](double seconds, const Region& region, std::vector<Vec3f>& x) {
+            timeline_.positions(seconds, region, x);
+        },
+        moving);
     run_->options().adapt.budget = set_budget(budget_, options_.dress.triangle_budget);
     quality_.note(*cloth_, run_->collider(), 0);
 }

@@ -43,7 +43,8 @@ class BodyTimeline {
     const FleshSurface& surface() const { return flesh_.surface(); }  // of the body
     double seconds() const { return options_.blend_seconds + motion_seconds_; }
     Pose pose(double seconds) const;
-    void positions(double seconds, std::vector<Vec3f>& x);  // of the surface, m
+    // Of the surface, m; flesh outside of the region (m) may stay as it is.
+    void positions(double seconds, const Region& region, std::vector<Vec3f>& x);
 
  private:
     std::shared_ptr<const Body> body_;

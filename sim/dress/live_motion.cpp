@@ -15,11 +15,11 @@ LiveMotion::LiveMotion(const Cloth& dressed, std::vector<VertexId> kept, const B
       flesh_(*body_),
       from_(mover.pose()),
       to_(mover.pose()) {
-    const auto body_at = [this](double seconds, std::vector<Vec3f>& x) {
+    const auto body_at = [this](double seconds, const Region& region, std::vector<Vec3f>& x) {
         const auto pose_at = [this](double at) {
             return blend(from_, to_, std::clamp((at - start_) / kLiveFrameSeconds, 0.0, 1.0));
         };
-        flesh_.positions(*body_, pose_at, seconds, x);
+        flesh_.positions(*body_, pose_at, seconds, region, x);
     };
     run_.emplace(cloth_, *body_, body_at, motion_options(options));
     set_options(options);

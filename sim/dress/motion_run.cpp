@@ -16,18 +16,18 @@ constexpr float kLongestMotion = 0.02F;  // m, half the radius of a wrist and a 
 constexpr int kMostParts = 4;
 
 // Where the cloth may meet the body within a step.
-Eigen::AlignedBox3f near(const Cloth& cloth) {
+Region near(const Cloth& cloth) {
     constexpr float kNear = 0.1F;  // m: cloth that is faster than 12 m/s relative to the body's mean may miss it
-    Eigen::AlignedBox3f box;
+    Region box;
     for (const VertexId v : cloth.mesh.leaf_vertices()) box.extend(Vec3f(cloth.x[v.value].head<3>()));
-    return {box.min() - Vec3f::Constant(kNear), box.max() + Vec3f::Constant(kNear)};
+    return grown(box, kNear);
 }
 
 }  // namespace
 
 MotionRun::MotionRun(Cloth& cloth, const Body& body, BodyAt body_at, MotionOptions options)
     : body_at_(std::move(body_at)), options_(std::move(options)), collider_(body) {
-    body_at_(0, end_);
+    body_at_(0, near(cloth), end_);
     collider_.place(end_);
     forget_contacts(cloth);
     set_substep(cloth, static_cast<float>(options_.step_seconds / options_.substeps));
@@ -47,17 +47,13 @@ MotionFrame MotionRun::advance_to(Cloth& cloth, double seconds) {
 
 void MotionRun::step_once(Cloth& cloth, MotionFrame& frame) {
     const double start = seconds(), length = options_.step_seconds;
-    body_at_(start + length, end_);
-    collider_.move_to(end_, near(cloth));
+    move_body(start + length, near(cloth));
     const float motion = collider_.longest_deformation();
     const int parts =
         std::clamp(static_cast<int>(std::ceil(motion / kLongestMotion)), 1, std::min(kMostParts, options_.substeps));
     int done = 0;
     for (int part = 1; part <= parts; ++part) {
-        if (parts > 1) {
-            body_at_(start + length * part / parts, end_);
-            collider_.move_to(end_, near(cloth));
-        }
+        if (parts > 1) move_body(start + length * part / parts, near(cloth));
         const int until = options_.substeps * part / parts;
         step(cloth, collider_,
              {.substeps = until - done,
@@ -72,6 +68,11 @@ void MotionRun::step_once(Cloth& cloth, MotionFrame& frame) {
     ++steps_;
     ++frame.steps;
     frame.pinched = cloth.solver.contacts.moving.pinched;
+}
+
+void MotionRun::move_body(double seconds, const Region& region) {
+    body_at_(seconds, region, end_);
+    collider_.move_to(end_, region);
 }
 
 void MotionRun::adapt(Cloth& cloth, MotionFrame& frame) {

@@ -10,12 +10,14 @@
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/step.h"
 #include "sim/collide/moving_body.h"
+#include "sim/core/region.h"
 #include "sim/dress/pinned_followers.h"
 
 namespace selvedge::sim {
 
-// Writes the vertex positions of the body's surface (m) at that time (s) of the motion.
-using BodyAt = std::function<void(double seconds, std::vector<Vec3f>& x)>;
+// Writes the vertex positions of the body's surface (m) at that time (s) of the motion. They are read in the region
+// (m) only; outside of it they need not be exact.
+using BodyAt = std::function<void(double seconds, const Region& region, std::vector<Vec3f>& x)>;
 
 struct MotionOptions {
     double step_seconds = 1.0 / 120;
@@ -50,6 +52,7 @@ class MotionRun {
 
  private:
     void step_once(Cloth& cloth, MotionFrame& frame);
+    void move_body(double seconds, const Region& region);
     void adapt(Cloth& cloth, MotionFrame& frame);
 
     BodyAt body_at_;

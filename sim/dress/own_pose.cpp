@@ -22,9 +22,9 @@ DrapeResult move_to_own_pose(Cloth& cloth, const Body& body, const Pose& start, 
     const Pose rest = rest_pose(body);
     MotionRun moving(
         cloth, body,
-        [&](double seconds, std::vector<Vec3f>& x) {
+        [&](double seconds, const Region& region, std::vector<Vec3f>& x) {
             const auto pose_at = [&](double at) { return blend(start, rest, smoothstep(at, 0, kToOwnPose)); };
-            flesh.positions(body, pose_at, seconds, x);
+            flesh.positions(body, pose_at, seconds, region, x);
         },
         motion_options(options));
     for (double seconds = kReport; seconds <= kToOwnPose + kReport / 2; seconds += kReport) {

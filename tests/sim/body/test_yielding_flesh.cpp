@@ -155,7 +155,7 @@ TEST(YieldingFlesh, of_a_moving_body_goes_between_the_times_at_which_it_is_found
     std::vector<Vec3f> x, wanted;
     for (int step = 0; step <= 12; ++step) {
         const double seconds = step * MovingFlesh::kFleshSeconds / 2;
-        moving.positions(body, pose_at, seconds, x);
+        moving.positions(body, pose_at, seconds, everywhere(), x);
         FleshSurface(body).positions(body, pose_at(seconds), wanted);
         float farthest = 0;
         for (std::size_t v = 0; v < x.size(); ++v) farthest = std::max(farthest, (x[v] - wanted[v]).norm());

@@ -49,7 +49,7 @@ TEST(MotionRun, takes_pinned_vertices_along_with_the_body) {
     const auto turn = [](double t) { return Eigen::AngleAxisd(2 * t, Vec3d::UnitY()); };  // 2 rad/s
     MotionRun run(
         cloth, table,
-        [&](double t, std::vector<Vec3f>& x) { x = moved_points(table, [&](const Vec3d& p) { return turn(t) * p; }); },
+        [&](double t, const Region&, std::vector<Vec3f>& x) { x = moved_points(table, [&](const Vec3d& p) { return turn(t) * p; }); },
         without_floor());
     run.advance_to(cloth, 0.5);
     const Vec3d expected = turn(0.5) * start.cast<double>();
@@ -67,7 +67,7 @@ TEST(MotionRun, holds_a_triangle_budget_within_five_percent_one_second_after_it_
     options.adapt.shortest_edge = 0.01F;
     MotionRun run(
         cloth, ball,
-        [&](double t, std::vector<Vec3f>& x) {
+        [&](double t, const Region&, std::vector<Vec3f>& x) {
             const Vec3d by(0.05 * std::sin(6 * t), 0, 0);
             x = moved_points(ball, [&](const Vec3d& p) { return p + by; });
         },
@@ -165,9 +165,9 @@ TEST(Animation, goes_from_the_dressed_pose_over_into_the_motion_with_the_hips_in
     BodyTimeline timeline(body, dressing_pose(*body), walk, options);
     EXPECT_DOUBLE_EQ(timeline.seconds(), 2.5);
     std::vector<Vec3f> x, wanted, before, dressed;
-    timeline.positions(1.5, x);
+    timeline.positions(1.5, everywhere(), x);
     FleshSurface(*body).positions(*body, sample(*body, walk, 0.4), wanted);
-    timeline.positions(0, before);
+    timeline.positions(0, everywhere(), before);
     FleshSurface(*body).positions(*body, dressing_pose(*body), dressed);
     EXPECT_EQ(before, dressed) << "where its patterns expect it";
     const Vec3f way = x[0] - wanted[0];
