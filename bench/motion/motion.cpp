@@ -33,6 +33,7 @@ sim::MotionOptions options_of(const MotionExperiment& experiment, float shortest
 // degrees and goes round, so that the cloth does not rest.
 double rest_ms(sim::Cloth cloth, const sim::Collider& body, const sim::MotionOptions& options) {
     constexpr int kFrames = 60;
+    const auto steps = static_cast<int>(std::lround(2 * kFrame / options.step_seconds));
     sim::forget_contacts(cloth);
     set_substep(cloth, static_cast<float>(options.step_seconds / options.substeps));
     std::vector<double> ms;
@@ -40,7 +41,7 @@ double rest_ms(sim::Cloth cloth, const sim::Collider& body, const sim::MotionOpt
         const double seconds = time_once([&] {
             adapt_cloth(cloth, body, options.adapt, options.contact);
             update_standoffs(cloth, body, {.free = options.free_standoff});
-            for (int i = 0; i < 4; ++i)
+            for (int i = 0; i < steps; ++i)
                 step(cloth, body,
                      {.substeps = options.substeps,
                       .gravity = leaning_gravity(frame * kFrame + i * options.step_seconds),

@@ -70,7 +70,7 @@ std::vector<std::uint32_t> rigid_vertices(const sim::Body& body, const std::vect
         for (const int v : body.triangles[t]) vertices.push_back(static_cast<std::uint32_t>(v));
     }
     std::ranges::sort(vertices);
-    vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return vertices;
 }
 
@@ -79,8 +79,8 @@ std::vector<Vec2d> hull_of(std::vector<Vec2d> points) {
     std::ranges::sort(points,
                       [](const Vec2d& a, const Vec2d& b) { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); });
     std::vector<Vec2d> hull;
-    const auto add_side = [&](const auto& range, std::size_t first) {
-        for (const Vec2d& p : range) {
+    const auto add_side = [&](std::size_t first) {
+        for (const Vec2d& p : points) {
             const auto turns_right = [&](const Vec2d& a, const Vec2d& b) {
                 return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x()) <= 0;
             };
@@ -89,8 +89,9 @@ std::vector<Vec2d> hull_of(std::vector<Vec2d> points) {
         }
         hull.pop_back();  // the other side starts there
     };
-    add_side(points, 0);
-    add_side(points | std::views::reverse, hull.size());
+    add_side(0);
+    std::ranges::reverse(points);
+    add_side(hull.size());
     return hull;
 }
 

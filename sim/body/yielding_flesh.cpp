@@ -66,24 +66,19 @@ void add_bones(const Body& body, std::uint32_t vertex, std::set<int>& bones) {
 
 // Where the samples of a patch are, and which ways they face.
 struct PatchBounds {
-    Vec3f centre = Vec3f::Zero();
-    float radius = 0;
-    Eigen::AlignedBox3f normals;
+    Eigen::AlignedBox3f places, normals;
 
     PatchBounds(std::span<const Vec3f> x, std::span<const Vec3f> n) {
-        for (const Vec3f& p : x) centre += p / static_cast<float>(x.size());
-        for (const Vec3f& p : x) radius = std::max(radius, (p - centre).norm());
+        for (const Vec3f& p : x) places.extend(p);
         for (const Vec3f& normal : n) normals.extend(normal);
     }
     bool are_within(const PatchBounds& other, float distance) const {
-        const float reach = radius + other.radius + distance;
-        return (centre - other.centre).squaredNorm() < reach * reach;
+        return places.squaredExteriorDistance(other.places) < distance * distance;
     }
     bool may_meet(const Vec3f& p, const Vec3f& normal, float distance) const {
-        const float reach = radius + distance;
+        if (places.squaredExteriorDistance(p) >= distance * distance) return false;
         const Eigen::Array3f at_low = normal.array() * normals.min().array();
-        return (centre - p).squaredNorm() < reach * reach &&
-               at_low.min(normal.array() * normals.max().array()).sum() < -kFacing;
+        return at_low.min(normal.array() * normals.max().array()).sum() < -kFacing;
     }
     bool may_face(const PatchBounds& other) const { return least_product(normals, other.normals) < -kFacing; }
 };
@@ -93,16 +88,14 @@ namespace {
 // Pairs of patches that face each other within the distance, each once.
 template <class Use>
 void for_facing(const std::vector<PatchBounds>& bounds, float distance, Use&& use) {
-    float largest = 0;
-    for (const PatchBounds& each : bounds) largest = std::max(largest, each.radius);
     std::vector<std::uint32_t> order(bounds.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(bounds[i].centre.y(), i); });
+    std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(bounds[i].places.min().y(), i); });
     for (std::size_t first = 0; first < order.size(); ++first) {
         const PatchBounds& a = bounds[order[first]];
         for (std::size_t second = first; second < order.size(); ++second) {
             const PatchBounds& b = bounds[order[second]];
-            if (b.centre.y() - a.centre.y() > a.radius + largest + distance) break;
+            if (b.places.min().y() > a.places.max().y() + distance) break;
             if (a.are_within(b, distance) && a.may_face(b)) use(order[first], order[second]);
         }
     }
@@ -253,16 +246,16 @@ YieldingFlesh::Relation YieldingFlesh::relation(const Vec3f& a, const Sample& b)
 
 // With a part in the region, or near enough to press on one that has. None if a sample is not finite.
 std::vector<std::uint32_t> YieldingFlesh::patches_near(const std::vector<Vec3f>& x, const Region& region) const {
-    const Region wide = grown(region, kReach + kSpacing);
+    const Region wide = region.grown(kReach + kSpacing);
     std::vector<std::uint32_t> near;
     for (std::uint32_t p = 0; p < patches_.size(); ++p) {
-        Region box;
+        Eigen::AlignedBox3f box;
         for (std::uint32_t i = patches_[p].begin; i < patches_[p].end; ++i) {
             const Vec3f& at = x[samples_[i].vertex];
             if (!at.allFinite()) return {};
             box.extend(at);
         }
-        if (box.intersects(wide)) near.push_back(p);
+        if (wide.meets(box)) near.push_back(p);
     }
     return near;
 }
@@ -298,23 +291,25 @@ std::vector<YieldingFlesh::Pair> YieldingFlesh::find_pairs(const Now& now,
         const std::uint32_t first = patches[a], second = patches[b];
         if (never_meet_[first * patches_.size() + second]) return;
         find_between(now, patches_[first], patches_[second], bounds[b], pairs);
-        if (a != b) find_between(now, patches_[second], patches_[first], bounds[a], pairs);
     });
     return pairs;
 }
 
 void YieldingFlesh::find_between(const Now& now, const Range& own, const Range& other, const PatchBounds& bounds,
                                  std::vector<Pair>& pairs) const {
+    const auto note = [&](std::uint32_t i, std::uint32_t k, float height) {
+        if (height >= kRoom + kFadeOut) return;
+        const Relation bound = relation(samples_[i].bind, samples_[k]);
+        if (bound.weight > 0 && height < bound.room + kFadeOut) pairs.push_back({i, k});
+    };
     for (std::uint32_t i = own.begin; i < own.end; ++i) {
         if (!bounds.may_meet(now.x[i], now.normal[i], kReach)) continue;
-        for (std::uint32_t k = other.begin; k < other.end; ++k) {
+        for (std::uint32_t k = own.begin == other.begin ? i + 1 : other.begin; k < other.end; ++k) {
             const Vec3f way = now.x[i] - now.x[k];
-            const float height = now.normal[k].dot(way);
-            if (now.normal[i].dot(now.normal[k]) >= -kFacing || height >= kRoom + kFadeOut) continue;
-            if (way.squaredNorm() >= kReach * kReach) continue;
+            if (way.squaredNorm() >= kReach * kReach || now.normal[i].dot(now.normal[k]) >= -kFacing) continue;
             if (samples_[i].thickness < kSlender && samples_[k].thickness < kSlender) continue;
-            const Relation bound = relation(samples_[i].bind, samples_[k]);
-            if (bound.weight > 0 && height < bound.room + kFadeOut) pairs.push_back({i, k});
+            note(i, k, now.normal[k].dot(way));
+            note(k, i, -now.normal[i].dot(way));
         }
     }
 }

@@ -35,7 +35,7 @@ class YieldingFlesh {
 
     // x: the vertices of the skinned surface in a pose, m, in the order of Body::x. Changes little when x does; leaves
     // x as it is if it has numbers that are not finite. Flesh outside of the region (m) may stay as it is.
-    void give_way(std::vector<Vec3f>& x, const Region& region = everywhere()) const;
+    void give_way(std::vector<Vec3f>& x, const Region& region = {}) const;
 
  private:
     // A vertex of the surface that stands for those round it.

@@ -222,8 +222,7 @@ class ContactFinder {
         last = {.triangle = triangle,
                 .point = plane.point + plane.motion,
                 .normal = (plane.normal + plane.turn).normalized(),
-                .motion = plane.motion,
-                .turn = plane.turn};
+                .motion = plane.motion};
         const Offset offset = offset_from(plane, x, searchers.offset[i]);
         if (other) {
             const MovingPlane second = body_.plane_at(*other, p);
@@ -283,8 +282,8 @@ class ContactFinder {
         return block;
     }
 
-    // Those for which the planes of their corners do not serve search, by the Morton code of their positions too: the
-    // samples of most blocks have no vertex in common, and so are far apart.
+    // By the Morton code of their positions too: the samples of most blocks have no vertex in common, and so are far
+    // apart.
     void find_samples() {
         moving_.samples.resize(contacts_.samples.size());
         moving_.is_sample_near.assign(contacts_.samples.size(), 0);
@@ -293,12 +292,7 @@ class ContactFinder {
             for (std::size_t at = 0; at < kBlock; ++at) {
                 clear_plane(moving_.samples[index], at);
                 if (contacts_.samples[index].shares[0][at] <= 0) continue;
-                const Vec3f p = sample_place(index, at).first;
-                if (const auto plane = plane_between(contacts_.samples[index], at, p)) {
-                    set_sample(index, at, *plane, p);
-                } else {
-                    order.emplace_back(morton_code(p), std::uint32_t(index * kBlock + at));
-                }
+                order.emplace_back(morton_code(sample_place(index, at).first), std::uint32_t(index * kBlock + at));
             }
         }
         std::ranges::sort(order);
@@ -335,38 +329,10 @@ class ContactFinder {
             const std::size_t index = near[i].second / kBlock, at = near[i].second % kBlock;
             const Vec3f p = searchers.group.point(i);
             const MovingPlane plane = body_.plane_at(triangle, p);
-            if (!is_on_other_side(contacts_.samples[index], at, plane.normal)) set_sample(index, at, plane, p);
+            if (is_on_other_side(contacts_.samples[index], at, plane.normal)) continue;
+            set_plane(moving_.samples[index], at, held_at(plane, offset_from(plane, p, offset_, kSampleRecovery)));
+            moving_.is_sample_near[index] = 1;
         }
-    }
-
-    void set_sample(std::size_t index, std::size_t at, const MovingPlane& plane, const Vec3f& p) {
-        set_plane(moving_.samples[index], at, held_at(plane, offset_from(plane, p, offset_, kSampleRecovery)));
-        moving_.is_sample_near[index] = 1;
-    }
-
-    // The plane of a sample at p from those of its corners; nullopt where distance_between() knows nothing.
-    std::optional<MovingPlane> plane_between(const SampleBlock& block, std::size_t at, const Vec3f& p) const {
-        std::array<VertexId, 3> corners;
-        std::array<float, 3> shares{};
-        Vec3f end = Vec3f::Zero(), start = Vec3f::Zero(), motion = Vec3f::Zero();
-        std::size_t count = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (block.shares[k][at] <= 0) continue;
-            corners[count] = VertexId{block.vertices[k][at] / 4};
-            const LastContact& last = moving_.last[corners[count].value];
-            if (last.triangle == LastContact::kNone || last.is_pinched) return std::nullopt;
-            const float share = shares[count++] = block.shares[k][at];
-            end += share * last.normal;
-            start += share * (last.normal - last.turn);
-            motion += share * last.motion;
-        }
-        // The surface at the corners is where the step ends; p is where it starts.
-        const auto height =
-            distance_between(moving_, std::span(corners).first(count), std::span(shares).first(count), p + motion);
-        if (!height) return std::nullopt;
-        start.normalize();
-        return MovingPlane{
-            .point = p - start * *height, .motion = motion, .normal = start, .turn = end.normalized() - start};
     }
 
     // Whether a corner of the sample is pinched, or on a side of the body that the normal does not belong to.

@@ -58,7 +58,6 @@ struct LastContact {
     bool is_pinched = false;       // that leaves less room than the offset of both sides
     Vec3f point = Vec3f::Zero(), normal = Vec3f::Zero();
     Vec3f motion = Vec3f::Zero();  // of the surface there in the step, m
-    Vec3f turn = Vec3f::Zero();    // change of the normal in the step
 };
 
 struct MovingContacts {

@@ -29,8 +29,9 @@ void MovingBodyCollider::move_to(std::span<const Vec3f> x, const Region& region)
     for (std::size_t v = 0; v < x.size(); ++v) {
         const Vec3f by = x[v] - bvh_.points()[v];
         motion = std::max(motion, by.squaredNorm());
-        if (region.contains(bvh_.points()[v]) || region.contains(x[v] - bvh_.drift()))
-            deformation = std::max(deformation, (by - bvh_.drift()).squaredNorm());
+        const float relative = (by - bvh_.drift()).squaredNorm();
+        if (relative > deformation && (region.contains(bvh_.points()[v]) || region.contains(x[v] - bvh_.drift())))
+            deformation = relative;
     }
     longest_motion_ = std::sqrt(motion);
     longest_deformation_ = std::sqrt(deformation);

@@ -589,7 +589,7 @@ void SurfaceBvh::make_parts() {
 void SurfaceBvh::sweep_part(Part& part, const Region& region) {
     Eigen::AlignedBox3f box;
     for (const std::uint32_t v : part.vertices) box.extend(x_[v]).extend(Vec3f(end_[v] - drift_));
-    if (!box.intersects(region)) {
+    if (!region.meets(box)) {
         constexpr float kFar = std::numeric_limits<float>::infinity();
         for (auto& low : nodes_[part.first_node].low) low.fill(kFar);
         for (auto& high : nodes_[part.first_node].high) high.fill(-kFar);

@@ -114,7 +114,7 @@ class SurfaceBvh {
     //
     // Parts of the surface that stay outside of `region` (m) on the way, less the drift, are left out: until the next
     // sweep_to(), searches do not find them.
-    void sweep_to(std::span<const Vec3f> end, const Region& region = everywhere());
+    void sweep_to(std::span<const Vec3f> end, const Region& region = {});
     void arrive();
     // Where the vertices will be, m. Pre: between sweep_to() and arrive().
     std::span<const Vec3f> end_points() const { return end_; }

@@ -104,6 +104,25 @@ TEST(YieldingFlesh, makes_room_between_sides_that_overlap) {
     }
 }
 
+TEST(YieldingFlesh, gives_way_in_a_region_as_it_does_in_the_whole_body) {
+    const Body body = trunk_and_arm();
+    std::vector<Vec3f> skinned, whole;
+    SkinnedSurface(body).positions(body, with_gap(body, -0.02), skinned);
+    const YieldingFlesh flesh(body);
+    flesh.give_way(whole = skinned);
+    const Region region(Vec3f(-1, 0.4F, -1), Vec3f(1, 1, 1));
+    std::vector<Vec3f> x = skinned;
+    flesh.give_way(x, region);
+    int gone_back = 0, left = 0;
+    for (std::size_t v = 0; v < x.size(); ++v) {
+        if (region.contains(skinned[v])) EXPECT_EQ(x[v], whole[v]);
+        gone_back += region.contains(skinned[v]) && x[v] != skinned[v] ? 1 : 0;
+        left += x[v] == skinned[v] && whole[v] != skinned[v] ? 1 : 0;
+    }
+    EXPECT_GT(gone_back, 10);
+    EXPECT_GT(left, 10) << "far from the region";
+}
+
 TEST(YieldingFlesh, goes_back_farther_where_it_is_thicker) {
     const Body body = trunk_and_arm();
     std::vector<Vec3f> x, skinned;
@@ -155,7 +174,7 @@ TEST(YieldingFlesh, of_a_moving_body_goes_between_the_times_at_which_it_is_found
     std::vector<Vec3f> x, wanted;
     for (int step = 0; step <= 12; ++step) {
         const double seconds = step * MovingFlesh::kFleshSeconds / 2;
-        moving.positions(body, pose_at, seconds, everywhere(), x);
+        moving.positions(body, pose_at, seconds, Region(), x);
         FleshSurface(body).positions(body, pose_at(seconds), wanted);
         float farthest = 0;
         for (std::size_t v = 0; v < x.size(); ++v) farthest = std::max(farthest, (x[v] - wanted[v]).norm());
