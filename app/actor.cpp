@@ -12,6 +12,18 @@
 namespace selvedge::app {
 namespace {
 
+// Throws InputError that names the body's own motions too, if there is none of that name.
+sim::Clip find_other_motion(const std::string& name, const sim::BodyClips& own) {
+    try {
+        return sim::find_motion(name, own.body);
+    } catch (const sim::InputError& error) {
+        std::string names;
+        for (const sim::Clip& clip : own.clips) names += (names.empty() ? "" : ", ") + clip.name;
+        if (names.empty() || !error.file().empty()) throw;
+        throw sim::InputError("", error.place(), error.problem() + "; the body's own are " + names);
+    }
+}
+
 // A motion of the body's own file, or else one that ships or is in another file.
 sim::Clip choose_motion(const MotionChoice& motion, const sim::BodyClips& own, const std::string& source) {
     const std::string& name = motion.name;
@@ -20,7 +32,7 @@ sim::Clip choose_motion(const MotionChoice& motion, const sim::BodyClips& own, c
     const bool is_own = name.empty() || std::ranges::any_of(own.clips, [&](const sim::Clip& clip) {
                             return clip.name == name || clip.name.ends_with("|" + name);
                         });
-    if (!is_own) return sim::find_motion(name, own.body);
+    if (!is_own) return find_other_motion(name, own);
     sim::Clip clip = sim::find_clip(own.clips, name, source);
     if (clip.name.empty()) clip.name = own.body.name;
     if (motion.opens_arms) sim::clear_arms(own.body, clip);

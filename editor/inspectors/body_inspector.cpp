@@ -204,7 +204,7 @@ void draw_activity(InspectorContext& context) {
     if (row.button({.name = "body.play",
                     .title = frame->motion.is_playing ? "Pause" : "Play",
                     .tip = with_key(context, "The body moves once the garment hangs", "motion.play"),
-                    .is_enabled = !drape.activity().motion.empty()})) {
+                    .is_enabled = drape.can_play()})) {
         frame->motion.is_playing ? drape.pause_motion() : drape.play();
         if (context.show_timeline) context.show_timeline();
     }

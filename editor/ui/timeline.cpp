@@ -84,7 +84,7 @@ const char* empty_text(const AppState& state) {
     const Drape& drape = state.workspace.drape;
     if (drape.is_finding_motion()) return "Reading the motion";
     if (drape.current_body().body && !drape.frame()->motion.can_move) return "This body has no bones to move by";
-    return "Choose a motion below";
+    return drape.can_play() ? "Play, or choose a motion below" : "Choose a motion below";
 }
 
 // The motion's time as a strip: a press or a drag seeks. A motion that plays goes on where it is let go.

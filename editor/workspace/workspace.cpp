@@ -196,8 +196,18 @@ void Drape::choose_motion(const std::string& text) {
     plays_when_found_ = false;
 }
 
+bool Drape::can_play() const {
+    return !activity_.motion.empty() ||
+           std::ranges::any_of(current_body_.clips, [](const sim::Clip& clip) { return !clip.name.empty(); });
+}
+
 void Drape::play() {
-    if (activity_.motion.empty()) return;
+    if (!can_play()) return;
+    if (activity_.motion.empty()) {
+        choose_motion(std::ranges::find_if(current_body_.clips, [](const sim::Clip& clip) {
+                          return !clip.name.empty();
+                      })->name);
+    }
     activity_.turned.reset();
     if (!session_.frame()->is_running) session_.start();
     if (taken_motion_ == activity_.motion) {

@@ -145,6 +145,7 @@ class Drape {
     void reset_angles();
     std::shared_ptr<const sim::Pose> shown_pose() const;  // of the body in the newest frame; null: it has no bones
     void set_playback(const sim::Playback& playback) { activity_.playback = playback; }
+    bool can_play() const;  // a motion is chosen, or the body has its own, of which play() then chooses the first
     void play();
     void pause_motion();
     void seek(double seconds);

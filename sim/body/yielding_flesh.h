@@ -107,8 +107,8 @@ class MovingFlesh {
 
     // pose_at: the pose at a time, s, of the same motion in each call, up to the next multiple of kFleshSeconds. Flesh
     // outside of the region (m) may stay as it is.
-    void positions(const Body& body, const std::function<Pose(double)>& pose_at, double seconds,
-                   const Region& region, std::vector<Vec3f>& x);
+    void positions(const Body& body, const std::function<Pose(double)>& pose_at, double seconds, const Region& region,
+                   std::vector<Vec3f>& x);
     const FleshSurface& surface() const { return surface_; }
 
  private:

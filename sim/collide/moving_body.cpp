@@ -25,16 +25,21 @@ MovingBodyCollider::MovingBodyCollider(const Body& body) : bvh_(body) {
 void MovingBodyCollider::move_to(std::span<const Vec3f> x, const Region& region) {
     SELVEDGE_ASSERT(x.size() == bvh_.points().size());
     bvh_.sweep_to(x, region);
-    float motion = 0, deformation = 0;
-    for (std::size_t v = 0; v < x.size(); ++v) {
-        const Vec3f by = x[v] - bvh_.points()[v];
-        motion = std::max(motion, by.squaredNorm());
-        const float relative = (by - bvh_.drift()).squaredNorm();
-        if (relative > deformation && (region.contains(bvh_.points()[v]) || region.contains(x[v] - bvh_.drift())))
-            deformation = relative;
-    }
+    float motion = 0;
+    for (std::size_t v = 0; v < x.size(); ++v) motion = std::max(motion, (x[v] - bvh_.points()[v]).squaredNorm());
     longest_motion_ = std::sqrt(motion);
-    longest_deformation_ = std::sqrt(deformation);
+    longest_deformation_ = deformation_to(x, region);
+}
+
+float MovingBodyCollider::deformation_to(std::span<const Vec3f> x, const Region& region) const {
+    const std::span<const Vec3f> from = bvh_.points();
+    const Vec3f drift = bvh_.drift_to(x);
+    float longest = 0;
+    for (std::size_t v = 0; v < x.size(); ++v) {
+        const float squared = (x[v] - from[v] - drift).squaredNorm();
+        if (squared > longest && (region.contains(from[v]) || region.contains(x[v] - drift))) longest = squared;
+    }
+    return std::sqrt(longest);
 }
 
 void MovingBodyCollider::arrive() {

@@ -28,6 +28,8 @@ class MovingBodyCollider final : public Collider {
     // Sets where the surface is at the end of the next step: vertex positions, m. What stays outside of the region is
     // left out of all answers until the next call, as in SurfaceBvh::sweep_to(). Pre: as many as the body has.
     void move_to(std::span<const Vec3f> x, const Region& region = {});
+    // m, the longest_deformation() that move_to() would set.
+    float deformation_to(std::span<const Vec3f> x, const Region& region) const;
     // Ends the step: the surface is where move_to() sent it, and rests until the next call of that.
     void arrive();
     // Puts the surface there without motion. Contact caches of cloths are invalid after it (forget_contacts).

@@ -605,6 +605,12 @@ void SurfaceBvh::sweep_part(Part& part, const Region& region) {
         sweep_node(nodes_[i]);  // children follow their parents
 }
 
+Vec3f SurfaceBvh::drift_to(std::span<const Vec3f> end) const {
+    Vec3d sum = Vec3d::Zero();
+    for (std::size_t v = 0; v < x_.size(); ++v) sum += (end[v] - x_[v]).cast<double>();
+    return (sum / std::max(1.0, double(x_.size()))).cast<float>();
+}
+
 void SurfaceBvh::sweep_to(std::span<const Vec3f> end, const Region& region) {
     SELVEDGE_ASSERT(end.size() == x_.size());
     if (!adjacency_) {
@@ -613,9 +619,7 @@ void SurfaceBvh::sweep_to(std::span<const Vec3f> end, const Region& region) {
         if (!nodes_.empty()) make_parts();
     }
     end_.assign(end.begin(), end.end());
-    Vec3d sum = Vec3d::Zero();
-    for (std::size_t v = 0; v < x_.size(); ++v) sum += (end_[v] - x_[v]).cast<double>();
-    drift_ = (sum / std::max(1.0, double(x_.size()))).cast<float>();
+    drift_ = drift_to(end);
     shift_ = Vec3f::Zero();
     if (nodes_.empty()) return;
     Eigen::AlignedBox3f whole;

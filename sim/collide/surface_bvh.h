@@ -118,8 +118,9 @@ class SurfaceBvh {
     void arrive();
     // Where the vertices will be, m. Pre: between sweep_to() and arrive().
     std::span<const Vec3f> end_points() const { return end_; }
-    // The mean motion of the vertices until arrive(), m.
+    // The mean motion of the vertices until arrive(), m; and if they went there.
     const Vec3f& drift() const { return drift_; }
+    Vec3f drift_to(std::span<const Vec3f> end) const;
 
     // The surface point nearest to p; nullopt when none is within radius (m, may be infinite).
     std::optional<ClosestPoint> closest(const Vec3f& p, float radius) const;

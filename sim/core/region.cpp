@@ -20,9 +20,9 @@ void Region::for_lines(int axis, const Use& use) {
     }
 }
 
-// Three cells are as wide as `near`: so many on each side of a point's cell hold what is near it.
+// Two cells are as wide as `near`: so many on each side of a point's cell hold what is near it.
 Region::Region(std::span<const Vec3f> points, float near) : is_everywhere_(false) {
-    constexpr int kBeside = 3;
+    constexpr int kBeside = 2;
     Eigen::AlignedBox3f box;
     for (const Vec3f& p : points)
         if (p.allFinite()) box.extend(p);

@@ -12,8 +12,8 @@ class Region {
  public:
     // All of space.
     Region() = default;
-    // What is within `near` (m) of one of the points along each axis, and up to a third of that around it; more round
-    // points that spread over more than 20 times as much. Points that are not finite have nothing near them.
+    // What is within `near` (m) of one of the points along each axis, and up to half of that around it; more round
+    // points that spread over more than 29 times as much. Points that are not finite have nothing near them.
     Region(std::span<const Vec3f> points, float near);
 
     bool contains(const Vec3f& p) const { return meets({p, p}); }

@@ -47,13 +47,16 @@ MotionFrame MotionRun::advance_to(Cloth& cloth, double seconds) {
 
 void MotionRun::step_once(Cloth& cloth, MotionFrame& frame) {
     const double start = seconds(), length = options_.step_seconds;
-    move_body(start + length, near(cloth));
-    const float motion = collider_.longest_deformation();
+    Region region = near(cloth);
+    body_at_(start + length, region, end_);
+    const float motion = collider_.deformation_to(end_, region);
     const int parts =
         std::clamp(static_cast<int>(std::ceil(motion / kLongestMotion)), 1, std::min(kMostParts, options_.substeps));
     int done = 0;
     for (int part = 1; part <= parts; ++part) {
-        if (parts > 1) move_body(start + length * part / parts, near(cloth));
+        if (part > 1) region = near(cloth);
+        if (parts > 1) body_at_(start + length * part / parts, region, end_);
+        collider_.move_to(end_, region);
         const int until = options_.substeps * part / parts;
         step(cloth, collider_,
              {.substeps = until - done,
@@ -68,11 +71,6 @@ void MotionRun::step_once(Cloth& cloth, MotionFrame& frame) {
     ++steps_;
     ++frame.steps;
     frame.pinched = cloth.solver.contacts.moving.pinched;
-}
-
-void MotionRun::move_body(double seconds, const Region& region) {
-    body_at_(seconds, region, end_);
-    collider_.move_to(end_, region);
 }
 
 void MotionRun::adapt(Cloth& cloth, MotionFrame& frame) {

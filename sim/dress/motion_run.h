@@ -52,7 +52,6 @@ class MotionRun {
 
  private:
     void step_once(Cloth& cloth, MotionFrame& frame);
-    void move_body(double seconds, const Region& region);
     void adapt(Cloth& cloth, MotionFrame& frame);
 
     BodyAt body_at_;

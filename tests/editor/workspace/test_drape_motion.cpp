@@ -71,6 +71,7 @@ TEST_F(DrapeOnMovingBody, does_not_sew_because_a_pose_is_chosen) {
 }
 
 TEST_F(DrapeOnMovingBody, sews_to_play_a_motion_and_plays_it_when_the_garment_hangs) {
+    EXPECT_FALSE(drape().can_play());
     drape().play();
     update(1);
     EXPECT_FALSE(frame()->is_running) << "there is no motion";
@@ -139,6 +140,27 @@ TEST_F(DrapeOnMovingBody, puts_another_body_into_the_same_pose_and_motion) {
     update(5);
     EXPECT_EQ(sought_, (std::vector<std::string>{"T", "walk", "T", "walk"}));
     EXPECT_GT(frame()->motion.length, 0.5);
+}
+
+TEST(DrapeOnAnimatedBody, plays_the_first_motion_of_its_file_if_none_is_chosen) {
+    const auto made = [](const std::string& text) {
+        CurrentBody current = make_mannequin_body(text);
+        for (const char* name : {"", "turns", "waves"}) {
+            current.clips.push_back(sim::find_motion("walk", *current.body));
+            current.clips.back().name = name;
+        }
+        return current;
+    };
+    Workspace workspace(sim::load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / "two_squares.json"),
+                        sim::SessionDrive::Caller, made);
+    Drape& drape = workspace.drape;
+    EXPECT_FALSE(drape.can_play()) << "no body is ready";
+    drape.update(*workspace.document, workspace.messages);
+    EXPECT_TRUE(drape.can_play());
+    drape.play();
+    EXPECT_EQ(drape.activity().motion, "turns") << "what has no name cannot be chosen";
+    for (int i = 0; i < 5; ++i) drape.update(*workspace.document, workspace.messages);
+    EXPECT_TRUE(drape.frame()->motion.is_playing);
 }
 
 TEST(DrapeOnTPose, has_its_own_pose_chosen_and_goes_back_to_the_one_in_which_it_is_dressed) {

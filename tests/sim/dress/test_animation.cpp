@@ -49,7 +49,9 @@ TEST(MotionRun, takes_pinned_vertices_along_with_the_body) {
     const auto turn = [](double t) { return Eigen::AngleAxisd(2 * t, Vec3d::UnitY()); };  // 2 rad/s
     MotionRun run(
         cloth, table,
-        [&](double t, const Region&, std::vector<Vec3f>& x) { x = moved_points(table, [&](const Vec3d& p) { return turn(t) * p; }); },
+        [&](double t, const Region&, std::vector<Vec3f>& x) {
+            x = moved_points(table, [&](const Vec3d& p) { return turn(t) * p; });
+        },
         without_floor());
     run.advance_to(cloth, 0.5);
     const Vec3d expected = turn(0.5) * start.cast<double>();
