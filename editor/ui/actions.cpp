@@ -167,8 +167,7 @@ void add_motion_actions(std::vector<Action>& actions) {
          .chords = {{Key::Space, {.shift = true}}},
          .begins_group = true,
          .run = play_or_pause,
-         .can =
-             [](const AppState& state) { return can_move(state) && state.workspace.drape.can_play(); },
+         .can = [](const AppState& state) { return can_move(state) && state.workspace.drape.can_play(); },
          .is_on = [](const AppState& state) { return state.workspace.drape.frame()->motion.is_playing; }});
     actions.push_back({.id = "motion.start",
                        .menu = "Simulate",

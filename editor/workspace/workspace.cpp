@@ -204,9 +204,8 @@ bool Drape::can_play() const {
 void Drape::play() {
     if (!can_play()) return;
     if (activity_.motion.empty()) {
-        choose_motion(std::ranges::find_if(current_body_.clips, [](const sim::Clip& clip) {
-                          return !clip.name.empty();
-                      })->name);
+        choose_motion(
+            std::ranges::find_if(current_body_.clips, [](const sim::Clip& clip) { return !clip.name.empty(); })->name);
     }
     activity_.turned.reset();
     if (!session_.frame()->is_running) session_.start();

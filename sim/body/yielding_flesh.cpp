@@ -355,7 +355,7 @@ void YieldingFlesh::give_way(std::vector<Vec3f>& x, const Region& region) const 
 }
 
 const MovingFlesh::Knot& MovingFlesh::knot(const Body& body, const std::function<Pose(double)>& pose_at, long index,
-                                     const Region& region) {
+                                           const Region& region) {
     Knot& knot = knots_[static_cast<std::size_t>(index % 2)];
     if (knot.index == index) return knot;
     std::vector<Vec3f> x;

@@ -142,6 +142,7 @@ void update_normals(Cloth& cloth) {
 }
 
 float rms_speed(const Cloth& cloth, const std::vector<Vec4f>& before, double seconds) {
+    SELVEDGE_ASSERT(before.size() == cloth.x.size());
     double energy = 0;
     double total = 0;
     for (const VertexId v : cloth.mesh.leaf_vertices()) {

@@ -50,9 +50,8 @@ MotionFrame LiveMotion::advance(BodyMover& mover) {
     body_still_seconds_ = stands ? body_still_seconds_ + kLiveFrameSeconds : 0;
     run_->options().air_damping =
         MotionOptions{}.air_damping + falling.damping_growth * static_cast<float>(body_still_seconds_);
-    const std::vector<Vec4f> before = cloth_.x;
     const MotionFrame frame = run_->advance_to(cloth_, start_ + kLiveFrameSeconds);
-    rms_speed_ = sim::rms_speed(cloth_, before, kLiveFrameSeconds);
+    rms_speed_ = frame.rms_speed;
     still_seconds_ = stands && rms_speed_ < falling.rest_speed ? still_seconds_ + kLiveFrameSeconds : 0;
     return frame;
 }

@@ -37,10 +37,19 @@ MotionFrame MotionRun::advance_to(Cloth& cloth, double seconds) {
     MotionFrame frame;
     const int interval =
         std::max(1, static_cast<int>(std::lround(options_.adaptation_seconds / options_.step_seconds)));
-    for (const long last = std::lround(seconds / options_.step_seconds); steps_ < last;) {
-        if (steps_ % interval == 0) adapt(cloth, frame);
+    const long last = std::lround(seconds / options_.step_seconds);
+    std::vector<Vec4f> before = cloth.x;
+    long first = steps_;
+    while (steps_ < last) {
+        if (steps_ % interval == 0) {
+            adapt(cloth, frame);
+            before = cloth.x;  // with the vertices that are new
+            first = steps_;
+        }
         step_once(cloth, frame);
     }
+    if (steps_ > first)
+        frame.rms_speed = rms_speed(cloth, before, static_cast<double>(steps_ - first) * options_.step_seconds);
     frame.has_bad_number = find_bad_vertex(cloth).has_value();
     return frame;
 }

@@ -35,6 +35,7 @@ struct MotionFrame {
     int steps = 0;
     int pinched = 0;  // vertices between two sides of the body with less room than the contact offset, at the end
     bool has_bad_number = false;
+    float rms_speed = 0;  // m/s, since the last adaptation
     AdaptReport adapted{};
 };
 

@@ -110,13 +110,18 @@ TEST(YieldingFlesh, gives_way_in_a_region_as_it_does_in_the_whole_body) {
     SkinnedSurface(body).positions(body, with_gap(body, -0.02), skinned);
     const YieldingFlesh flesh(body);
     flesh.give_way(whole = skinned);
-    const Region region(Vec3f(-1, 0.4F, -1), Vec3f(1, 1, 1));
+    std::vector<Vec3f> above;
+    for (const Vec3f& p : skinned)
+        if (p.y() > 0.45F) above.push_back(p);
+    const Region region(above, 0.02F);
     std::vector<Vec3f> x = skinned;
     flesh.give_way(x, region);
     int gone_back = 0, left = 0;
     for (std::size_t v = 0; v < x.size(); ++v) {
-        if (region.contains(skinned[v])) EXPECT_EQ(x[v], whole[v]);
-        gone_back += region.contains(skinned[v]) && x[v] != skinned[v] ? 1 : 0;
+        if (region.contains(skinned[v])) {
+            EXPECT_EQ(x[v], whole[v]);
+            gone_back += x[v] != skinned[v] ? 1 : 0;
+        }
         left += x[v] == skinned[v] && whole[v] != skinned[v] ? 1 : 0;
     }
     EXPECT_GT(gone_back, 10);
