@@ -21,7 +21,7 @@ struct MotionExperiment {
     double seconds = 4;
     double speed = 1;  // of the motion
     int min_leaves = 6000;
-    int substeps = 24;  // per 1/60 s
+    int substeps = 12;  // per 1/120 s
     bool self_contact = true;
 };
 

@@ -244,19 +244,36 @@ YieldingFlesh::Relation YieldingFlesh::relation(const Vec3f& a, const Sample& b)
             .room = near * std::min(kRoom, height) + (1 - near) * kRoom};
 }
 
-// With a part in the region, or near enough to press on one that has. None if a sample is not finite.
-std::vector<std::uint32_t> YieldingFlesh::patches_near(const std::vector<Vec3f>& x, const Region& region) const {
-    const Region wide = region.grown(kReach + kSpacing);
-    std::vector<std::uint32_t> near;
-    for (std::uint32_t p = 0; p < patches_.size(); ++p) {
-        Eigen::AlignedBox3f box;
-        for (std::uint32_t i = patches_[p].begin; i < patches_[p].end; ++i) {
-            const Vec3f& at = x[samples_[i].vertex];
-            if (!at.allFinite()) return {};
-            box.extend(at);
+// With a part in the region, or near enough to press on one that has. Cloth goes where the flesh goes that it is on:
+// what comes near to it is looked for that much farther away. None if a sample is not finite.
+std::vector<std::uint32_t> YieldingFlesh::patches_near(const std::vector<Vec3f>& x, const Region& region,
+                                                       std::span<const Vec3f> before) const {
+    if (before.empty()) before = x;
+    Vec3d motion = Vec3d::Zero();
+    for (std::size_t v = 0; v < x.size(); ++v) motion += (x[v] - before[v]).cast<double>();
+    const Vec3f drift = (motion / std::max(1.0, static_cast<double>(x.size()))).cast<float>();
+    const float reach = kReach + kSpacing;
+    std::vector<bool> is_near(patches_.size(), false);
+    float farthest = 0;  // that flesh in the region goes, relative to the drift
+    const auto mark_near = [&](const Region& wide, const auto& place) {
+        for (std::size_t p = 0; p < patches_.size(); ++p) {
+            Eigen::AlignedBox3f box;
+            for (std::uint32_t i = patches_[p].begin; i < patches_[p].end; ++i) box.extend(place(samples_[i].vertex));
+            if (wide.meets(box)) is_near[p] = true;
         }
-        if (wide.meets(box)) near.push_back(p);
+    };
+    mark_near(region.grown(reach), [&](std::uint32_t v) { return before[v]; });
+    for (std::size_t p = 0; p < patches_.size(); ++p) {
+        for (std::uint32_t i = patches_[p].begin; i < patches_[p].end; ++i) {
+            const std::uint32_t v = samples_[i].vertex;
+            if (!x[v].allFinite()) return {};
+            if (is_near[p]) farthest = std::max(farthest, (x[v] - before[v] - drift).norm());
+        }
     }
+    mark_near(region.grown(reach + farthest), [&](std::uint32_t v) { return Vec3f(x[v] - drift); });
+    std::vector<std::uint32_t> near;
+    for (std::uint32_t p = 0; p < patches_.size(); ++p)
+        if (is_near[p]) near.push_back(p);
     return near;
 }
 
@@ -339,9 +356,9 @@ void YieldingFlesh::gather(const std::vector<Vec3f>& x, const Now& now, std::spa
     }
 }
 
-void YieldingFlesh::give_way(std::vector<Vec3f>& x, const Region& region) const {
-    SELVEDGE_ASSERT(x.size() == bind_.size());
-    const std::vector<std::uint32_t> patches = patches_near(x, region);
+void YieldingFlesh::give_way(std::vector<Vec3f>& x, const Region& region, std::span<const Vec3f> before) const {
+    SELVEDGE_ASSERT(x.size() == bind_.size() && (before.empty() || before.size() == x.size()));
+    const std::vector<std::uint32_t> patches = patches_near(x, region, before);
     Now now;
     place_samples(x, patches, now);
     const std::vector<Pair> pairs = find_pairs(now, patches);
@@ -361,7 +378,7 @@ const MovingFlesh::Knot& MovingFlesh::knot(const Body& body, const std::function
     std::vector<Vec3f> x;
     surface_.skin().positions(body, pose_at(static_cast<double>(index) * kFleshSeconds), x);
     knot = {.index = index, .way = x};
-    surface_.flesh().give_way(knot.way, region);
+    surface_.flesh().give_way(knot.way, region, last_);
     for (std::size_t v = 0; v < x.size(); ++v) knot.way[v] -= x[v];
     return knot;
 }
@@ -376,11 +393,12 @@ void MovingFlesh::positions(const Body& body, const std::function<Pose(double)>&
     const std::vector<Vec3f>& before = knot(body, pose_at, index, region).way;
     if (share < kAtKnot) {
         for (std::size_t v = 0; v < x.size(); ++v) x[v] += before[v];
-        return;
+    } else {
+        const std::vector<Vec3f>& after = knot(body, pose_at, index + 1, region).way;
+        const auto weight = static_cast<float>(share);
+        for (std::size_t v = 0; v < x.size(); ++v) x[v] += (1 - weight) * before[v] + weight * after[v];
     }
-    const std::vector<Vec3f>& after = knot(body, pose_at, index + 1, region).way;
-    const auto weight = static_cast<float>(share);
-    for (std::size_t v = 0; v < x.size(); ++v) x[v] += (1 - weight) * before[v] + weight * after[v];
+    last_ = x;
 }
 
 }  // namespace selvedge::sim

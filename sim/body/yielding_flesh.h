@@ -34,8 +34,10 @@ class YieldingFlesh {
     explicit YieldingFlesh(const Body& body);
 
     // x: the vertices of the skinned surface in a pose, m, in the order of Body::x. Changes little when x does; leaves
-    // x as it is if it has numbers that are not finite. Flesh outside of the region (m) may stay as it is.
-    void give_way(std::vector<Vec3f>& x, const Region& region = {}) const;
+    // x as it is if it has numbers that are not finite. Flesh outside of the region (m) may stay as it is:
+    // what is outside of it both where the surface was `before` (m; empty: where it is), and where it is now, less the
+    // mean motion between.
+    void give_way(std::vector<Vec3f>& x, const Region& region = {}, std::span<const Vec3f> before = {}) const;
 
  private:
     // A vertex of the surface that stands for those round it.
@@ -61,7 +63,8 @@ class YieldingFlesh {
     void make_samples(const Body& body);
     void measure_thickness();
     void find_what_never_meets(const Body& body);
-    std::vector<std::uint32_t> patches_near(const std::vector<Vec3f>& x, const Region& region) const;
+    std::vector<std::uint32_t> patches_near(const std::vector<Vec3f>& x, const Region& region,
+                                            std::span<const Vec3f> before) const;
     std::vector<PatchBounds> bind_bounds() const;
     Relation relation(const Vec3f& a, const Sample& b) const;
     void place_samples(const std::vector<Vec3f>& x, std::span<const std::uint32_t> patches, Now& now) const;
@@ -106,7 +109,7 @@ class MovingFlesh {
     explicit MovingFlesh(const Body& body) : surface_(body) {}
 
     // pose_at: the pose at a time, s, of the same motion in each call, up to the next multiple of kFleshSeconds. Flesh
-    // outside of the region (m) may stay as it is.
+    // outside of the region (m) may stay as it is, as in give_way(), with the surface of the last call before.
     void positions(const Body& body, const std::function<Pose(double)>& pose_at, double seconds, const Region& region,
                    std::vector<Vec3f>& x);
     const FleshSurface& surface() const { return surface_; }
@@ -120,6 +123,7 @@ class MovingFlesh {
 
     FleshSurface surface_;
     std::array<Knot, 2> knots_;  // of even and odd indices
+    std::vector<Vec3f> last_;    // positions that the last call gave, m
 };
 
 }  // namespace selvedge::sim

@@ -10,14 +10,14 @@
 namespace selvedge::sim {
 namespace {
 
-// A step is divided where a part of the body that is near the cloth moves farther within it relative to the rest: so
-// far the other side of a crease is seen before it arrives.
-constexpr float kLongestMotion = 0.01F;  // m
-constexpr int kMostParts = 8;
+// A step is divided where a part of the body that is near the cloth moves farther within it relative to the rest: the
+// tangent planes of its contacts serve for this way.
+constexpr float kLongestMotion = 0.02F;  // m, half the radius of a wrist and a forearm, on average
+constexpr int kMostParts = 4;
 
 // Where the cloth may meet the body within a step.
 Region near(const Cloth& cloth) {
-    constexpr float kNear = 0.06F;  // m: cloth that is faster than 3.6 m/s relative to the body round it may miss it
+    constexpr float kNear = 0.1F;  // m: cloth that is faster than 12 m/s relative to the body round it may miss it
     std::vector<Vec3f> points;
     for (const VertexId v : cloth.mesh.leaf_vertices()) points.emplace_back(cloth.x[v.value].head<3>());
     return {points, kNear};

@@ -20,9 +20,9 @@ namespace selvedge::sim {
 using BodyAt = std::function<void(double seconds, const Region& region, std::vector<Vec3f>& x)>;
 
 struct MotionOptions {
-    double step_seconds = 1.0 / 60;
+    double step_seconds = 1.0 / 120;
     double adaptation_seconds = 1.0 / 30;
-    int substeps = 24;  // per step
+    int substeps = 12;  // per step
     Vec3f gravity = Vec3f(0, -9.81F, 0);
     float air_damping = 2;  // 1/s
     AdaptClothOptions adapt{};

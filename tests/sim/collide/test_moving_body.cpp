@@ -142,7 +142,8 @@ TEST(MovingBody, a_search_with_a_reach_finds_whatever_comes_so_near_on_the_way) 
 TEST(MovingBody, leaves_out_what_stays_outside_of_a_region_and_finds_it_again_when_it_is_asked_for) {
     const Body body = shapes::sphere(Vec3d::Zero(), 0.1, 48);
     MovingBodyCollider moving(body);
-    const Eigen::AlignedBox3f right(Vec3f(0.06F, -1, -1), Vec3f(1, 1, 1)), left(Vec3f(-1, -1, -1), Vec3f(-0.06F, 1, 1));
+    const auto beside = [](float x) { return Region(std::vector<Vec3f>{Vec3f(x, 0, 0)}, 0.1F); };
+    const Region right = beside(0.16F), left = beside(-0.16F);
     constexpr float kFar = std::numeric_limits<float>::infinity();
     std::mt19937 random(11);
     bool has_left_out = false;

@@ -82,9 +82,9 @@ int parts_of_a_step(const Vec3d& bump, double speed) {
 TEST(MotionRun, divides_a_step_where_the_body_moves_fast_near_the_cloth) {
     const Vec3d near(0, 1, 0), far(0.3, 0.9, 0.3);
     EXPECT_EQ(parts_of_a_step(near, 1), 1);
-    EXPECT_EQ(parts_of_a_step(near, 3), 1 + 3) << "50 mm are divided into three parts of at most 20 mm";
-    EXPECT_EQ(parts_of_a_step(near, 100), 1 + 8) << "no more";
-    EXPECT_EQ(parts_of_a_step(far, 3), 1);
+    EXPECT_EQ(parts_of_a_step(near, 6), 1 + 3) << "50 mm are divided into three parts of at most 20 mm";
+    EXPECT_EQ(parts_of_a_step(near, 100), 1 + 4) << "no more";
+    EXPECT_EQ(parts_of_a_step(far, 6), 1);
 }
 
 // The target changes while the cloth is carried round.
