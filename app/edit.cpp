@@ -1,4 +1,6 @@
 // selvedge edit [FILE]: the pattern editor, in a window, or run by a script without one.
+#include "app/edit.h"
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -9,7 +11,6 @@
 #include <string>
 
 #include "app/commands.h"
-#include "app/edit.h"
 #include "app/edit_loop.h"
 #include "app/editor_services.h"
 #include "app/options.h"

@@ -57,6 +57,19 @@ def check_packages(sources, architecture):
                     yield Fault(source.path, line, f"<{name}> belongs to {' and '.join(owners)} alone")
 
 
+def check_own_header(sources):
+    """A source includes the header of its name before anything else: so its compilation shows that the header compiles
+    alone."""
+    paths = {source.path for source in sources}
+    for source in sources:
+        own = source.path.removesuffix(".cpp") + ".h"
+        if not source.path.endswith(".cpp") or own not in paths:
+            continue
+        first = next(((line, name) for line, name, _ in includes_of(source)), (1, ""))
+        if first[1] != own:
+            yield Fault(source.path, first[0], f'does not include "{own}" first')
+
+
 def check_cycles(sources, architecture):
     """Files that include each other in a circle, and modules that do."""
     paths = {source.path for source in sources}

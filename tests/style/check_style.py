@@ -26,6 +26,7 @@ def includes(root):
     for check in (check_includes.check_directions, check_includes.check_allowances, check_includes.check_packages,
                   check_includes.check_cycles):
         yield from check(sources, architecture)
+    yield from check_includes.check_own_header(sources)
     yield from check_includes.check_table(architecture)
     yield from draw_modules.check_picture(architecture)
 

@@ -79,6 +79,16 @@ class Includes(unittest.TestCase):
         self.assertEqual(self.packages("sim/core/json.cpp", "nlohmann/json.hpp"), [])
         self.assertEqual(self.packages("tests/sim/mesh/checks.cpp", "nlohmann/json.hpp"), [])
 
+    def test_a_source_includes_its_own_header_before_anything_else(self):
+        def faults(text):
+            return problems(check_includes.check_own_header([Source("sim/core/a.h", PRAGMA),
+                                                             Source("sim/core/a.cpp", text)]))
+
+        self.assertEqual(faults('#include <vector>\n#include "sim/core/a.h"\n'),
+                         ['sim/core/a.cpp:1: does not include "sim/core/a.h" first'])
+        self.assertEqual(faults("int a;\n"), ['sim/core/a.cpp:1: does not include "sim/core/a.h" first'])
+        self.assertEqual(faults('// What a is.\n#include "sim/core/a.h"\n'), [])
+
     def test_files_that_include_each_other_are_a_circle(self):
         faults = check_includes.check_cycles([Source("sim/core/a.h", '#include "sim/core/b.h"\n'),
                                               Source("sim/core/b.h", '#include "sim/core/a.h"\n')], ARCHITECTURE)

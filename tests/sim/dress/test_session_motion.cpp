@@ -11,6 +11,7 @@
 #include "sim/dress/session.h"
 #include "sim/place/fit.h"
 #include "tests/sim/dress/session_support.h"
+#include "tests/support/wait_until.h"
 
 namespace selvedge::sim::test {
 namespace {
@@ -283,6 +284,36 @@ TEST(Session, dresses_a_body_in_a_t_pose_with_lowered_arms_that_then_go_up) {
     session.reset();
     session.advance(0);
     EXPECT_TRUE(session.frame()->motion.is_waiting) << "it will go up again";
+}
+
+TEST(SessionThread, plays_seeks_and_poses_as_asked_in_quick_succession) {
+    Session session;
+    SessionOptions options = coarse_options();
+    options.max_level = 0;
+    session.set_options(options);
+    session.set_body(session_body());
+    session.set_pattern(session_pattern("two_squares"));
+    session.start();
+    ASSERT_TRUE(wait_until([&] { return session.frame()->stage == SessionStage::Settled; }));
+    const auto walk = std::make_shared<const Clip>(find_motion("walk", *session_body()));
+    const Pose stride = find_pose("stride", *session_body());
+    session.set_clip(session_body(), walk);
+    session.play();
+    std::uint64_t number = session.frame()->number;
+    for (int round = 0; round < 12; ++round) {
+        ASSERT_TRUE(wait_until([&] { return session.frame()->number != number; })) << "round " << round;
+        number = session.frame()->number;
+        if (round % 4 == 0) session.seek(walk->seconds * round / 12);
+        if (round % 4 == 1) session.pause_motion();
+        if (round % 4 == 1) session.follow(session_body(), stride);
+        if (round % 4 == 2) session.go_to(session_body(), stride);
+        if (round % 4 == 3) session.set_clip(session_body(), walk);
+        if (round % 4 == 3) session.play();
+        if (round == 7) session.back_to_start();
+        if (round == 8) session.play();
+        ASSERT_NE(session.frame()->stage, SessionStage::Failed);
+    }
+    EXPECT_LT(stretch_p99(session.frame()->mesh), 0.2);
 }
 
 TEST(Session, of_a_body_without_bones_does_not_move) {
