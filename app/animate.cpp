@@ -70,7 +70,22 @@ Vec3f place_of(std::span<const Vec3f> body) {
     return {middle.x(), 0, middle.z()};
 }
 
-// Draws the frames of a film. The camera follows the body over the floor, smoothly, and frames it in all its poses.
+// The body's vertices that are nearest to some of the garment's: where they go, the garment goes.
+std::vector<std::size_t> vertices_under(const sim::DrawMesh& garment, std::span<const Vec3f> body) {
+    constexpr std::size_t kEvery = 8;  // the frame is as large with an eighth of the vertices
+    std::vector<std::size_t> under;
+    for (std::size_t v = 0; v < garment.x.size(); v += kEvery) {
+        const auto nearest =
+            std::ranges::min_element(body, {}, [&](const Vec3f& x) { return (x - garment.x[v]).squaredNorm(); });
+        under.push_back(static_cast<std::size_t>(nearest - body.begin()));
+    }
+    std::ranges::sort(under);
+    under.erase(std::unique(under.begin(), under.end()), under.end());
+    return under;
+}
+
+// Draws the frames of a film. The camera follows the body over the floor, smoothly, and frames it, or what the garment
+// is on, in all its poses.
 class Filming {
  public:
     Filming(const AnimateArguments& arguments, const sim::Animation& animation)
@@ -79,17 +94,18 @@ class Filming {
           start_(place_of(animation.body_points())),
           at_(start_) {
         const sim::DrawMesh mesh = draw_mesh(animation.cloth(), animation.panel_names());
-        layout_ = compose({.garment = mesh, .body = &animation.body()}, arguments.picture, {0}, framed(animation));
+        layout_ =
+            compose({.garment = mesh, .body = &animation.body()}, arguments.picture, {0}, framed(animation, mesh));
     }
 
     void add(const sim::Animation& animation) {
         const double share = 1 - std::exp(-1 / (kFollowSeconds * arguments_.frames_per_second));
         if (!arguments_.camera_stays) at_ += (place_of(animation.body_points()) - at_) * static_cast<float>(share);
         const sim::DrawMesh mesh = draw_mesh(animation.cloth(), animation.panel_names());
-        const render::Scene scene =
+        const Layout now =
             moved(layout_, {.garment = mesh, .body = &animation.body()}, arguments_.picture, at_ - start_);
-        render::Image image = renderer_.draw(scene, render_options(arguments_.picture));
-        if (layout_.legend) draw_legend(image, *layout_.legend, layout_.corner);
+        render::Image image = renderer_.draw(now.scene, render_options(arguments_.picture));
+        if (now.legend) draw_legend(image, *now.legend, now.corner);
         writer_.add(image);
     }
 
@@ -98,16 +114,23 @@ class Filming {
  private:
     static constexpr double kFollowSeconds = 0.3;  // time constant of the camera
 
-    // Where the body will be, as seen by the camera.
-    std::vector<Vec3f> framed(const sim::Animation& animation) const {
+    // Where what fills the picture will be, as seen by the camera.
+    std::vector<Vec3f> framed(const sim::Animation& animation, const sim::DrawMesh& garment) const {
         constexpr int kMoments = 48;
+        constexpr std::size_t kEvery = 16;  // vertices of a body
+        std::vector<std::size_t> vertices;
+        if (arguments_.picture.framing == Framing::Garment) {
+            vertices = vertices_under(garment, animation.body_points());
+        } else {
+            for (std::size_t v = 0; v < animation.body_points().size(); v += kEvery) vertices.push_back(v);
+        }
         const sim::BodyTimeline& timeline = animation.timeline();
         const sim::SkinnedSurface surface(animation.body());
         std::vector<Vec3f> points, x;
         for (int i = 0; i < kMoments; ++i) {
             surface.positions(animation.body(), timeline.pose(timeline.seconds() * i / (kMoments - 1)), x);
             const Vec3f by = arguments_.camera_stays ? Vec3f::Zero() : Vec3f(start_ - place_of(x));
-            for (std::size_t v = 0; v < x.size(); v += 16) points.emplace_back(x[v] + by);
+            for (const std::size_t v : vertices) points.emplace_back(x[v] + by);
         }
         return points;
     }
@@ -214,6 +237,9 @@ int run(AnimateArguments arguments) {
                               "is behind the end of '" + actor.clip.name + "', " + seconds_text(actor.clip.seconds));
     if (arguments.animation.to && *arguments.animation.to <= arguments.animation.from)
         throw sim::InputError("", "--to", "is not behind --from, " + seconds_text(arguments.animation.from));
+    if (arguments.animation.to && !actor.clip.is_loop && *arguments.animation.to > actor.clip.seconds)
+        notes.push_back("'" + actor.clip.name + "' ends after " + seconds_text(actor.clip.seconds) +
+                        ": then its last pose is held");
     actor.notes.insert(actor.notes.begin(), notes.begin(), notes.end());
     ProgressBar bar(progress_bar_options(arguments.garment.is_quiet));
     sim::Animation animation(pattern, actor.body, sim::dressing_pose(*actor.body), actor.clip, arguments.animation,

@@ -61,6 +61,8 @@ void check_outputs(const DressArguments& arguments) {
     if (!arguments.picture_file.empty()) check_output(arguments.picture_file, kPictureExtensions);
     if (!arguments.report_file.empty()) check_output(arguments.report_file);
     check_turntable(arguments.turntable, arguments.picture);
+    if (arguments.garment.coarsens_back_faces && !arguments.turntable.file.empty())
+        throw sim::InputError("", "--coarse-back-faces", "a turntable shows all sides");
     for (const Path& file : arguments.garment_files) check_output(file, sim::mesh_extensions());
     for (const Path& file : arguments.body_files) check_output(file, sim::mesh_extensions());
     check_distinct(all_outputs(arguments), input_files(arguments.garment, arguments.body));

@@ -62,6 +62,8 @@ void add_garment_options(CLI::App& command, GarmentOptions& options) {
                     "Number of triangles to keep near, by how much shape they show (default: as many as it takes)",
                     [&dress](int target) { dress.triangle_budget = target; })
         ->type_name("N");
+    command.add_flag("--coarse-back-faces", options.coarsens_back_faces,
+                     "Keep the mesh coarse where the cloth faces away from the camera");
     command.add_flag(
         "--no-self-collision", [&dress](std::int64_t) { dress.self_collision = false; },
         "Let the cloth pass through itself, which is faster");
@@ -102,6 +104,7 @@ void fill_in(GarmentOptions& options, BodyOptions& body, PictureOptions& picture
     if (!picture.sett && !pattern.tartan.empty()) picture.sett = sim::find_tartan(pattern.tartan);
     if (!picture.sett_position) picture.sett_position = pattern.sett_position;
     if (body.source.empty()) body.source = pattern.body.empty() ? "mannequin:sex=female" : pattern.body;
+    if (options.coarsens_back_faces) options.dress.seen_from = seen_from(picture);
     picture.material = render::material_of(sim::find_fabric(options.fabric.empty() ? pattern.fabric : options.fabric));
 }
 

@@ -22,7 +22,8 @@ struct GarmentOptions {
     std::vector<std::filesystem::path> over;  // garments that are worn over it, from the inside out
     std::string fabric;                       // empty: the pattern's
     sim::DressOptions dress;
-    std::optional<int> threads;  // none: one per CPU core
+    std::optional<int> threads;        // none: one per CPU core
+    bool coarsens_back_faces = false;  // of the mesh, as the picture sees it
     bool is_quiet = false;
 };
 
@@ -58,7 +59,8 @@ sim::Pattern load_garments(const GarmentOptions& options, std::vector<std::strin
 // The files that are read: the garment and those over it, and the body's, if it is a file.
 std::vector<std::filesystem::path> input_files(const GarmentOptions& options, const BodyOptions& body);
 
-// Takes values that the command line does not set from the pattern: fabric, body, and how the cloth is drawn.
+// Takes values that the command line does not set from the pattern: fabric, body, and how the cloth is drawn. Tells the
+// dressing from where the picture sees the cloth, if back faces are to be coarse.
 void fill_in(GarmentOptions& options, BodyOptions& body, PictureOptions& picture, const sim::Pattern& pattern);
 
 // One line each, to standard output.

@@ -322,6 +322,14 @@ void set_light(render::Scene& scene, const PictureOptions& options) {
 
 }  // namespace
 
+Vec3f seen_from(const PictureOptions& options) {
+    if (options.camera && options.camera->eye_and_target) {
+        const auto& [eye, target] = *options.camera->eye_and_target;
+        return (eye - target).stableNormalized();
+    }
+    return unit_vector(direction_wanted(options));
+}
+
 render::RenderOptions render_options(const PictureOptions& options) {
     return {.width_px = options.width_px,
             .height_px = options.height_px,
@@ -362,18 +370,23 @@ Layout compose(const RenderSubject& subject, const PictureOptions& options, cons
     return layout;
 }
 
-render::Scene moved(const Layout& first, const RenderSubject& subject, const PictureOptions& options, const Vec3f& by) {
-    render::Scene scene = bare_scene(subject, options);
+Layout moved(const Layout& first, const RenderSubject& subject, const PictureOptions& options, const Vec3f& by) {
+    Layout layout;
+    layout.corner = first.corner;
+    layout.axis = first.axis;
+    render::Scene& scene = layout.scene;
+    scene = bare_scene(subject, options);
     scene.camera = first.scene.camera;
     scene.camera.eye += by;
     scene.camera.target += by;
     curve(scene, subject, options, {0});
-    fill(scene, subject, options, 2.4F * line_scale(options) * pixel_size(scene.camera, options.height_px));
+    layout.legend =
+        fill(scene, subject, options, 2.4F * line_scale(options) * pixel_size(scene.camera, options.height_px));
     set_light(scene, options);
     scene.background = first.scene.background;
     scene.has_ground = first.scene.has_ground;
     scene.ground_y = first.scene.ground_y;
-    return scene;
+    return layout;
 }
 
 render::Scene turned(const Layout& layout, const PictureOptions& options, float angle) {

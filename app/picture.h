@@ -73,15 +73,18 @@ struct Layout {
     Vec3f axis = Vec3f::Zero();                         // a point on the vertical axis that the subject rotates about
 };
 
+// Unit, from the subject to the camera that the options ask for.
+Vec3f seen_from(const PictureOptions& options);
+
 // Frames a subject that rotates by these angles (rad): at each angle it stays in the picture and clear of the legend.
 // also_framed: points that are to be in the picture too, for example where the subject will be.
 // Throws InputError if nothing is left to draw or the mode requires data that is missing.
 Layout compose(const RenderSubject& subject, const PictureOptions& options, const std::vector<float>& turns = {0},
                const std::vector<Vec3f>& also_framed = {});
 
-// A later moment of a subject that moves: the camera of the first layout, moved by `by` (m), with the same floor.
-// Pre: options.show is not Hierarchy. Throws as compose().
-render::Scene moved(const Layout& first, const RenderSubject& subject, const PictureOptions& options, const Vec3f& by);
+// A later moment of a subject that moves: the camera of the first layout, moved by `by` (m), with the same floor and
+// the legend in the same corner. Pre: options.show is not Hierarchy. Throws as compose().
+Layout moved(const Layout& first, const RenderSubject& subject, const PictureOptions& options, const Vec3f& by);
 
 // The scene after a turn by `angle` (rad); the lights keep their direction relative to the camera.
 render::Scene turned(const Layout& layout, const PictureOptions& options, float angle);

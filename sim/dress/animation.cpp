@@ -87,6 +87,8 @@ Animation::Animation(const Pattern& pattern, std::shared_ptr<const Body> body, P
         },
         moving);
     run_->options().adapt.budget = set_budget(budget_, options_.dress.triangle_budget);
+    visibility_ = visibility_of(options_.dress);
+    if (visibility_) run_->options().adapt.visibility = &*visibility_;
     quality_.note(*cloth_, run_->collider(), 0);
 }
 

@@ -96,6 +96,7 @@ class Animation {
     std::optional<Cloth> cloth_;  // never empty
     std::vector<std::string> panel_names_;
     std::optional<TriangleBudget> budget_;
+    std::optional<Visibility> visibility_;
     std::optional<MotionRun> run_;
     MotionQuality quality_;
     std::vector<double> frame_ms_;

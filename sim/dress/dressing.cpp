@@ -172,6 +172,11 @@ TriangleBudget* set_budget(std::optional<TriangleBudget>& budget, std::optional<
     return &*budget;
 }
 
+std::optional<Visibility> visibility_of(const DressOptions& options) {
+    if (!options.seen_from) return std::nullopt;
+    return Visibility({.eye = *options.seen_from, .is_orthographic = true});
+}
+
 DrapeOptions drape_options(const DressOptions& options) {
     DrapeOptions draping{
         .max_seconds = options.max_seconds, .finish_time = options.finish_time, .may_rest = options.may_rest};

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/adaptive/back_face.h"
 #include "sim/adaptive/triangle_budget.h"
 #include "sim/body/body.h"
 #include "sim/collide/body_collider.h"
@@ -38,6 +39,7 @@ struct DressOptions {
     CriteriaOptions criteria{};
     CurvatureOptions curvature{};
     std::optional<int> triangle_budget{};             // target number of leaf triangles; none: no limit
+    std::optional<Vec3f> seen_from{};                 // unit, to a viewer: coarse where cloth faces away; none: nowhere
     std::optional<Fabric> fabric{};                   // overrides the pattern's
     double max_seconds = 12;                          // of simulated time, without sewing
     double finish_time = DrapeOptions{}.finish_time;  // s, see DrapeOptions
@@ -55,6 +57,9 @@ enum class DressingStage {
     Fall,   // under gravity until at rest, at the end in finer sub-steps
     Done    // at rest, out of time, or a value is not finite
 };
+
+// What back-face coarsening asks for with those options; none: it is off.
+std::optional<Visibility> visibility_of(const DressOptions& options);
 
 // Throws InputError if the garment has layers and the options leave out the contact that keeps them in order.
 void check_layers(const Pattern& pattern, const DressOptions& options);

@@ -1,5 +1,6 @@
 #include "sim/dress/own_pose.h"
 
+#include <optional>
 #include <vector>
 
 #include "sim/body/yielding_flesh.h"
@@ -20,6 +21,8 @@ DrapeResult move_to_own_pose(Cloth& cloth, const Body& body, const Pose& start, 
     constexpr double kReport = 0.1;  // s
     MovingFlesh flesh(body);
     const Pose rest = rest_pose(body);
+    std::optional<Visibility> visibility = visibility_of(options);
+    Visibility* const visible = visibility ? &*visibility : nullptr;
     MotionRun moving(
         cloth, body,
         [&](double seconds, const Region& region, std::vector<Vec3f>& x) {
@@ -27,6 +30,7 @@ DrapeResult move_to_own_pose(Cloth& cloth, const Body& body, const Pose& start, 
             flesh.positions(body, pose_at, seconds, region, x);
         },
         motion_options(options));
+    moving.options().adapt.visibility = visible;
     for (double seconds = kReport; seconds <= kToOwnPose + kReport / 2; seconds += kReport) {
         moving.advance_to(cloth, seconds);
         report(progress, "moving", seconds / kToOwnPose);
@@ -34,6 +38,7 @@ DrapeResult move_to_own_pose(Cloth& cloth, const Body& body, const Pose& start, 
     forget_contacts(cloth);
     DrapeOptions draping = drape_options(options);
     draping.relax_time = draping.coarse_time = draping.lowering_time = 0;
+    draping.adapt.visibility = visible;
     DrapeRun settling(cloth, draping);
     while (settling.advance(cloth, own)) report(progress, "settling", settling.fraction());
     return settling.result();

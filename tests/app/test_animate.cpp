@@ -66,6 +66,26 @@ TEST(AnimateCommand, leaves_a_film_of_what_was_done_when_it_is_stopped) {
     EXPECT_EQ(files_in(folder.path()), 3U) << "film, cache and its mesh, and no temporary file";
 }
 
+// How many pixels of a picture are strongly red, as the tartan is.
+int red_pixels(const render::Image& image) {
+    int red = 0;
+    for (const render::Rgba8& pixel : image.pixels) red += pixel[0] > 2 * pixel[1] && pixel[0] > 2 * pixel[2] ? 1 : 0;
+    return red;
+}
+
+TEST(AnimateCommand, fills_the_picture_with_the_garment_and_notes_the_end_of_the_motion) {
+    const ScratchFolder folder;
+    const auto film = [&](const std::string& name, const std::string& options) {
+        return run_selvedge("animate " + shipped("tshirt.json") + kQuick +
+                            "--motion arms_up --from 2.2 --to 2.5 --film '" + folder / name + "' " + options);
+    };
+    const ProgramResult all = film("all.frames", "");
+    EXPECT_NE(all.out.find("note: 'arms_up' ends after 2.3 s"), std::string::npos) << all.out << all.err;
+    film("garment.frames", "--frame garment");
+    EXPECT_GT(red_pixels(render::read_png(folder / "garment.frames/frame_0002.png")),
+              2 * red_pixels(render::read_png(folder / "all.frames/frame_0002.png")));
+}
+
 TEST(AnimateCommand, refuses_wrong_input_in_one_line) {
     const ScratchFolder folder;
     const std::string film = " --film '" + folder / "x.frames" + "'";

@@ -113,6 +113,26 @@ TEST(Dress, a_tshirt_is_refined_by_collision_alone_by_length_alone_and_by_length
     EXPECT_GT(leaves(true, true, true), leaves(true, true, false));
 }
 
+TEST(Dress, a_tshirt_that_is_seen_from_the_front_is_coarse_on_its_back) {
+    DressOptions options = up_to_level(2);
+    const DressedGarment whole = dress(shipped("tshirt"), mannequin(), options);
+    options.seen_from = Vec3f::UnitZ();
+    const DressedGarment seen = dress(shipped("tshirt"), mannequin(), options);
+    expect_dressed(seen, mannequin());
+    const auto behind = [](const DressedGarment& dressed) {
+        return std::ranges::count_if(dressed.mesh.triangles, [&](const std::array<std::uint32_t, 3>& triangle) {
+            const std::vector<Vec3f>& x = dressed.mesh.x;
+            const auto [a, b, c] = triangle;
+            return (x[b] - x[a]).cross(x[c] - x[a]).normalized().z() < -0.5F;
+        });
+    };
+    EXPECT_LT(behind(seen), behind(whole) * 3 / 4);
+    const auto rest = [&](const DressedGarment& dressed) {
+        return std::ssize(dressed.mesh.triangles) - behind(dressed);
+    };
+    EXPECT_GT(rest(seen), rest(whole) * 3 / 4);
+}
+
 TEST(Dress, a_tshirt_of_three_levels_sits_on_the_mannequin_without_a_fault) {
     const DressedGarment dressed = dress(shipped("tshirt"), mannequin(), up_to_level(3));
     expect_dressed(dressed, mannequin());
