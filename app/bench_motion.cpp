@@ -37,7 +37,8 @@ void add_bench_motion(CLI::App& bench, int& exit_code) {
     command->add_option("--from", experiment.from, "Where in the motion to begin, s")->check(CLI::Range(0.0, 3600.0));
     command->add_option("--seconds", experiment.seconds, "Length, s (default 4)")->check(CLI::Range(0.1, 3600.0));
     command->add_option("--speed", experiment.speed, "Speed of the motion (default 1)")->check(CLI::Range(0.05, 20.0));
-    command->add_option("--substeps", experiment.substeps, "Per 1/120 s (default 12)")->check(CLI::Range(1, 100));
+    command->add_option("--substeps", experiment.substeps, "Per 1/120 s, in motion and at rest (default 24)")
+        ->check(CLI::Range(1, 100));
     command->add_option("--min-leaves", experiment.min_leaves, "Triangles at the start (default 6000)")
         ->check(CLI::Range(1, 1'000'000));
     command->add_option("--body-triangles", arguments->body_triangles, "Divide the body's triangles into so many")

@@ -9,6 +9,7 @@
 #include "sim/body/clip.h"
 #include "sim/core/parallel.h"
 #include "sim/dress/motion_quality.h"
+#include "sim/dress/motion_run.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::bench {
@@ -21,7 +22,7 @@ struct MotionExperiment {
     double seconds = 4;
     double speed = 1;  // of the motion
     int min_leaves = 6000;
-    int substeps = 12;  // per 1/120 s
+    int substeps = sim::MotionOptions{}.substeps;  // per 1/120 s, in motion and at rest
     bool self_contact = true;
 };
 

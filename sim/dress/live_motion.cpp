@@ -6,6 +6,16 @@
 #include "sim/dress/animation.h"
 
 namespace selvedge::sim {
+namespace {
+
+// A viewer waits for each frame, and cloth that then hangs evens out its stretch.
+MotionOptions live_options(const DressOptions& options) {
+    MotionOptions live = motion_options(options);
+    live.substeps = 12;
+    return live;
+}
+
+}  // namespace
 
 LiveMotion::LiveMotion(const Cloth& dressed, std::vector<VertexId> kept, const BodyMover& mover,
                        const DressOptions& options)
@@ -21,12 +31,12 @@ LiveMotion::LiveMotion(const Cloth& dressed, std::vector<VertexId> kept, const B
         };
         flesh_.positions(*body_, pose_at, seconds, region, x);
     };
-    run_.emplace(cloth_, *body_, body_at, motion_options(options));
+    run_.emplace(cloth_, *body_, body_at, live_options(options));
     set_options(options);
 }
 
 void LiveMotion::set_options(const DressOptions& options) {
-    run_->options() = motion_options(options);
+    run_->options() = live_options(options);
     run_->options().adapt.budget = set_budget(budget_, options.triangle_budget);
     run_->options().adapt.kept_vertices = kept_;
     run_->options().adapt.visibility = visibility_;
