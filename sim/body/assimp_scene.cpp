@@ -8,6 +8,7 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -246,6 +247,8 @@ Clip clip_of(const aiAnimation& animation, const Skeleton& skeleton, const std::
     const bool is_rate_given = animation.mTicksPerSecond != 0 || extension == "bvh";
     const double rate = is_rate_given ? animation.mTicksPerSecond : kUsualRate;
     if (!(rate > 0) || !std::isfinite(rate)) throw std::runtime_error("the time of its frames is not a positive time");
+    constexpr double kNoFrames = std::numeric_limits<unsigned>::max();  // assimp: frames - 1, of a BVH file without any
+    if (animation.mDuration == kNoFrames) throw std::runtime_error("its motion has no frames");
     Clip clip{.name = animation.mName.C_Str(), .seconds = animation.mDuration / rate};
     std::map<int, bool> is_animated;
     for (unsigned c = 0; c < animation.mNumChannels; ++c) {

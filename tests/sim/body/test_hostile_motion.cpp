@@ -243,6 +243,7 @@ TEST_F(HostileMotion, in_bvh_text_is_named) {
     EXPECT_NE(message_of("a.bvh", bvh_of(kLeg, "2", "nan", frame + frame)), "");
     EXPECT_NE(message_of("a.bvh", bvh_of(kLeg, "3", "0.0333", frame)), "") << "frames are missing";
     EXPECT_NE(message_of("a.bvh", bvh_of(kLeg, "999999999999", "0.0333", frame)), "");
+    EXPECT_EQ(message_of("a.bvh", bvh_of(kLeg, "0", "0.0333", "")), "cannot be read: its motion has no frames");
     EXPECT_NE(message_of("a.bvh", bvh_of(kLeg, "-5", "0.0333", frame)), "");
     EXPECT_NE(message_of("a.bvh", bvh_of(kLeg, "2", "1e9", frame + frame)), "");
     EXPECT_NE(message_of("a.bvh", bvh_of(kLeg, "2", "0.0333", "0 90 0 0 0 0 1 two 3\n" + frame)), "");
