@@ -280,9 +280,10 @@ void curve(render::Scene& scene, const RenderSubject& subject, const PictureOpti
     mesh = drawn_mesh(mesh, subject.body, options.surface, view);
 }
 
-std::optional<render::Legend> fill(render::Scene& scene, const RenderSubject& subject, const PictureOptions& options,
-                                   float line_radius) {
-    render::ShowInput facts{.clearance = {}, .line_radius = line_radius};
+// Pre: the scene has its camera, which tells how wide lines are.
+std::optional<render::Legend> fill(render::Scene& scene, const RenderSubject& subject, const PictureOptions& options) {
+    const float line_px = 2.4F * line_scale(options);
+    render::ShowInput facts{.clearance = {}, .line_radius = line_px * pixel_size(scene.camera, options.height_px)};
     if (options.show == render::ShowMode::Clearance)
         facts.clearance = measure_clearance(scene.cloths.front().mesh.x, *subject.body);
     return fill_show(scene, facts);
@@ -340,7 +341,6 @@ render::RenderOptions render_options(const PictureOptions& options) {
 Layout compose(const RenderSubject& subject, const PictureOptions& options, const std::vector<float>& turns,
                const std::vector<Vec3f>& also_framed) {
     check_can_show(options.show, subject.body != nullptr, subject.hierarchy != nullptr);
-    const float line_px = 2.4F * line_scale(options);
     Layout layout;
     render::Scene& scene = layout.scene;
     scene = bare_scene(subject, options);
@@ -356,8 +356,7 @@ Layout compose(const RenderSubject& subject, const PictureOptions& options, cons
         scene.camera = render::camera_at(eye, target, render::at_all_turns(scene_points(scene), layout.axis, turns));
     }
     curve(scene, subject, options, turns);
-    if (options.show != render::ShowMode::Hierarchy)
-        layout.legend = fill(scene, subject, options, line_px * pixel_size(scene.camera, options.height_px));
+    if (options.show != render::ShowMode::Hierarchy) layout.legend = fill(scene, subject, options);
     if (layout.legend) {
         const render::LegendPlace place = find_legend_place(
             *layout.legend, {.scene = scene, .frame = frame, .axis = layout.axis, .turns = turns}, size_of(options));
@@ -373,15 +372,14 @@ Layout compose(const RenderSubject& subject, const PictureOptions& options, cons
 Layout moved(const Layout& first, const RenderSubject& subject, const PictureOptions& options, const Vec3f& by) {
     Layout layout;
     layout.corner = first.corner;
-    layout.axis = first.axis;
+    layout.axis = first.axis + by;
     render::Scene& scene = layout.scene;
     scene = bare_scene(subject, options);
     scene.camera = first.scene.camera;
     scene.camera.eye += by;
     scene.camera.target += by;
     curve(scene, subject, options, {0});
-    layout.legend =
-        fill(scene, subject, options, 2.4F * line_scale(options) * pixel_size(scene.camera, options.height_px));
+    layout.legend = fill(scene, subject, options);
     set_light(scene, options);
     scene.background = first.scene.background;
     scene.has_ground = first.scene.has_ground;

@@ -12,6 +12,7 @@ if(SELVEDGE_SANITIZE STREQUAL "address")
   target_compile_options(selvedge_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
     -fno-sanitize-recover=undefined)
   target_link_options(selvedge_flags INTERFACE -fsanitize=address,undefined)
+  target_compile_definitions(selvedge_flags INTERFACE SELVEDGE_ADDRESS_SANITIZER)  # compilers name it differently
 elseif(SELVEDGE_SANITIZE STREQUAL "thread")
   target_compile_options(selvedge_flags INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
   target_link_options(selvedge_flags INTERFACE -fsanitize=thread)

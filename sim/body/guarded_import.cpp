@@ -338,7 +338,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(SELVEDGE_ADDRESS_SANITIZER)
 constexpr bool kLimitMemory = false;  // its shadow memory reserves terabytes of address space
 #else
 constexpr bool kLimitMemory = true;

@@ -87,8 +87,7 @@ Animation::Animation(const Pattern& pattern, std::shared_ptr<const Body> body, P
         },
         moving);
     run_->options().adapt.budget = set_budget(budget_, options_.dress.triangle_budget);
-    visibility_ = visibility_of(options_.dress);
-    if (visibility_) run_->options().adapt.visibility = &*visibility_;
+    run_->options().adapt.visibility = set_visibility(visibility_, options_.dress.seen_from);
     quality_.note(*cloth_, run_->collider(), 0);
 }
 

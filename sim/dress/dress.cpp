@@ -82,10 +82,8 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     report.garment = pattern.name;
     report.garments = garment_names(pattern);
     report.body = body.name;
-    std::optional<Visibility> visibility = visibility_of(options);
     Dressing dressing;
     dressing.set_options(options);
-    dressing.set_visibility(visibility ? &*visibility : nullptr);
     const Pose pose = body.skin.empty() ? Pose{} : dressing_pose(body);
     const bool is_moved = !body.skin.empty() && needs_other_pose(body, pose);
     const Body stands = is_moved ? posed(body, pose) : Body{};

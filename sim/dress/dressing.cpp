@@ -172,9 +172,15 @@ TriangleBudget* set_budget(std::optional<TriangleBudget>& budget, std::optional<
     return &*budget;
 }
 
-std::optional<Visibility> visibility_of(const DressOptions& options) {
-    if (!options.seen_from) return std::nullopt;
-    return Visibility({.eye = *options.seen_from, .is_orthographic = true});
+Visibility* set_visibility(std::optional<Visibility>& visibility, const std::optional<Vec3f>& seen_from) {
+    if (!seen_from) {
+        visibility.reset();
+        return nullptr;
+    }
+    const ViewPoint view{.eye = *seen_from, .is_orthographic = true};
+    if (!visibility) visibility.emplace(view);
+    visibility->move_to(view);
+    return &*visibility;
 }
 
 DrapeOptions drape_options(const DressOptions& options) {
@@ -202,6 +208,7 @@ void Dressing::hang(Drape drape, double relax_time) {
 // The run's options hold pointers to members of this object.
 void Dressing::apply_options() {
     TriangleBudget* const budget = set_budget(budget_, options_.triangle_budget);
+    Visibility* const own = sim::set_visibility(own_visibility_, options_.seen_from);
     if (!drape_) return;
     DrapeOptions& options = drape_->run->options();
     const double relax_time = options.relax_time, coarse_time = options.coarse_time;
@@ -209,7 +216,7 @@ void Dressing::apply_options() {
     options.relax_time = relax_time;
     options.coarse_time = coarse_time;
     options.adapt.budget = budget;
-    options.adapt.visibility = visibility_;
+    options.adapt.visibility = visibility_ ? visibility_ : own;
     options.adapt.kept_vertices = drag_constraint_.held();
     options.kinematic_vertices = [this](const Cloth& cloth, float seconds) {
         return drag_constraint_.kinematic_target(cloth, collider(), seconds);

@@ -58,9 +58,6 @@ enum class DressingStage {
     Done    // at rest, out of time, or a value is not finite
 };
 
-// What back-face coarsening asks for with those options; none: it is off.
-std::optional<Visibility> visibility_of(const DressOptions& options);
-
 // Throws InputError if the garment has layers and the options leave out the contact that keeps them in order.
 void check_layers(const Pattern& pattern, const DressOptions& options);
 
@@ -76,7 +73,8 @@ class Dressing {
     void set_body(std::shared_ptr<const Body> body);
     void set_pattern(Pattern pattern);
     void set_options(const DressOptions& options);
-    // Hidden parts of the cloth that hangs are coarsened from the next adaptation on; null: none. It must stay valid.
+    // Hidden parts of the cloth that hangs are coarsened from the next adaptation on; null: as DressOptions::seen_from
+    // says. It must stay valid.
     void set_visibility(Visibility* visibility);
     void wake();  // a cloth at rest goes on
 
@@ -184,8 +182,9 @@ class Dressing {
     std::optional<Drape> drape_;
     DragConstraint drag_constraint_;
     std::optional<TriangleBudget> budget_;
-    Visibility* visibility_ = nullptr;
-    double past_seconds_ = 0;  // s, simulated before the current drape
+    std::optional<Visibility> own_visibility_;
+    Visibility* visibility_ = nullptr;  // instead of the own one
+    double past_seconds_ = 0;           // s, simulated before the current drape
     std::vector<std::string> notes_;
 };
 
@@ -194,6 +193,8 @@ DrapeOptions drape_options(const DressOptions& options);
 
 // Makes, changes or drops a budget, for that target number of leaf triangles. Returns it; null without one.
 TriangleBudget* set_budget(std::optional<TriangleBudget>& budget, std::optional<int> target);
+// The same of what back-face coarsening asks, for DressOptions::seen_from.
+Visibility* set_visibility(std::optional<Visibility>& visibility, const std::optional<Vec3f>& seen_from);
 
 inline constexpr int kSewingSteps = 4;  // per frame, as many as per adaptation
 

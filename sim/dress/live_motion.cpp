@@ -11,7 +11,7 @@ namespace {
 // A viewer waits for each frame, and cloth that then hangs evens out its stretch.
 MotionOptions live_options(const DressOptions& options) {
     MotionOptions live = motion_options(options);
-    live.substeps = 12;
+    live.substeps = StepOptions{}.substeps;
     return live;
 }
 

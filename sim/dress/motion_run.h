@@ -22,7 +22,8 @@ using BodyAt = std::function<void(double seconds, const Region& region, std::vec
 struct MotionOptions {
     double step_seconds = 1.0 / 120;
     double adaptation_seconds = 1.0 / 30;
-    int substeps = 24;  // per step: twice as many as at rest, where stretch has time to even out
+    int substeps =
+        2 * StepOptions{}.substeps;  // per step: twice as many as at rest, where stretch has time to even out
     Vec3f gravity = Vec3f(0, -9.81F, 0);
     float air_damping = 2;  // 1/s
     AdaptClothOptions adapt{};

@@ -21,8 +21,8 @@ DrapeResult move_to_own_pose(Cloth& cloth, const Body& body, const Pose& start, 
     constexpr double kReport = 0.1;  // s
     MovingFlesh flesh(body);
     const Pose rest = rest_pose(body);
-    std::optional<Visibility> visibility = visibility_of(options);
-    Visibility* const visible = visibility ? &*visibility : nullptr;
+    std::optional<Visibility> visibility;
+    Visibility* const visible = set_visibility(visibility, options.seen_from);
     MotionRun moving(
         cloth, body,
         [&](double seconds, const Region& region, std::vector<Vec3f>& x) {

@@ -120,7 +120,7 @@ TEST(ChildProcess, refuses_an_answer_that_is_too_long) {
 }
 
 TEST(ChildProcess, work_that_eats_memory_ends_alone) {
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(SELVEDGE_ADDRESS_SANITIZER)
     GTEST_SKIP() << "the sanitizer's own memory leaves no room for a limit";
 #endif
     const ChildResult result = run_in_child(

@@ -303,14 +303,23 @@ TEST(SessionThread, plays_seeks_and_poses_as_asked_in_quick_succession) {
     for (int round = 0; round < 12; ++round) {
         ASSERT_TRUE(wait_until([&] { return session.frame()->number != number; })) << "round " << round;
         number = session.frame()->number;
-        if (round % 4 == 0) session.seek(walk->seconds * round / 12);
-        if (round % 4 == 1) session.pause_motion();
-        if (round % 4 == 1) session.follow(session_body(), stride);
-        if (round % 4 == 2) session.go_to(session_body(), stride);
-        if (round % 4 == 3) session.set_clip(session_body(), walk);
-        if (round % 4 == 3) session.play();
-        if (round == 7) session.back_to_start();
-        if (round == 8) session.play();
+        switch (round % 4) {
+            case 0:
+                session.seek(walk->seconds * round / 12);
+                break;
+            case 1:
+                session.pause_motion();
+                session.follow(session_body(), stride);
+                break;
+            case 2:
+                session.go_to(session_body(), stride);
+                break;
+            default:
+                session.set_clip(session_body(), walk);
+                session.play();
+        }
+        if (round == 7) session.back_to_start();  // while it plays
+        if (round == 8) session.play();           // from there
         ASSERT_NE(session.frame()->stage, SessionStage::Failed);
     }
     EXPECT_LT(stretch_p99(session.frame()->mesh), 0.2);
