@@ -208,7 +208,7 @@ void print_summary(const AnimateArguments& arguments, const sim::Animation& anim
     std::printf(
         "stretch: 99 %% of the triangles at most %.1f %%, one %.1f %%; deeper in the body than 1 mm: %d vertices and "
         "%d faces in all frames; at most %d vertices pinched\n",
-        100 * quality.p99_stretch, 100 * quality.max_stretch, quality.deep_vertices, quality.deep_face_centres,
+        100 * quality.p99_stretch, 100 * quality.max_stretch, quality.deep_vertices, quality.deep_faces,
         quality.pinched);
     constexpr int kMany = 20;
     if (quality.pinched > kMany && !arguments.motion.opens_arms)

@@ -138,26 +138,15 @@ Table table_of(const LiveStatistics& s) {
 
 Table table_of(const MotionStatistics& s) {
     Table table{.name = "motion", .title = "A frame of 1/60 s of a garment on a moving body, CPU time"};
-    table.columns = {"leaves",
-                     "at rest, ms",
-                     "moving, ms",
-                     "of it body, ms",
-                     "p95, ms",
-                     "ratio",
-                     "p99 stretch, %",
-                     "largest, %",
-                     "over 15 %, s",
-                     "deepest vertex, mm",
-                     "deepest face centre, mm",
-                     "vertices > 1 mm",
-                     "face centres > 1 mm",
-                     "pinched"};
+    table.columns = {
+        "leaves",         "at rest, ms", "moving, ms",   "of it body, ms",     "p95, ms",          "ratio",
+        "p99 stretch, %", "largest, %",  "over 15 %, s", "deepest vertex, mm", "deepest face, mm", "vertices > 1 mm",
+        "faces > 1 mm",   "pinched"};
     const sim::MotionQuality& q = s.quality;
     table.add_row({Cell(s.leaves, 0), Cell(s.rest_ms, 2), Cell(s.motion_ms, 2), Cell(s.body_ms, 2), Cell(s.p95_ms, 2),
                    Cell(s.motion_ms / s.rest_ms, 2), Cell(100 * q.p99_stretch, 1), Cell(100 * q.max_stretch, 1),
-                   Cell(q.overstretched_seconds, 2), Cell(1e3 * q.deepest_vertex, 2),
-                   Cell(1e3 * q.deepest_face_centre, 2), Cell(q.deep_vertices), Cell(q.deep_face_centres),
-                   Cell(q.pinched)});
+                   Cell(q.overstretched_seconds, 2), Cell(1e3 * q.deepest_vertex, 2), Cell(1e3 * q.deepest_face, 2),
+                   Cell(q.deep_vertices), Cell(q.deep_faces), Cell(q.pinched)});
     return table;
 }
 

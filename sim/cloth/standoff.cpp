@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,11 +25,17 @@ class Lacks {
     std::vector<float> find() {
         for (const LeafEdge& leaf : cloth_.mesh.leaf_edges()) {
             const AdaptiveEdge& edge = cloth_.mesh.edge(leaf.edge);
-            add({edge.ends[0], edge.ends[1], edge.ends[1]}, {0.5F, 0.25F, 0.25F});
+            const Corners corners{edge.ends[0], edge.ends[1], edge.ends[1]};
+            if (add(corners, {0.5F, 0.25F, 0.25F}) || !is_at_moving_body(edge.ends)) continue;
+            add(corners, {0.75F, 0.125F, 0.125F});
+            add(corners, {0.25F, 0.375F, 0.375F});
         }
-        constexpr float kThird = 1.0F / 3.0F;
+        constexpr float kThird = 1.0F / 3.0F, kSixth = 1.0F / 6.0F;
         for (const LeafTriangle& leaf : cloth_.mesh.leaf_triangles()) {
-            add(leaf.v, {kThird, kThird, kThird});
+            if (add(leaf.v, {kThird, kThird, kThird}) || !is_at_moving_body(leaf.v)) continue;
+            add(leaf.v, {4 * kSixth, kSixth, kSixth});
+            add(leaf.v, {kSixth, 4 * kSixth, kSixth});
+            add(leaf.v, {kSixth, kSixth, 4 * kSixth});
         }
         query();
         return std::move(by_vertex_);
@@ -37,16 +44,31 @@ class Lacks {
  private:
     using Corners = std::array<VertexId, 3>;
 
-    void add(const Corners& corners, const std::array<float, 3>& shares) {
+    // Whether one of the vertices is near a body that moves. Where they are not all on one smooth side of it, the cloth
+    // between them may be deepest beside its middle.
+    bool is_at_moving_body(std::span<const VertexId> vertices) const {
+        if (!body_.moving()) return false;
+        const std::vector<LastContact>& last = cloth_.solver.contacts.moving.last;
+        return std::ranges::any_of(vertices, [&](VertexId v) {
+            return v.value < last.size() && last[v.value].triangle != LastContact::kNone;
+        });
+    }
+
+    // Returns whether what is known at the corners tells the distance there.
+    bool add(const Corners& corners, const std::array<float, 3>& shares) {
         Vec3f x = Vec3f::Zero();
         for (std::size_t k = 0; k < 3; ++k) x += shares[k] * cloth_.x[corners[k].value].head<3>();
         if (body_.moving()) {
             const auto known = distance_between(cloth_.solver.contacts.moving, corners, shares, x);
-            if (known) return note(corners, *known);
+            if (known) {
+                note(corners, *known);
+                return true;
+            }
         }
         if (corners_.size() % kContactLanes == 0) blocks_.emplace_back();
         blocks_.back().set_point(corners_.size() % kContactLanes, x);
         corners_.push_back(corners);
+        return false;
     }
 
     void query() {

@@ -12,7 +12,8 @@ namespace selvedge::sim {
 struct Cloth;
 class Collider;
 
-// m, least distance from the body that is kept in the middle of edges and triangles
+// m, least distance from the body that is kept in the middle of edges and triangles; on a
+// body that moves, beside the middle too where the cloth leaves it or turns round it
 inline constexpr float kChordClearance = 0.0001F;
 
 // m, largest standoff: what the chords of cloth in motion need at the default offset

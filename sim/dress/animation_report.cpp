@@ -18,9 +18,9 @@ std::string to_json(const Animation& animation, const std::string& motion) {
     measured[report_key::kStretchMax] = quality.max_stretch;
     measured[report_key::kOverstretchedS] = quality.overstretched_seconds;
     measured[report_key::kDeepestVertexM] = quality.deepest_vertex;
-    measured[report_key::kDeepestFaceCentreM] = quality.deepest_face_centre;
+    measured[report_key::kDeepestFaceM] = quality.deepest_face;
     measured[report_key::kDeepVertices] = quality.deep_vertices;
-    measured[report_key::kDeepFaceCentres] = quality.deep_face_centres;
+    measured[report_key::kDeepFaces] = quality.deep_faces;
     measured[report_key::kPinched] = quality.pinched;
     measured[report_key::kHasBadNumber] = quality.has_bad_number;
     Json& faults = json[report_key::kMotionFaults] = Json::array();

@@ -12,21 +12,22 @@ namespace selvedge::sim {
 // faces at it, is not counted; the vertex is.
 class MotionQuality {
  public:
-    static constexpr float kDeep = 0.001F;          // m, from which a vertex or a face centre counts as deep
+    static constexpr float kDeep = 0.001F;          // m, from which a vertex or a face counts as deep
     static constexpr float kOverstretched = 0.15F;  // from which a triangle counts as overstretched
 
     // One frame that shows `seconds` of the motion. Pre: the body is where it was at the end of the last step.
     void note(const Cloth& cloth, const MovingBodyCollider& body, double seconds);
 
-    // What a person would see as wrong, a sentence each.
+    // What a person would see as wrong, a sentence each. A face may dip as deep as in FaultLimits.
     std::vector<std::string> faults() const;
 
     int frames = 0;
-    double p99_stretch = 0, max_stretch = 0;             // largest of all frames: of all triangles, along warp and weft
-    double overstretched_seconds = 0;                    // longest time for which one triangle is overstretched
-    double deepest_vertex = 0, deepest_face_centre = 0;  // m
-    int deep_vertices = 0, deep_face_centres = 0;        // sums over the frames
-    int pinched = 0;                                     // most in a frame
+    double p99_stretch = 0, max_stretch = 0;  // largest of all frames: of all triangles, along warp and weft
+    double overstretched_seconds = 0;         // longest time for which one triangle is overstretched
+    // m; of a face, at any place in it (sim/collide/penetration.h), from 0.1 mm on
+    double deepest_vertex = 0, deepest_face = 0;
+    int deep_vertices = 0, deep_faces = 0;  // sums over the frames
+    int pinched = 0;                        // most in a frame
     bool has_bad_number = false;
 
  private:

@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "sim/cloth/moving_contact.h"
+#include "sim/collide/moving_body.h"
 #include "tests/sim/cloth/fixtures.h"
+#include "tests/sim/dress/shapes.h"
+#include "tests/support/bodies.h"
 
 namespace selvedge::sim::test {
 namespace {
@@ -79,6 +83,28 @@ TEST(Standoff, gives_no_velocity) {
         moved = std::max(moved, by.norm());
     }
     EXPECT_GT(moved, 0.0002F);
+}
+
+// A chord from the top of a ball, whose middle is clear of it: a quarter of the way from there it is 3 mm deep.
+TEST(Standoff, finds_cloth_that_is_deepest_beside_its_middle_on_a_body_that_moves) {
+    const MovingBodyCollider moving(shapes::sphere(Vec3d(0, 1, 0), 0.15, 48));
+    Cloth cloth =
+        make_patch(find_fabric("cotton_shirting"), {.side = 0.16, .quads = 1, .height = 1.151, .max_level = 0});
+    std::vector<VertexId> on_top;
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        const bool is_on_top = cloth.x[v.value].x() < 0;
+        const float z = 0.05F * cloth.x[v.value].z();
+        cloth.x[v.value].head<3>() = is_on_top ? Vec3f(0, 1.151F, z) : Vec3f(0.16F, 1.111F, z);
+        cloth.x_prev[v.value] = cloth.x[v.value];
+        if (is_on_top) on_top.push_back(v);
+    }
+    ASSERT_EQ(on_top.size(), 2U);
+    ContactOptions options{.offset = kSmall};
+    options.sample_spacing = options.sampled_edge = 1;  // m: no samples
+    refresh_contacts(cloth, options);
+    find_moving_contacts(cloth, moving, options, 12);
+    update_standoffs(cloth, moving);
+    for (const VertexId v : on_top) EXPECT_EQ(cloth.solver.contacts.standoff[v.value], kMaxStandoff);
 }
 
 // The cache of contacts holds heights above the offset surface.

@@ -120,15 +120,26 @@ TEST(MotionQuality, counts_what_is_deep_but_not_what_is_pinched) {
     MotionQuality quality;
     quality.note(cloth, collider, 0.04);
     EXPECT_EQ(quality.deep_vertices, 4);
-    EXPECT_EQ(quality.deep_face_centres, 2);
-    EXPECT_NEAR(quality.deepest_face_centre, 0.002, 0.0005);
+    EXPECT_EQ(quality.deep_faces, 2);
+    EXPECT_NEAR(quality.deepest_face, 0.002, 0.0005);
     cloth.solver.contacts.moving.last.resize(cloth.x.size());
     for (LastContact& last : cloth.solver.contacts.moving.last) last.is_pinched = true;
     MotionQuality pinched;
     pinched.note(cloth, collider, 0.04);
     EXPECT_EQ(pinched.deep_vertices, 0);
-    EXPECT_EQ(pinched.deep_face_centres, 0);
+    EXPECT_EQ(pinched.deep_faces, 0);
     EXPECT_EQ(pinched.pinched, 4);
+}
+
+TEST(MotionQuality, counts_faces_that_only_an_edge_brings_into_the_body) {
+    const Body ball = shapes::sphere(Vec3d(0, 1, 0), 0.15, 24);
+    const Cloth cloth =
+        make_patch(find_fabric("cotton_shirting"), {.side = 0.4, .quads = 1, .height = 1.148, .max_level = 0});
+    MotionQuality quality;  // only the middle of the diagonal is inside
+    quality.note(cloth, MovingBodyCollider(ball), 0.04);
+    EXPECT_EQ(quality.deep_vertices, 0);
+    EXPECT_EQ(quality.deep_faces, 2);
+    EXPECT_NEAR(quality.deepest_face, 0.002, 0.0005);
 }
 
 TEST(MotionQuality, tells_how_long_one_triangle_is_overstretched) {
@@ -219,15 +230,17 @@ TEST(Animation, goes_from_the_dressed_pose_over_into_the_motion_with_the_hips_in
 TEST(MotionQuality, tells_what_a_person_would_see_as_wrong) {
     MotionQuality quality;
     quality.deepest_vertex = 0.0009;
+    quality.deep_faces = 5;
+    quality.deepest_face = 0.0029;
     quality.overstretched_seconds = 0.08;
     EXPECT_TRUE(quality.faults().empty());
     quality.deep_vertices = 2;
-    quality.deep_face_centres = 3;
-    quality.deepest_face_centre = 0.0168;
+    quality.deep_faces = 3;
+    quality.deepest_face = 0.0168;
     quality.overstretched_seconds = 0.44;
     const std::vector<std::string> faults = quality.faults();
     ASSERT_EQ(faults.size(), 2U);
-    EXPECT_EQ(faults[0], "cloth is in the body by 16.8 mm: more than 1 mm at 5 places, all frames");
+    EXPECT_EQ(faults[0], "cloth is in the body by 16.8 mm: 2 vertices and 3 faces by more than 1 mm, all frames");
     EXPECT_EQ(faults[1], "a triangle is stretched by more than 15 % for 0.44 s");
 }
 
@@ -245,7 +258,7 @@ TEST(Animation, keeps_a_garment_outside_of_a_body_that_walks) {
     const MotionQuality& quality = animation.quality();
     EXPECT_FALSE(quality.has_bad_number);
     EXPECT_EQ(quality.deep_vertices, 0);
-    EXPECT_LT(quality.deepest_face_centre, 0.003);
+    EXPECT_LT(quality.deepest_face, 0.003);
     EXPECT_LT(quality.p99_stretch, 0.05);
     const std::string report = to_json(animation, "walk");
     EXPECT_NE(report.find("\"planned_frames\": 31"), std::string::npos) << report;
