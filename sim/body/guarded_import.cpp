@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/body/bvh_text.h"
 #include "sim/body/gltf_skins.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
@@ -90,8 +91,12 @@ std::string importer_for(const std::filesystem::path& path, std::string_view con
         if (!(kind == ImportKind::Motion ? format.has_motion : format.has_surface)) continue;
         accepted += (accepted.empty() ? "" : ", ") + std::string(format.extension);
         if (extension != format.extension) continue;
-        if (!format.is_so(content))
-            throw InputError(path.string(), "", std::string("its content is not ") + format.name);
+        if (!format.is_so(content)) {
+            const bool has_mark = format.extension == std::string_view(".bvh") && content.starts_with("\xEF\xBB\xBF");
+            throw InputError(path.string(), "",
+                             has_mark ? "it starts with a byte-order mark: save it as UTF-8 without one"
+                                      : std::string("its content is not ") + format.name);
+        }
         return extension.substr(1);
     }
     throw InputError(path.string(), "",
@@ -207,6 +212,7 @@ ImportedScene guarded_import(const std::filesystem::path& path, ImportKind kind,
     const std::string content = read_file(path, limits.file_bytes);
     const std::string importer = importer_for(path, content, kind);
     if (kind == ImportKind::Surface && (importer == "gltf" || importer == "glb")) check_gltf_skins(path, content);
+    if (importer == "bvh") check_bvh(content, path.string(), limits.motion);
     ImportAnswer answer = run_guarded(path, importer, kind, limits);
     // Only one importer is enabled, so "no suitable reader" means that it found the content broken.
     if (answer.failure.starts_with("No suitable reader")) answer.failure = "its content is broken";

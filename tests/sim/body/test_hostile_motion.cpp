@@ -236,25 +236,68 @@ TEST_F(HostileMotion, in_bvh_text_is_named) {
     const std::string frame = "0 90 0 0 0 0 1 2 3\n";
     ASSERT_EQ(message_of("a.bvh", bvh_of(kLeg, "2", "0.0333", frame + frame)), "");
     EXPECT_NEAR(motion_.clips.front().seconds, 0.0333, 0.04);
-    EXPECT_NE(message_of("a.bvh", bvh_of(kLeg, "2", "0.0333", frame + "0 nan 0 0 0 0 1 2 3\n")), "");
-    EXPECT_EQ(message_of("a.bvh", bvh_of(kLeg, "2", "0", frame + frame)),
-              "cannot be read: the time of its frames is not a positive time");
-    EXPECT_NE(message_of("a.bvh", bvh_of(kLeg, "2", "-0.03", frame + frame)), "");
-    EXPECT_NE(message_of("a.bvh", bvh_of(kLeg, "2", "nan", frame + frame)), "");
-    EXPECT_NE(message_of("a.bvh", bvh_of(kLeg, "3", "0.0333", frame)), "") << "frames are missing";
-    EXPECT_NE(message_of("a.bvh", bvh_of(kLeg, "999999999999", "0.0333", frame)), "");
-    EXPECT_EQ(message_of("a.bvh", bvh_of(kLeg, "0", "0.0333", "")), "cannot be read: its motion has no frames");
-    EXPECT_NE(message_of("a.bvh", bvh_of(kLeg, "-5", "0.0333", frame)), "");
-    EXPECT_NE(message_of("a.bvh", bvh_of(kLeg, "2", "1e9", frame + frame)), "");
-    EXPECT_NE(message_of("a.bvh", bvh_of(kLeg, "2", "0.0333", "0 90 0 0 0 0 1 two 3\n" + frame)), "");
-    EXPECT_NE(message_of("a.bvh", bvh_of("  JOINT LeftUpLeg\n  {\n", "1", "0.0333", frame)), "");
+    const auto message = [&](const std::string& frames, const std::string& time, const std::string& rows,
+                             const std::string& joints = kLeg) {
+        return message_of("a.bvh", bvh_of(joints, frames, time, rows));
+    };
+    EXPECT_EQ(message("2", "0.0333", frame + "0 nan 0 0 0 0 1 2 3\n"), "line 20: a channel is no number: 'nan'");
+    EXPECT_EQ(message("2", "0.0333", frame + "0 1e99 0 0 0 0 1 2 3\n"),
+              "line 20: a channel is not a reasonable number");
+    EXPECT_EQ(message("2", "0.0333", "0 90 0 0 0 0 1 two 3\n" + frame), "line 19: a channel is no number: 'two'");
+    for (const char* time : {"0", "-0.03", "1e9", "1e-30"})
+        EXPECT_EQ(message("2", time, frame + frame), "line 18: the time of a frame is not between 0.001 and 1 s");
+    EXPECT_EQ(message("2", "nan", frame + frame), "line 18: the time of a frame is no number: 'nan'");
+    EXPECT_EQ(message("3", "0.0333", frame), "line 19: the file ends in row 2 of 3, after 0 of 9 numbers");
+    EXPECT_EQ(message("1", "0.0333", frame + frame),
+              "line 20: more rows than the 1 of 'Frames:', or a row of more than 9 numbers");
+    EXPECT_EQ(message("0", "0.0333", ""), "line 17: its motion has no frames");
+    for (const char* frames : {"-1", "3.7"})
+        EXPECT_EQ(message(frames, "0.0333", frame), "line 17: the number of frames is not a whole number");
+    EXPECT_EQ(message("many", "0.0333", frame), "line 17: the number of frames is no number: 'many'");
+    EXPECT_EQ(message("999999999999", "0.0333", frame), "line 17: its motion is too long: more than 4000000 keys");
+    EXPECT_EQ(message("5000", "0.9", frame), "line 18: its motion is longer than 3600 s");
+}
+
+TEST_F(HostileMotion, in_a_bvh_skeleton_is_named) {
+    const std::string row = "0 90 0 0 0 0\n", frame = "0 90 0 0 0 0 1 2 3\n";
+    const auto message = [&](const std::string& joints) {
+        return message_of("a.bvh", bvh_of(joints, "1", "0.0333", frame));
+    };
+    EXPECT_EQ(message("  JOINT LeftUpLeg\n  {\n"), "line 8: 'OFFSET' is missing, before '}'");
+    EXPECT_EQ(message(kLeg + kLeg), "line 15: a second joint is called 'LeftUpLeg'");
+    std::string leg = kLeg;
+    leg.replace(leg.find("Xrotation"), 9, "Zrotation");
+    EXPECT_EQ(message(leg), "line 9: a second channel 'Zrotation' of one joint");
+    leg.replace(leg.find("Zrotation"), 9, "Wrotation");
+    EXPECT_EQ(message(leg), "line 9: the name of a channel, as Xrotation, is missing, before 'Wrotation'");
+    leg = kLeg;
+    leg.replace(leg.find("CHANNELS 3"), 10, "CHANNELS 7");
+    EXPECT_EQ(message(leg), "line 9: a joint has 0 to 6 channels");
+    leg = kLeg;
+    leg.replace(leg.find("10 -5"), 5, "10 1e7");
+    EXPECT_EQ(message(leg), "line 8: an offset is not a reasonable number");
     std::string many, ends;
-    for (int i = 0; i < 10'000; ++i) {
+    for (int i = 0; i < 100'000; ++i) {
         many += "JOINT j" + std::to_string(i) + "\n{\nOFFSET 0 1 0\nCHANNELS 0\n";
         ends += "}\n";
     }
     many += "End Site\n{\nOFFSET 0 1 0\n}\n" + ends;
-    EXPECT_NE(message_of("a.bvh", bvh_of(many, "1", "0.0333", "0 90 0 0 0 0\n")), "");
+    EXPECT_EQ(message_of("a.bvh", bvh_of(many, "1", "0.0333", row)), "line 16386: more than 4096 joints");
+    const std::string sound = bvh_of(kLeg, "1", "0.0333", frame);
+    EXPECT_EQ(message_of("a.bvh", "\xEF\xBB\xBF" + sound),
+              "it starts with a byte-order mark: save it as UTF-8 without one");
+    for (std::size_t length = 0; length + frame.size() < sound.size(); ++length)
+        EXPECT_NE(message_of("a.bvh", sound.substr(0, length)), "") << "cut after " << length;
+}
+
+TEST_F(HostileMotion, of_bvh_bytes_garbled_anywhere_is_found_or_harmless) {
+    std::mt19937 random(12);
+    const std::string frame = "0 90 0 0 0 0 1 2 3\n", sound = bvh_of(kLeg, "2", "0.0333", frame + frame);
+    for (int i = 0; i < 200; ++i) {
+        std::string text = sound;
+        for (int k = 0; k < 2; ++k) text[random() % text.size()] = char(32 + random() % 90);
+        message_of("garbled.bvh", text);
+    }
 }
 
 const std::string kFbxJoint = R"(; FBX 7.3.0 project file
