@@ -5,11 +5,15 @@ uniform float shadow_width;         // m, width and depth covered by the shadow 
 uniform float shadow_map_side;      // px
 
 // xyz: position in the map, 0..1, offset along the normal and towards the light against self-shadowing.
-// w: tangent of the angle between normal and light (slope of the surface as seen from the light).
+// w: how its depth changes across the map if the surface goes on as a plane; plane_slope() unpacks it.
+// (Receiver plane: Isidoro 2006)
 vec4 shadow_place(vec3 x, vec3 normal) {
     float facing = clamp(dot(normal, to_key), 0.2, 1.0);
     float texel = shadow_width / shadow_map_side;
     vec3 at = (shadow_matrix * vec4(x + normal * max(0.004, 2.0 * texel), 1.0)).xyz;
     at.z = min(at.z - max(0.002, texel) / shadow_width, 0.9999);  // the ground extends beyond the map's depth
-    return vec4(at, sqrt(1.0 - facing * facing) / facing);
+    vec3 seen = normalize(mat3(shadow_matrix) * normal);
+    vec2 slope = clamp(seen.xy / facing, -5.0, 5.0);
+    vec2 steps = floor((slope + 5.0) * 409.5 + 0.5);  // 0 to 4095, so that both are exact in one float
+    return vec4(at, steps.x * 4096.0 + steps.y);
 }

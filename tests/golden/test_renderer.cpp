@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 #include "render/draw/ambient_occlusion.h"
 #include "render/gl/target.h"
@@ -91,6 +94,36 @@ TEST(Renderer, skin_does_not_show_through_cloth_that_lies_half_a_millimetre_in_i
     };
     EXPECT_GT(draw(0.0005F)[0], 2 * draw(0.0005F)[1]) << "red cloth";
     EXPECT_LT(draw(0.003F)[0], 2 * draw(0.003F)[1]) << "skin";
+}
+
+// A flat surface between corners, in counterclockwise order.
+render::BodyItem plate(const std::array<Vec3f, 4>& corners) {
+    const Vec3f normal = (corners[1] - corners[0]).cross(corners[3] - corners[0]).normalized();
+    return {.x = {corners.begin(), corners.end()},
+            .normals = std::vector<Vec3f>(4, normal),
+            .triangles = {{0, 1, 2}, {0, 2, 3}}};
+}
+
+// As of a hem over a thigh: a slanted strip 2 cm wide and 12 mm before a wall, which the light grazes.
+TEST(Renderer, the_shadow_of_a_hem_is_whole_where_the_light_grazes) {
+    constexpr int kSide = 160;
+    render::Scene scene;
+    scene.bodies = {
+        plate({Vec3f(-0.5F, -0.5F, 0), {0.5F, -0.5F, 0}, {0.5F, 0.5F, 0}, {-0.5F, 0.5F, 0}}),
+        plate({Vec3f(-0.06F, -0.3F, 0.012F), {-0.04F, -0.3F, 0.012F}, {0.06F, 0.3F, 0.012F}, {0.04F, 0.3F, 0.012F}})};
+    scene.light = {.to_key = {0.95F, 0.05F, 0.3F}, .fill = 0};
+    scene.camera = {.eye = {-0.04F, 0, 0.6F}, .target = {-0.04F, 0, 0}};
+    scene.has_ground = false;
+    const render::Image image = render::Renderer().draw(scene, {.width_px = kSide, .height_px = kSide});
+    double least = 1e9, most = 0;
+    for (int y = kSide / 4; y < 3 * kSide / 4; ++y) {
+        double dark = 0;  // pixels that are in shadow, by their share
+        for (int x = 0; x < kSide; ++x) dark += 1 - image.at(x, y)[1] / double(image.at(2, y)[1]);
+        least = std::min(least, dark);
+        most = std::max(most, dark);
+    }
+    EXPECT_GT(least, 2);
+    EXPECT_LT(most, 2 * least) << "ragged";
 }
 
 // From afar every stripe is finer than a pixel: the cloth must have the sett's mean colour without a pattern.
