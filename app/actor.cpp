@@ -5,6 +5,7 @@
 
 #include "sim/body/clear_arms.h"
 #include "sim/body/grounding.h"
+#include "sim/body/joint_names.h"
 #include "sim/body/load_body.h"
 #include "sim/body/motion_file.h"
 #include "sim/core/error.h"
@@ -24,15 +25,32 @@ sim::Clip find_other_motion(const std::string& name, const sim::BodyClips& own) 
     }
 }
 
+// Notes which limbs a motion from elsewhere leaves as they are.
+void note_still_limbs(const sim::Body& body, const sim::Clip& clip, std::vector<std::string>& notes) {
+    const sim::JointBones joints = sim::find_joints(body.bones);
+    std::string still;
+    for (const sim::Joint joint :
+         {sim::Joint::LeftUpperArm, sim::Joint::RightUpperArm, sim::Joint::LeftUpperLeg, sim::Joint::RightUpperLeg}) {
+        if (!joints.has(joint) || std::ranges::count(clip.tracks, joints[joint], &sim::Track::bone) > 0) continue;
+        still += (still.empty() ? "" : ", ") + std::string(sim::joint_name(joint));
+    }
+    if (!still.empty()) notes.push_back("the motion's skeleton has no joint that is known as " + still + ": not moved");
+}
+
 // A motion of the body's own file, or else one that ships or is in another file.
-sim::Clip choose_motion(const MotionChoice& motion, const sim::BodyClips& own, const std::string& source) {
+sim::Clip choose_motion(const MotionChoice& motion, const sim::BodyClips& own, const std::string& source,
+                        std::vector<std::string>& notes) {
     const std::string& name = motion.name;
     if (name.empty() && own.clips.empty())
         throw sim::InputError("", "--motion", "is missing: the body's file has no motion of its own");
     const bool is_own = name.empty() || std::ranges::any_of(own.clips, [&](const sim::Clip& clip) {
                             return clip.name == name || clip.name.ends_with("|" + name);
                         });
-    if (!is_own) return find_other_motion(name, own);
+    if (!is_own) {
+        sim::Clip clip = find_other_motion(name, own);
+        note_still_limbs(own.body, clip, notes);
+        return clip;
+    }
     sim::Clip clip = sim::find_clip(own.clips, name, source);
     if (clip.name.empty()) clip.name = own.body.name;
     if (motion.opens_arms) sim::clear_arms(own.body, clip);
@@ -56,7 +74,7 @@ Actor make_actor(const BodyOptions& body, const MotionChoice& motion) {
     }
     if (own.body.skin.empty())
         throw sim::InputError(body.source, "skin", "is missing: a body moves by bones that its surface is bound to");
-    sim::Clip clip = choose_motion(motion, own, body.source);
+    sim::Clip clip = choose_motion(motion, own, body.source, notes);
     return {std::make_shared<const sim::Body>(std::move(own.body)), std::move(clip), std::move(notes)};
 }
 

@@ -70,22 +70,35 @@ Vec3f place_of(std::span<const Vec3f> body) {
     return {middle.x(), 0, middle.z()};
 }
 
-// The body's vertices that are nearest to some of the garment's: where they go, the garment goes.
-std::vector<std::size_t> vertices_under(const sim::DrawMesh& garment, std::span<const Vec3f> body) {
+// Where some of the garment hangs: from the nearest vertex of its body, with which it goes.
+struct Hanging {
+    std::size_t vertex;  // of the body
+    float aside;         // m, over the floor
+    float up;            // m
+
+    // Around that vertex at x, because the body may turn.
+    void add_points(const Vec3f& x, std::vector<Vec3f>& points) const {
+        for (const float way : {-aside, aside}) {
+            points.emplace_back(x + Vec3f(way, up, 0));
+            points.emplace_back(x + Vec3f(0, up, way));
+        }
+    }
+};
+
+std::vector<Hanging> find_hanging(const sim::DrawMesh& garment, std::span<const Vec3f> body) {
     constexpr std::size_t kEvery = 8;  // the frame is as large with an eighth of the vertices
-    std::vector<std::size_t> under;
+    std::vector<Hanging> hanging;
     for (std::size_t v = 0; v < garment.x.size(); v += kEvery) {
         const auto nearest =
             std::ranges::min_element(body, {}, [&](const Vec3f& x) { return (x - garment.x[v]).squaredNorm(); });
-        under.push_back(static_cast<std::size_t>(nearest - body.begin()));
+        const Vec3f away = garment.x[v] - *nearest;
+        hanging.push_back({static_cast<std::size_t>(nearest - body.begin()), std::hypot(away.x(), away.z()), away.y()});
     }
-    std::ranges::sort(under);
-    under.erase(std::unique(under.begin(), under.end()), under.end());
-    return under;
+    return hanging;
 }
 
 // Draws the frames of a film. The camera follows the body over the floor, smoothly, and frames it, or what the garment
-// is on, in all its poses.
+// hangs on, in all its poses.
 class Filming {
  public:
     Filming(const AnimateArguments& arguments, const sim::Animation& animation)
@@ -118,11 +131,11 @@ class Filming {
     std::vector<Vec3f> framed(const sim::Animation& animation, const sim::DrawMesh& garment) const {
         constexpr int kMoments = 48;
         constexpr std::size_t kEvery = 16;  // vertices of a body
-        std::vector<std::size_t> vertices;
+        std::vector<Hanging> hanging;
         if (arguments_.picture.framing == Framing::Garment) {
-            vertices = vertices_under(garment, animation.body_points());
+            hanging = find_hanging(garment, animation.body_points());
         } else {
-            for (std::size_t v = 0; v < animation.body_points().size(); v += kEvery) vertices.push_back(v);
+            for (std::size_t v = 0; v < animation.body_points().size(); v += kEvery) hanging.push_back({v, 0, 0});
         }
         const sim::BodyTimeline& timeline = animation.timeline();
         const sim::SkinnedSurface surface(animation.body());
@@ -130,7 +143,7 @@ class Filming {
         for (int i = 0; i < kMoments; ++i) {
             surface.positions(animation.body(), timeline.pose(timeline.seconds() * i / (kMoments - 1)), x);
             const Vec3f by = arguments_.camera_stays ? Vec3f::Zero() : Vec3f(start_ - place_of(x));
-            for (const std::size_t v : vertices) points.emplace_back(x[v] + by);
+            for (const Hanging& hung : hanging) hung.add_points(x[hung.vertex] + by, points);
         }
         return points;
     }
@@ -220,6 +233,15 @@ void print_summary(const AnimateArguments& arguments, const sim::Animation& anim
     for (const Path& file : all_outputs(arguments)) std::printf("wrote %s\n", file.c_str());
 }
 
+// Whether more of a clip is asked for than there is. A pose is held anyway.
+bool ends_early(const sim::Clip& clip, const sim::AnimationOptions& animation) {
+    if (clip.is_loop || clip.seconds == 0) return false;
+    constexpr double kRounding = 0.05;  // s, of a length as it is printed
+    const double last =
+        animation.seconds ? animation.from + *animation.seconds * animation.speed : animation.to.value_or(clip.seconds);
+    return last > clip.seconds + kRounding;
+}
+
 int run(AnimateArguments arguments) {
     std::vector<std::string> notes;
     const sim::Pattern pattern = load_garments(arguments.garment, notes);
@@ -237,7 +259,7 @@ int run(AnimateArguments arguments) {
                               "is behind the end of '" + actor.clip.name + "', " + seconds_text(actor.clip.seconds));
     if (arguments.animation.to && *arguments.animation.to <= arguments.animation.from)
         throw sim::InputError("", "--to", "is not behind --from, " + seconds_text(arguments.animation.from));
-    if (arguments.animation.to && !actor.clip.is_loop && *arguments.animation.to > actor.clip.seconds)
+    if (ends_early(actor.clip, arguments.animation))
         notes.push_back("'" + actor.clip.name + "' ends after " + seconds_text(actor.clip.seconds) +
                         ": then its last pose is held");
     actor.notes.insert(actor.notes.begin(), notes.begin(), notes.end());
@@ -294,9 +316,11 @@ void add_motion_options(CLI::App& command, AnimateArguments& arguments) {
                            "How much of it to show after --blend, s (default: all; of a loop, once)", seconds)
             ->type_name("S")
             ->group("Motion");
-    add_number<double>(command, "--to", {0, 3600},
-                       "Where in the motion to end, s, instead of --seconds; behind its end, its last pose is held",
-                       [&animation](double to) { animation.to = to; })
+    add_number<double>(
+        command, "--to", {0, 3600},
+        "Where in the motion to end, s, instead of --seconds; behind its end, a loop goes on, and of any "
+        "other the last pose is held",
+        [&animation](double to) { animation.to = to; })
         ->type_name("S")
         ->group("Motion")
         ->excludes(length);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include "sim/body/clear_arms.h"
@@ -251,6 +252,8 @@ std::pair<Body, Clip> source_of(const std::string& text) {
         BodyClips motion = read_motion(read_json(text), text);
         return {std::move(motion.body), std::move(motion.clips.front())};
     }
+    if (std::error_code error; std::filesystem::is_directory(text, error))
+        throw InputError(text, "", "a folder is no motion");
     const auto [path, clip] = split_clip_name(text);
     if (!is_motion_file(path))
         throw InputError("", "",

@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "render/image/image.h"
@@ -86,6 +87,20 @@ TEST(AnimateCommand, fills_the_picture_with_the_garment_and_notes_the_end_of_the
               2 * red_pixels(render::read_png(folder / "all.frames/frame_0002.png")));
 }
 
+TEST(AnimateCommand, notes_the_limbs_that_a_motion_has_no_joints_for) {
+    const ScratchFolder folder;
+    std::ofstream(folder / "nod.bvh")
+        << "HIERARCHY ROOT Hips { OFFSET 0 0 0 CHANNELS 3 Xposition Yposition Zposition JOINT Neck { OFFSET 0 50 0 "
+           "CHANNELS 1 Xrotation End Site { OFFSET 0 10 0 } } } MOTION Frames: 2 Frame Time: 0.1 0 90 0 0 0 90 0 20";
+    const ProgramResult run =
+        run_selvedge("animate " + shipped("tshirt.json") + kQuick + "--motion '" + folder / "nod.bvh" +
+                     "' --seconds 0.2 --report '" + folder / "nod.json" + "'");
+    EXPECT_NE(run.out.find("note: the motion's skeleton has no joint that is known as left_upper_arm, "
+                           "right_upper_arm, left_upper_leg, right_upper_leg: not moved"),
+              std::string::npos)
+        << run.out << run.err;
+}
+
 TEST(AnimateCommand, refuses_wrong_input_in_one_line) {
     const ScratchFolder folder;
     const std::string film = " --film '" + folder / "x.frames" + "'";
@@ -103,6 +118,7 @@ TEST(AnimateCommand, refuses_wrong_input_in_one_line) {
     refused(" --motion walk --film '" + folder / "x.avi" + "'", "x.avi");
     refused(" --motion walk --export '" + folder / "x.abc" + "'", "x.abc");
     refused(film + " --motion walk --show hierarchy", "hierarchy");
+    refused(film + " --motion '" + folder.path().string() + "'", "a folder is no motion");
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
