@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -35,21 +36,28 @@ struct NearestPoint {
     float least = 0;    // m: no point of the face is nearer to the body
 };
 
-// The exact contact where there is a surface; nullopt if it is farther than `reach`.
-std::optional<Contact> contact_within(const Collider& body, const Vec3f& x, float reach) {
-    const SurfaceBvh* const surface = body.exact_surface();
-    if (surface == nullptr) return body.contact(x);
-    const auto closest = surface->closest(x, reach);
-    if (!closest) return std::nullopt;
-    return Contact{closest->distance, closest->normal};
+// Answers exactly where there is a surface; nullopt if it is farther than `reach`.
+using ContactWithin = std::function<std::optional<Contact>(const Vec3f& x, float reach)>;
+
+ContactWithin contacts_with(const SurfaceBvh& surface) {
+    return [&](const Vec3f& x, float reach) -> std::optional<Contact> {
+        const auto closest = surface.closest(x, reach);
+        if (!closest) return std::nullopt;
+        return Contact{closest->distance, closest->normal};
+    };
+}
+
+ContactWithin contacts_with(const Collider& body) {
+    if (const SurfaceBvh* const surface = body.exact_surface()) return contacts_with(*surface);
+    return [&](const Vec3f& x, float) { return std::optional(body.contact(x)); };
 }
 
 // Takes x if it is nearer to the body, or deeper in it, than the nearest so far. It cannot be deeper than the way from
 // there, less the distance there.
-bool take_nearer(const Collider& body, const Vec3f& x, FacePoint& nearest) {
+bool take_nearer(const ContactWithin& contact_within, const Vec3f& x, FacePoint& nearest) {
     const float known = nearest.contact.distance;
     const float deepest = (x - nearest.x).norm() - known;
-    const auto contact = contact_within(body, x, std::max(known, deepest) + kRounding);
+    const auto contact = contact_within(x, std::max(known, deepest) + kRounding);
     if (!contact || contact->distance >= known) return false;
     nearest = {x, *contact};
     return true;
@@ -67,7 +75,7 @@ float largest_move(const Corners& from, const Corners& to) {
 
 // Starts from the best of a few points. Aims at a point inside the body, so that the descent goes on in a face that is
 // pierced: for a limb of the radius kAim one step suffices.
-NearestPoint nearest_point(const Collider& body, const Corners& x, const Shares& last) {
+NearestPoint nearest_point(const ContactWithin& body, const Corners& x, const Shares& last) {
     constexpr float kAim = 0.005F;         // m, less than the radius of a finger
     constexpr float kProgress = 0.00002F;  // m
     constexpr int kSteps = 12;
@@ -92,7 +100,7 @@ Corners corners_of(const FaceContact& face, const std::vector<Vec4f>& points) {
 }
 
 void query(FaceContact& face, const Corners& x, const Collider& body, float offset) {
-    const auto [nearest, least] = nearest_point(body, x, face.shares);
+    const auto [nearest, least] = nearest_point(contacts_with(body), x, face.shares);
     face.query_points = x;
     face.shares = barycentric(nearest.x, x[0], x[1], x[2]);
     face.normal = nearest.contact.normal;
@@ -140,6 +148,14 @@ FaceContact& watch(Cloth& cloth, const LeafTriangle& leaf) {
 
 }  // namespace
 
+NearestOfFace nearest_of_face(const SurfaceBvh& surface, const std::array<Vec3f, 3>& corners) {
+    constexpr float kThird = 1.0F / 3.0F;
+    const FacePoint found = nearest_point(contacts_with(surface), corners, {kThird, kThird, kThird}).nearest;
+    return {.shares = barycentric(found.x, corners[0], corners[1], corners[2]),
+            .x = found.x,
+            .distance = found.contact.distance};
+}
+
 void watch_faces_near_thin_parts(Cloth& cloth, const Collider& body, float seconds) {
     constexpr float kUnexpected = 0.01F;  // m, in a frame: twice what a free fall from rest adds
     ContactState& contacts = cloth.solver.contacts;
@@ -186,7 +202,7 @@ float deepest_watched_face(const Cloth& cloth, const Collider& body) {
     float least = 0;
     for (const FaceContact& face : cloth.solver.contacts.faces) {
         const Corners x = corners_of(face, cloth.solver.points);
-        least = std::min(least, nearest_point(body, x, face.shares).nearest.contact.distance);
+        least = std::min(least, nearest_point(contacts_with(body), x, face.shares).nearest.contact.distance);
     }
     return -least;
 }

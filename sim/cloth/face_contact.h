@@ -19,6 +19,7 @@ namespace selvedge::sim {
 
 struct Cloth;
 struct ContactOptions;
+class SurfaceBvh;
 
 // A watched face with the result of its last query, as in the contact cache of vertices.
 struct FaceContact {
@@ -32,6 +33,16 @@ struct FaceContact {
     float plane = 0;         // m: the body's tangent plane is normal . x = plane
     float slack = kUnknown;  // m, that the vertices may move before the face can touch
 };
+
+// The point of a triangle that is nearest to a surface, or deepest in it.
+struct NearestOfFace {
+    std::array<float, 3> shares{};  // of the corners
+    Vec3f x = Vec3f::Zero();        // m
+    float distance = 0;             // m, negative inside
+};
+
+// By the descent. corners: m.
+NearestOfFace nearest_of_face(const SurfaceBvh& surface, const std::array<Vec3f, 3>& corners);
 
 // Watches the leaf triangles that can meet thin parts of the body within these seconds, and no others. Call it after
 // an adaptation; any adaptation that changes the mesh ends the watch.

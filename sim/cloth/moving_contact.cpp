@@ -33,17 +33,6 @@ void set_plane(MovingPlaneBlock& block, std::size_t at, const MovingPlane& plane
 
 using Offset = CreaseContact::Offset;
 
-// A plane at one moment.
-struct PlaneNow {
-    Vec3f normal = Vec3f::Zero();
-    float height = 0;  // of the point above the plane, m
-};
-
-PlaneNow plane_now(const MovingPlane& plane, const Vec3f& x, float share) {
-    const Vec3f normal = (plane.normal + share * plane.turn).normalized();
-    return {normal, normal.dot(x - plane.point - share * plane.motion)};
-}
-
 // The plane at which a point with that offset is held. Its motion along its normal is the change of the offset too.
 MovingPlane held_at(MovingPlane plane, const Offset& offset) {
     plane.point += plane.normal * offset.start;

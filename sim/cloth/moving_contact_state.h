@@ -29,17 +29,28 @@ struct alignas(64) MovingVertexBlock {
     MovingPlaneBlock plane{};
 };
 
+// m, kept from a plane: at the start of the step, and its change until the end
+struct MovingOffset {
+    float start = 0, change = 0;
+};
+
 // A vertex between two sides of the body; the first is its own.
 struct CreaseContact {
-    // m, kept from a side: at the start of the step, and its change until the end
-    struct Offset {
-        float start = 0, change = 0;
-    };
+    using Offset = MovingOffset;
 
     std::uint32_t vertex = 0;
     float friction = 0;
     std::array<MovingPlane, 2> planes{};
     std::array<Offset, 2> offset{};
+};
+
+// A face that may meet a thin part of the body, at the point of it that is nearest to that.
+struct MovingFace {
+    std::array<std::uint32_t, 3> vertices{};
+    std::array<float, 3> shares{};  // of the contact point
+    float friction = 0;
+    MovingPlane plane{};
+    MovingOffset offset{};
 };
 
 // A vertex to which no triangle comes near within the step, as far as its way can be foreseen. When it leaves the ball
@@ -66,6 +77,7 @@ struct MovingContacts {
     std::vector<FreeVertex> free;
     std::vector<MovingPlaneBlock> samples;  // as ContactState::samples; unused where is_sample_near is 0
     std::vector<std::uint8_t> is_sample_near;
+    std::vector<MovingFace> faces;
     std::vector<LastContact> last;             // by vertex
     std::vector<std::uint32_t> order;          // the vertices that can move, neighbours in space near each other
     std::uint32_t order_made_at = UINT32_MAX;  // Cloth::adaptations

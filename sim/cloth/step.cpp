@@ -7,6 +7,7 @@
 #include "sim/cloth/contact_surface.h"
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/moving_contact.h"
+#include "sim/cloth/moving_faces.h"
 #include "sim/core/assert.h"
 
 namespace selvedge::sim {
@@ -93,7 +94,10 @@ void Stepper::step() {
 void Stepper::begin_contacts() {
     const CollisionClock clock(options.times);
     set_contact_offset(cloth, options.contact.offset);
-    if (body.moving()) find_moving_contacts(cloth, *body.moving(), options.contact, options.substeps);
+    if (body.moving()) {
+        find_moving_contacts(cloth, *body.moving(), options.contact, options.substeps);
+        find_moving_faces(cloth, *body.moving(), options.contact, options.substeps);
+    }
     SelfContact& self_contact = cloth.solver.self_contact->contact;
     if (options.self_contact) {
         update_contact_surface(cloth);
@@ -270,7 +274,10 @@ void Stepper::pull_seams(float gap) {
 
 void Stepper::push_out_between_vertices(const StepShare& share) {
     const CollisionClock clock(options.times);
-    if (body.moving()) return push_out_samples_on_planes(cloth, loops, share, options.contact);
+    if (body.moving()) {
+        push_out_samples_on_planes(cloth, loops, share, options.contact);
+        return push_out_faces_on_planes(cloth, share, options.contact);
+    }
     push_out_samples(cloth, loops, body, options.contact);
     push_out_faces(cloth, body, options.contact);
 }

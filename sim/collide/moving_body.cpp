@@ -18,7 +18,12 @@ Vec3f unit_normal(const std::array<Vec3f, 3>& x) {
 
 }  // namespace
 
-MovingBodyCollider::MovingBodyCollider(const Body& body) : bvh_(body) {
+PlaneNow plane_now(const MovingPlane& plane, const Vec3f& x, float share) {
+    const Vec3f normal = (plane.normal + share * plane.turn).normalized();
+    return {normal, normal.dot(x - plane.point - share * plane.motion)};
+}
+
+MovingBodyCollider::MovingBodyCollider(const Body& body) : bvh_(body), thin_parts_(bvh_) {
     place(bvh_.points());
 }
 

@@ -9,6 +9,7 @@
 #include "sim/body/body.h"
 #include "sim/collide/collider.h"
 #include "sim/collide/surface_bvh.h"
+#include "sim/collide/thin_parts.h"
 
 namespace selvedge::sim {
 
@@ -19,6 +20,13 @@ struct MovingPlane {
     Vec3f normal = Vec3f::Zero();  // unit, at the start
     Vec3f turn = Vec3f::Zero();    // change of the normal until the end
 };
+
+// That plane at one moment of the step, a share of it.
+struct PlaneNow {
+    Vec3f normal = Vec3f::Zero();
+    float height = 0;  // of a point above the plane, m
+};
+PlaneNow plane_now(const MovingPlane& plane, const Vec3f& x, float share);
 
 class MovingBodyCollider final : public Collider {
  public:
@@ -41,6 +49,8 @@ class MovingBodyCollider final : public Collider {
     // surface's drift
     float longest_motion() const { return longest_motion_; }
     float longest_deformation() const { return longest_deformation_; }
+    // Where the body is thin, on its way in the step.
+    std::vector<ThinPart> thin_parts_in_step() const { return thin_parts_.between(bvh_.points(), bvh_.end_points()); }
     // The tangent plane at the point of the triangle that is nearest to p.
     MovingPlane plane_at(std::uint32_t triangle, const Vec3f& p) const;
 
@@ -59,6 +69,7 @@ class MovingBodyCollider final : public Collider {
 
  private:
     SurfaceBvh bvh_;
+    MovingThinParts thin_parts_;
     float longest_motion_ = 0, longest_deformation_ = 0;
 };
 

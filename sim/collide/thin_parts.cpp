@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <utility>
 
 namespace selvedge::sim {
 namespace {
@@ -11,7 +13,7 @@ namespace {
 constexpr float kCell = 0.02F;  // m, about the width of a finger
 
 using Cell = std::array<int, 3>;
-using Cells = std::map<Cell, Eigen::AlignedBox3f>;
+using Triangles = std::vector<std::uint32_t>;
 
 Cell cell_of(const Vec3f& x) {
     const auto index = [](float metres) { return static_cast<int>(std::floor(metres / kCell)); };
@@ -25,41 +27,91 @@ bool is_thin_below(const DistanceField& field, const Vec3f& x, const Vec3f& outw
     return field.sample(x - field.band() * outward).distance > -kClearly * field.band();
 }
 
-Cells thin_cells(const SurfaceBvh& surface, const DistanceField& field) {
-    Cells cells;
-    for (std::uint32_t t = 0; t < surface.triangles().size(); ++t) {
-        if (!surface.has_area(t)) continue;
-        const auto& [a, b, c] = surface.triangles()[t];
-        const std::array<Vec3f, 3> x{surface.points()[a], surface.points()[b], surface.points()[c]};
-        const Vec3f normal = (x[1] - x[0]).cross(x[2] - x[0]).normalized(), middle = (x[0] + x[1] + x[2]) / 3;
-        if (!is_thin_below(field, middle, normal)) continue;
-        cells[cell_of(middle)].extend(box_around(x));
-    }
-    return cells;
+// Where the ray that enters the body through the triangle leaves it soon.
+bool is_thin_through(const SurfaceBvh& surface, const Vec3f& x, const Vec3f& outward) {
+    constexpr float kThin = 0.03F;         // m
+    constexpr float kRounding = 0.00005F;  // m: begins below the triangle itself
+    return surface.first_hit(x - kRounding * outward, x - kThin * outward).has_value();
 }
 
-// Moves the cell, and all that are connected with it, to the part.
-void collect(Cells& cells, const Cell& from, ThinPart& part) {
-    std::vector<Cell> open{from};
-    while (!open.empty()) {
-        const Cell cell = open.back();
-        open.pop_back();
-        const auto found = cells.find(cell);
-        if (found == cells.end()) continue;
-        part.box.extend(found->second);
-        part.cells.push_back(found->second);
-        cells.erase(found);
-        for (int i = 0; i < 27; ++i)
-            open.push_back({cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1});
+using IsThin = std::function<bool(const Vec3f& x, const Vec3f& outward)>;
+
+// Cells of thin triangles that belong together, with the triangles of each.
+class ThinCells {
+ public:
+    ThinCells(const SurfaceBvh& surface, const IsThin& is_thin) {
+        for (std::uint32_t t = 0; t < surface.triangles().size(); ++t) {
+            if (!surface.has_area(t)) continue;
+            const auto& [a, b, c] = surface.triangles()[t];
+            const Vec3f middle = (surface.points()[a] + surface.points()[b] + surface.points()[c]) / 3;
+            if (is_thin(middle, surface.face_normal(t))) cells_[cell_of(middle)].push_back(t);
+        }
     }
-}
+
+    bool is_empty() const { return cells_.empty(); }
+
+    // Takes a cell, and all that are connected with it.
+    std::vector<Triangles> take_part() {
+        std::vector<Triangles> part;
+        std::vector<Cell> open{cells_.begin()->first};
+        while (!open.empty()) {
+            const Cell cell = open.back();
+            open.pop_back();
+            const auto found = cells_.find(cell);
+            if (found == cells_.end()) continue;
+            part.push_back(std::move(found->second));
+            cells_.erase(found);
+            for (int i = 0; i < 27; ++i)
+                open.push_back({cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1});
+        }
+        return part;
+    }
+
+ private:
+    std::map<Cell, Triangles> cells_;
+};
 
 }  // namespace
 
 std::vector<ThinPart> find_thin_parts(const SurfaceBvh& surface, const DistanceField& field) {
-    Cells cells = thin_cells(surface, field);
+    ThinCells cells(surface, [&](const Vec3f& x, const Vec3f& outward) { return is_thin_below(field, x, outward); });
     std::vector<ThinPart> parts;
-    while (!cells.empty()) collect(cells, Cell(cells.begin()->first), parts.emplace_back());
+    while (!cells.is_empty()) {
+        ThinPart& part = parts.emplace_back();
+        for (const Triangles& cell : cells.take_part()) {
+            Eigen::AlignedBox3f& box = part.cells.emplace_back();
+            for (const std::uint32_t t : cell)
+                for (const std::uint32_t v : surface.triangles()[t]) box.extend(surface.points()[v]);
+            part.box.extend(box);
+        }
+    }
+    return parts;
+}
+
+MovingThinParts::MovingThinParts(const SurfaceBvh& at_rest) {
+    ThinCells cells(at_rest,
+                    [&](const Vec3f& x, const Vec3f& outward) { return is_thin_through(at_rest, x, outward); });
+    while (!cells.is_empty()) {
+        std::vector<Vertices>& part = parts_.emplace_back();
+        for (const Triangles& cell : cells.take_part()) {
+            Vertices& vertices = part.emplace_back();
+            for (const std::uint32_t t : cell)
+                vertices.insert(vertices.end(), at_rest.triangles()[t].begin(), at_rest.triangles()[t].end());
+            std::ranges::sort(vertices);
+            vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+        }
+    }
+}
+
+std::vector<ThinPart> MovingThinParts::between(std::span<const Vec3f> from, std::span<const Vec3f> to) const {
+    std::vector<ThinPart> parts(parts_.size());
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        for (const Vertices& vertices : parts_[i]) {
+            Eigen::AlignedBox3f& box = parts[i].cells.emplace_back();
+            for (const std::uint32_t v : vertices) box.extend(from[v]).extend(to[v]);
+            parts[i].box.extend(box);
+        }
+    }
     return parts;
 }
 

@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/cloth_penetration.h"
 #include "sim/collide/surface_bvh.h"
 #include "tests/sim/cloth/fixtures.h"
 #include "tests/support/bodies.h"
@@ -147,6 +149,38 @@ MovingScene closing_walls(double by) {
                 const double now = std::min(by, 0.2 * t);
                 return Vec3d(p + Vec3d(p.x() < 0 ? now : -now, 0, 0));
             }};
+}
+
+// A finger of 14 mm comes up within one triangle whose edges are 5 cm long, beside vertices, edges and samples.
+TEST(MovingFaces, a_finger_lifts_the_triangle_that_it_comes_upon) {
+    constexpr double kSpeed = 1.4;  // m/s
+    MovingScene scene{.body = shapes::box(Vec3d(0.010, 0.91, 0.026), Vec3d(0.024, 0.99, 0.040), 16),
+                      .motion = [](const Vec3d& p, double t) { return Vec3d(p + Vec3d(0, kSpeed * t, 0)); }};
+    Cloth cloth = make_patch(find_fabric("jersey"), {.side = 0.2, .quads = 4, .height = 1.0});
+    StepOptions options = stepping();
+    options.contact.offset = 0.0003F;
+    options.contact.sample_spacing = options.contact.sampled_edge = 1;
+    refresh_contacts(cloth, options.contact);
+    float deepest = 0, highest = 0;
+    scene.run(cloth, 0.1, options, [&] {
+        deepest = std::max(deepest, find_penetration(cloth, scene.collider.surface(), {.depth = 0.0005F}).deepest);
+        highest = 0.99F + static_cast<float>(kSpeed * scene.seconds);
+    });
+    EXPECT_LT(deepest, 0.002F) << "half of its width is 7 mm";
+    EXPECT_GT(centre_of_mass(cloth).y(), 1.05) << "the finger is at " << highest << " m";
+}
+
+TEST(MovingFaces, are_those_near_to_what_is_thin) {
+    MovingScene scene{.body = shapes::together(shapes::box(Vec3d(0, 0.9, 0), Vec3d(0.02, 0.999, 0.02), 8),
+                                               shapes::box(Vec3d(0.06, 0.9, 0.02), Vec3d(0.16, 0.999, 0.12), 8)),
+                      .motion = [](const Vec3d& p, double) { return p; }};
+    Cloth cloth = make_patch(find_fabric("jersey"), {.side = 0.4, .quads = 16, .height = 1.0});
+    refresh_contacts(cloth);
+    scene.run(cloth, 1.0 / 120, stepping());
+    const std::vector<MovingFace>& faces = cloth.solver.contacts.moving.faces;
+    ASSERT_FALSE(faces.empty());
+    for (const MovingFace& face : faces)
+        for (const std::uint32_t v : face.vertices) EXPECT_LT(cloth.x[v].x(), 0.055F);
 }
 
 // Two walls close to 3 mm: less than two contact offsets of 3 mm.

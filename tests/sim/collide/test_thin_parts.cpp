@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "tests/support/bodies.h"
 
 namespace selvedge::sim::test {
@@ -23,6 +25,18 @@ TEST(ThinParts, are_fingers_but_not_arms) {
     EXPECT_TRUE(is_near(parts, cube(Vec3f(0.307F, 0.03F, 0.007F), 0.001F)));
     EXPECT_FALSE(is_near(parts, cube(Vec3f(0.257F, 0.03F, 0.007F), 0.02F))) << "between the fingers";
     EXPECT_FALSE(is_near(parts, cube(Vec3f(0, 0, 0), 0.05F)));
+}
+
+TEST(ThinParts, of_a_body_that_moves_are_hands_but_not_arms_and_move_along) {
+    const Body arm = shapes::sphere(Vec3d(0, 0, 0), 0.03, 16);
+    const SurfaceBvh surface(shapes::together(arm, shapes::box(Vec3d(0.2, 0, 0), Vec3d(0.28, 0.1, 0.025), 16)));
+    std::vector<Vec3f> to(surface.points().begin(), surface.points().end());
+    for (Vec3f& x : to) x.y() += 0.5F;
+    const std::vector<ThinPart> parts = MovingThinParts(surface).between(surface.points(), to);
+    ASSERT_EQ(parts.size(), 1U);
+    for (const float y : {0.05F, 0.3F, 0.55F}) EXPECT_TRUE(is_near(parts, cube(Vec3f(0.24F, y, 0), 0.001F))) << y;
+    EXPECT_FALSE(is_near(parts, cube(Vec3f(0, 0, 0), 0.05F)));
+    EXPECT_FALSE(is_near(parts, cube(Vec3f(0.24F, 0.7F, 0), 0.05F)));
 }
 
 TEST(ThinParts, are_boxes_round_the_surface_and_not_round_what_it_spans) {
