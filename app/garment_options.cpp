@@ -62,8 +62,9 @@ void add_garment_options(CLI::App& command, GarmentOptions& options) {
                     "Number of triangles to keep near, by how much shape they show (default: as many as it takes)",
                     [&dress](int target) { dress.triangle_budget = target; })
         ->type_name("N");
-    command.add_flag("--coarse-back-faces", options.coarsens_back_faces,
-                     "Keep the mesh coarse where the cloth faces away from the camera");
+    command.add_flag(
+        "--coarse-back-faces", options.coarsens_back_faces,
+        "Keep the mesh coarse where the right side of the cloth faces away from the camera, in exports too");
     command.add_flag(
         "--no-self-collision", [&dress](std::int64_t) { dress.self_collision = false; },
         "Let the cloth pass through itself, which is faster");

@@ -178,7 +178,13 @@ Visibility* set_visibility(std::optional<Visibility>& visibility, const std::opt
         return nullptr;
     }
     const ViewPoint view{.eye = *seen_from, .is_orthographic = true};
-    if (!visibility) visibility.emplace(view);
+    // rad, half the field of view of a usual lens: by so much a camera sees farther round the rim of what fills its
+    // picture than the direction from its middle tells
+    constexpr float kHalfView = 0.21F;
+    constexpr BackFaceOptions kParallel{};
+    if (!visibility)
+        visibility.emplace(view, BackFaceOptions{.split_margin = kParallel.split_margin + kHalfView,
+                                                 .rejoin_margin = kParallel.rejoin_margin + kHalfView});
     visibility->move_to(view);
     return &*visibility;
 }

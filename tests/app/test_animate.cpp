@@ -87,6 +87,21 @@ TEST(AnimateCommand, fills_the_picture_with_the_garment_and_notes_the_end_of_the
               2 * red_pixels(render::read_png(folder / "all.frames/frame_0002.png")));
 }
 
+TEST(AnimateCommand, keeps_coarse_what_faces_away_from_the_camera) {
+    const ScratchFolder folder;
+    const auto triangles = [&](const std::string& options) {
+        const ProgramResult run = run_selvedge(
+            "animate " + shipped("tshirt.json") +
+            " --body mannequin:resolution=1 --max-level 2 --motion A --blend 0.2 --seconds 0.2 --report '" +
+            folder / "A.json" + "'" + options);
+        const std::size_t at = run.out.find("about ");
+        EXPECT_NE(at, std::string::npos) << run.out << run.err;
+        return at == std::string::npos ? 0 : std::stoi(run.out.substr(at + 6));
+    };
+    const int all = triangles(""), fewer = triangles(" --coarse-back-faces");
+    EXPECT_LT(fewer, 0.95 * all) << "so coarse a mesh keeps most triangles: those round a visible one stay fine";
+}
+
 TEST(AnimateCommand, notes_the_limbs_that_a_motion_has_no_joints_for) {
     const ScratchFolder folder;
     std::ofstream(folder / "nod.bvh")
