@@ -57,10 +57,6 @@ std::vector<ThinPart> parts_near(const Cloth& cloth, const MovingBodyCollider& b
     return parts;
 }
 
-bool has_pinched_corner(const MovingContacts& moving, const Face& face) {
-    return std::ranges::any_of(face.vertices, [&](std::uint32_t v) { return moving.last[v].is_pinched; });
-}
-
 std::optional<MovingFace> contact_of(const Face& face, const MovingBodyCollider& body, float offset, float seconds) {
     const Vec3f middle = (face.x[0] + face.x[1] + face.x[2]) / 3;
     float radius = 0;
@@ -105,7 +101,7 @@ void find_moving_faces(Cloth& cloth, const MovingBodyCollider& body, const Conta
     if (parts.empty()) return;
     for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
         const Face face = face_of(cloth, leaf, count);
-        if (!is_near(parts, widened(face.box(), margin)) || has_pinched_corner(moving, face)) continue;
+        if (!is_near(parts, widened(face.box(), margin))) continue;
         std::optional<MovingFace> contact = contact_of(face, body, options.offset, cloth.substep * count);
         if (!contact) continue;
         contact->friction = static_cast<float>(cloth.material.fabrics[leaf.panel].friction);

@@ -10,8 +10,7 @@ namespace selvedge::sim {
 struct Cloth;
 struct ContactOptions;
 
-// Finds the faces that may meet thin parts of the body in a step of so many sub-steps. Call it after
-// find_moving_contacts().
+// Finds the faces that may meet thin parts of the body in a step of so many sub-steps.
 void find_moving_faces(Cloth& cloth, const MovingBodyCollider& body, const ContactOptions& options, int substeps);
 
 // Moves these faces in Cloth::solver to the outer side of their planes, with friction against the surface's motion.
