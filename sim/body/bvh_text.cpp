@@ -136,7 +136,6 @@ class BvhReader {
 
     void read_end() {
         expect("Site");
-        if (words_.word() != "{") words_.advance();  // some programs name it
         expect("{");
         read_offset();
         expect("}");
@@ -167,12 +166,7 @@ class BvhReader {
     }
 
     std::size_t read_frames() {
-        if (words_.word() == "Frames") {
-            words_.advance();
-            expect(":");
-        } else {
-            expect("Frames:");
-        }
+        expect("Frames:");
         const std::size_t line = words_.line();
         const double frames = read_number("the number of frames");
         if (frames == 0) fail(line, "its motion has no frames");
