@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "sim/body/joint_names.h"
@@ -35,6 +37,24 @@ int strongest_bone(const SkinWeights& skin) {
     return skin.bones[std::size_t(std::ranges::max_element(skin.weights) - skin.weights.begin())];
 }
 
+// The bones of a body by the parts that a person sees: a finger is of its hand, and a hip joint of the hips.
+struct PartsOfBody {
+    JointBones joints;
+    std::vector<Eigen::Affine3d> rest;  // frames of the bones
+    std::vector<int> of_bone;           // the nearest Joint at or above each bone; -1: none
+
+    explicit PartsOfBody(const Body& body)
+        : joints(find_joints(body.bones)), rest(bone_frames(body, rest_pose(body))), of_bone(body.bones.size(), -1) {
+        for (std::size_t joint = 0; joint < kJointCount; ++joint)
+            if (joints.bone[joint] >= 0) of_bone[std::size_t(joints.bone[joint])] = int(joint);
+        for (std::size_t bone = 0; bone < of_bone.size(); ++bone)
+            if (const int parent = body.bones[bone].parent; of_bone[bone] < 0 && parent >= 0)
+                of_bone[bone] = of_bone[std::size_t(parent)];
+    }
+
+    Vec3d joint_at(Joint joint) const { return rest[std::size_t(joints[joint])].translation(); }
+};
+
 // The slice of these vertices, which move with one bone.
 Slice slice_of(const Body& body, const Eigen::Affine3d& frame, int bone, const std::vector<int>& vertices) {
     Vec3d centre = Vec3d::Zero();
@@ -46,38 +66,36 @@ Slice slice_of(const Body& body, const Eigen::Affine3d& frame, int bone, const s
     return {.bone = bone, .centre = frame.inverse() * centre, .radius = *middle};
 }
 
-// Slices the part of the arm that moves with a bone, from `start` (m from its joint) to its end.
-void add_slices(const Body& body, const std::vector<Eigen::Affine3d>& rest, int bone, const Vec3d& along, double start,
-                Arm& arm) {
-    std::vector<std::vector<int>> slices;
+// Slices a part of the arm across, from `start` (m from its joint) to its end. Each bone of the part has its own
+// slices, because fingers bend.
+void add_slices(const Body& body, const PartsOfBody& parts, Joint part, const Vec3d& along, double start, Arm& arm) {
+    std::map<std::pair<int, int>, std::vector<int>> slices;  // vertices by bone and slice
     for (std::size_t v = 0; v < body.x.size(); ++v) {
-        if (strongest_bone(body.skin[v]) != bone) continue;
-        const double at = (body.x[v] - rest[std::size_t(bone)].translation()).dot(along) - start;
-        if (!(at >= 0)) continue;
-        const std::size_t slice = std::min<std::size_t>(std::size_t(at / kSlice), 100);
-        slices.resize(std::max(slices.size(), slice + 1));
-        slices[slice].push_back(int(v));
+        const int bone = strongest_bone(body.skin[v]);
+        if (parts.of_bone[std::size_t(bone)] != int(part)) continue;
+        const double at = (body.x[v] - parts.joint_at(part)).dot(along) - start;
+        if (at >= 0) slices[{bone, int(at / kSlice)}].push_back(int(v));
     }
-    for (const std::vector<int>& slice : slices)
-        if (slice.size() >= 4) arm.slices.push_back(slice_of(body, rest[std::size_t(bone)], bone, slice));
+    for (const auto& [key, slice] : slices)
+        if (slice.size() >= 4)
+            arm.slices.push_back(slice_of(body, parts.rest[std::size_t(key.first)], key.first, slice));
 }
 
-Arm arm_of(const Body& body, const JointBones& joints, Joint upper) {
-    const std::vector<Eigen::Affine3d> rest = bone_frames(body, rest_pose(body));
-    const int lower = joints[Joint(int(upper) + 1)], hand = joints[Joint(int(upper) + 2)];
-    const auto at = [&](int bone) { return Vec3d(rest[std::size_t(bone)].translation()); };
-    const Vec3d upper_way = at(lower) - at(joints[upper]), lower_way = at(hand) - at(lower);
-    Arm arm{.shoulder = joints[upper], .outward = upper == Joint::LeftUpperArm ? 1.0 : -1.0, .slices = {}};
-    add_slices(body, rest, arm.shoulder, upper_way.normalized(), 0.5 * upper_way.norm(), arm);
-    add_slices(body, rest, lower, lower_way.normalized(), 0, arm);
-    add_slices(body, rest, hand, lower_way.normalized(), 0, arm);
+Arm arm_of(const Body& body, const PartsOfBody& parts, Joint upper) {
+    const Joint lower = Joint(int(upper) + 1), hand = Joint(int(upper) + 2);
+    const Vec3d upper_way = parts.joint_at(lower) - parts.joint_at(upper);
+    const Vec3d lower_way = parts.joint_at(hand) - parts.joint_at(lower);
+    Arm arm{.shoulder = parts.joints[upper], .outward = upper == Joint::LeftUpperArm ? 1.0 : -1.0, .slices = {}};
+    add_slices(body, parts, upper, upper_way.normalized(), 0.5 * upper_way.norm(), arm);
+    add_slices(body, parts, lower, lower_way.normalized(), 0, arm);
+    add_slices(body, parts, hand, lower_way.normalized(), 0, arm);
     return arm;
 }
 
-bool is_obstacle(const JointBones& joints, int bone) {
+bool is_obstacle(int part) {
     return std::ranges::any_of(
         std::array{Joint::Hips, Joint::Spine, Joint::Chest, Joint::LeftUpperLeg, Joint::RightUpperLeg},
-        [&](Joint joint) { return joints[joint] == bone; });
+        [&](Joint joint) { return part == int(joint); });
 }
 
 // The axis about which arms are opened: the chest's front, in our frame.
@@ -89,13 +107,13 @@ Vec3d front_of(const std::vector<Eigen::Affine3d>& frames, const std::vector<Eig
 // How deep the arms are in the body at one time of the clip, for any angle by which they are opened.
 class Frame {
  public:
-    Frame(const Body& body, const Pose& pose, const std::array<Arm, 2>& arms, const JointBones& joints) {
+    Frame(const Body& body, const Pose& pose, const std::array<Arm, 2>& arms, const PartsOfBody& parts) {
         const std::vector<Eigen::Affine3d> frames = bone_frames(body, pose);
-        front_ = front_of(frames, bone_frames(body, rest_pose(body)), joints[Joint::Chest]);
+        front_ = front_of(frames, parts.rest, parts.joints[Joint::Chest]);
         std::vector<Vec3f> x;
         SkinnedSurface(body).positions(body, pose, x);
         for (std::size_t v = 0; v < x.size(); ++v)
-            if (is_obstacle(joints, strongest_bone(body.skin[v]))) obstacles_.push_back(x[v]);
+            if (is_obstacle(parts.of_bone[std::size_t(strongest_bone(body.skin[v]))])) obstacles_.push_back(x[v]);
         for (const Arm& arm : arms)
             for (const Slice& slice : arm.slices)
                 balls_.push_back({frames[std::size_t(arm.shoulder)].translation(),
@@ -142,17 +160,16 @@ double best_angle(const std::vector<Frame>& frames, const ClearArmsOptions& opti
     return best;
 }
 
-void open_arm(const Body& body, const JointBones& joints, const Arm& arm, double angle, Clip& clip) {
+void open_arm(const Body& body, const PartsOfBody& parts, const Arm& arm, double angle, Clip& clip) {
     const auto track = std::ranges::find(clip.tracks, arm.shoulder, &Track::bone);
     if (track == clip.tracks.end()) return;
-    const std::vector<Eigen::Affine3d> rest = bone_frames(body, rest_pose(body));
     const int parent = body.bones[std::size_t(arm.shoulder)].parent;
     Keys<Eigen::Quaterniond> opened = track->rotation;
     for (std::size_t k = 0; k < opened.times.size(); ++k) {
         const std::vector<Eigen::Affine3d> frames = bone_frames(body, sample(body, clip, opened.times[k]));
         const Eigen::Matrix3d above = (parent < 0 ? body.frame : frames[std::size_t(parent)]).linear();
         const Eigen::Quaterniond to_world(Eigen::Matrix3d(above.colwise().normalized()));
-        const Vec3d axis = to_world.inverse() * front_of(frames, rest, joints[Joint::Chest]);
+        const Vec3d axis = to_world.inverse() * front_of(frames, parts.rest, parts.joints[Joint::Chest]);
         opened.values[k] = (Eigen::AngleAxisd(arm.outward * angle, axis.normalized()) * opened.values[k]).normalized();
     }
     track->rotation = std::move(opened);
@@ -168,17 +185,17 @@ bool has_all(const JointBones& joints) {
 }  // namespace
 
 double clear_arms(const Body& body, Clip& clip, const ClearArmsOptions& options) {
-    const JointBones joints = find_joints(body.bones);
-    if (body.skin.empty() || !has_all(joints)) return 0;
-    const std::array<Arm, 2> arms{arm_of(body, joints, Joint::LeftUpperArm),
-                                  arm_of(body, joints, Joint::RightUpperArm)};
+    if (body.skin.empty()) return 0;
+    const PartsOfBody parts(body);
+    if (!has_all(parts.joints)) return 0;
+    const std::array<Arm, 2> arms{arm_of(body, parts, Joint::LeftUpperArm), arm_of(body, parts, Joint::RightUpperArm)};
     std::vector<Frame> frames;
     const int intervals = clip.seconds > 0 ? kFrames : 1;
     for (int i = 0; i < intervals + (clip.seconds > 0 ? 1 : 0); ++i)
-        frames.emplace_back(body, sample(body, clip, clip.seconds * i / intervals), arms, joints);
+        frames.emplace_back(body, sample(body, clip, clip.seconds * i / intervals), arms, parts);
     const double angle = best_angle(frames, options);
     if (angle > 0)
-        for (const Arm& arm : arms) open_arm(body, joints, arm, angle, clip);
+        for (const Arm& arm : arms) open_arm(body, parts, arm, angle, clip);
     return angle;
 }
 

@@ -29,8 +29,9 @@ int forearm_cuts(const Body& body, const Pose& pose) {
     int cuts = 0;
     for (const auto& [a, b] : self_intersections(posed)) {
         const std::array names{bone_of(body, a), bone_of(body, b)};
-        cuts += std::ranges::any_of(
-            names, [](const std::string& name) { return name.ends_with("lower_arm") || name.ends_with("hand"); });
+        cuts += std::ranges::any_of(names, [](const std::string& name) {
+            return name.ends_with("lower_arm") || name.ends_with("hand") || name.ends_with("finger_base");
+        });
     }
     return cuts;
 }
@@ -68,6 +69,44 @@ TEST(ClearArms, opens_arms_that_cut_the_trunk) {
     EXPECT_GT(angle, 0.1);
     EXPECT_LT(angle, 0.6);
     EXPECT_EQ(forearm_cuts(body, sample(body, clip, 0)), 0);
+}
+
+// A rig whose fingers have bones of their own: all of a hand but its first 2 cm.
+Body with_fingers(Body body) {
+    const std::vector<Eigen::Affine3d> rest = bone_frames(body, rest_pose(body));
+    for (const std::string side : {"left_", "right_"}) {
+        const int hand = find_bone(body, side + "hand");
+        const Vec3d knuckles = rest[std::size_t(hand)].translation() +
+                               (rest[std::size_t(hand)].translation() -
+                                rest[std::size_t(find_bone(body, side + "lower_arm"))].translation())
+                                       .normalized() *
+                                   0.02;
+        Bone fingers = body.bones[std::size_t(hand)];
+        fingers.name = side + "finger_base";
+        fingers.parent = hand;
+        fingers.rest = {};
+        const auto number = static_cast<std::uint16_t>(body.bones.size());
+        body.bones.push_back(fingers);
+        for (std::size_t v = 0; v < body.x.size(); ++v) {
+            const bool is_finger = (body.x[v] - rest[std::size_t(hand)].translation()).norm() >
+                                   (knuckles - rest[std::size_t(hand)].translation()).norm();
+            for (std::size_t k = 0; k < 4; ++k)
+                if (is_finger && body.skin[v].bones[k] == hand) body.skin[v].bones[k] = number;
+        }
+    }
+    return body;
+}
+
+TEST(ClearArms, counts_fingers_as_a_part_of_their_hand) {
+    for (const Body& body : {test::mannequin(), stout_mannequin()}) {
+        const Body rigged = with_fingers(body);
+        for (const std::string& name : motion_names()) {
+            const Clip clip = find_motion(name, rigged);
+            for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0})
+                EXPECT_EQ(forearm_cuts(rigged, sample(rigged, clip, share * clip.seconds)), 0)
+                    << body.made_from << ": " << name << " at " << share;
+        }
+    }
 }
 
 TEST(ClearArms, keeps_shipped_motions_of_slim_and_stout_bodies_apart_from_their_hands) {
