@@ -54,13 +54,14 @@ class Lacks {
         });
     }
 
-    // Returns whether what is known at the corners tells the distance there.
+    // Returns whether what is known at the corners tells the distance there: that there is room for any bump of the
+    // skin between them, of which they know nothing.
     bool add(const Corners& corners, const std::array<float, 3>& shares) {
         Vec3f x = Vec3f::Zero();
         for (std::size_t k = 0; k < 3; ++k) x += shares[k] * cloth_.x[corners[k].value].head<3>();
         if (body_.moving()) {
             const auto known = distance_between(cloth_.solver.contacts.moving, corners, shares, x);
-            if (known) {
+            if (known && *known > kMaxStandoff) {
                 note(corners, *known);
                 return true;
             }

@@ -107,6 +107,32 @@ TEST(Standoff, finds_cloth_that_is_deepest_beside_its_middle_on_a_body_that_move
     for (const VertexId v : on_top) EXPECT_EQ(cloth.solver.contacts.standoff[v.value], kMaxStandoff);
 }
 
+// What the corners of a patch know of the skin tells nothing of a bump between them.
+TEST(Standoff, finds_a_bump_of_a_body_that_moves) {
+    Body body = shapes::sphere(Vec3d(0, 1, 0), 0.15, 192);
+    const auto top = std::ranges::max_element(body.x, {}, [](const Vec3d& x) { return x.y(); });
+    top->y() += 0.0015;
+    const MovingBodyCollider moving(body);
+    Cloth cloth =
+        make_patch(find_fabric("cotton_shirting"), {.side = 0.02, .quads = 1, .height = 1.1497, .max_level = 0});
+    ContactOptions options{.offset = kSmall};
+    options.sample_spacing = options.sampled_edge = 1;  // m: no samples
+    refresh_contacts(cloth, options);
+    const LeafEdge diagonal = *std::ranges::max_element(cloth.mesh.leaf_edges(), {}, &LeafEdge::rest_length);
+    const auto clearance = [&] {
+        const Vec4f middle = (cloth.x[diagonal.a.value] + cloth.x[diagonal.b.value]) / 2;
+        return moving.surface().closest(middle.head<3>(), 1)->distance;
+    };
+    EXPECT_LT(clearance(), -0.001F);
+    for (int i = 0; i < 6; ++i) {
+        find_moving_contacts(cloth, moving, options, 12);
+        cloth.solver.points = solver_points(cloth, cloth.x);
+        end_moving_contacts(cloth, options);
+        update_standoffs(cloth, moving);
+    }
+    EXPECT_GT(clearance(), 0);
+}
+
 // The cache of contacts holds heights above the offset surface.
 TEST(Standoff, lets_cloth_settle_on_a_smaller_contact_offset) {
     Cloth cloth = patch_on_the_ball();
