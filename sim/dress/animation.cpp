@@ -98,11 +98,19 @@ double Animation::seconds() const {
 bool Animation::advance() {
     if (frame_ + 1 >= frame_count_ || quality_.has_bad_number) return false;
     ++frame_;
-    const auto start = std::chrono::steady_clock::now();
-    const double before = run_->seconds();
-    run_->advance_to(*cloth_, seconds());
-    frame_ms_.push_back(1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    quality_.note(*cloth_, run_->collider(), run_->seconds() - before);
+    constexpr double kMostApart = 1.0 / 60;  // s, between two looks at the stretch
+    const double frame_seconds = 1 / options_.frames_per_second;
+    const int looks = static_cast<int>(std::ceil(frame_seconds / kMostApart - 1e-6));
+    std::chrono::steady_clock::duration spent{};
+    for (int look = 1; look <= looks; ++look) {
+        const double before = run_->seconds();
+        const auto start = std::chrono::steady_clock::now();
+        run_->advance_to(*cloth_, seconds() - frame_seconds * (looks - look) / looks);
+        spent += std::chrono::steady_clock::now() - start;
+        if (look < looks) quality_.note_stretch(*cloth_, run_->seconds() - before);
+        if (look == looks) quality_.note(*cloth_, run_->collider(), run_->seconds() - before);
+    }
+    frame_ms_.push_back(1e3 * std::chrono::duration<double>(spent).count());
     surface_.positions(shown_, timeline_.pose(seconds()), body_points_);
     std::ranges::transform(body_points_, shown_.x.begin(), [](const Vec3f& p) { return Vec3d(p.cast<double>()); });
     return true;

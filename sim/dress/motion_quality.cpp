@@ -15,10 +15,8 @@ namespace selvedge::sim {
 
 void MotionQuality::note(const Cloth& cloth, const MovingBodyCollider& body, double seconds) {
     ++frames;
-    has_bad_number = has_bad_number || find_bad_vertex(cloth).has_value();
-    if (has_bad_number) return;
     note_stretch(cloth, seconds);
-    note_depths(cloth, body);
+    if (!has_bad_number) note_depths(cloth, body);
 }
 
 std::vector<std::string> MotionQuality::faults() const {
@@ -41,6 +39,8 @@ std::vector<std::string> MotionQuality::faults() const {
 }
 
 void MotionQuality::note_stretch(const Cloth& cloth, double seconds) {
+    has_bad_number = has_bad_number || find_bad_vertex(cloth).has_value();
+    if (has_bad_number) return;
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
     const auto& leaves = cloth.mesh.leaf_triangles();
     std::vector<double> stretches, since;

@@ -15,14 +15,18 @@ class MotionQuality {
     static constexpr float kDeep = 0.001F;          // m, from which a vertex or a face counts as deep
     static constexpr float kOverstretched = 0.15F;  // from which a triangle counts as overstretched
 
-    // One frame that shows `seconds` of the motion. Pre: the body is where it was at the end of the last step.
+    // A frame that is shown, `seconds` after what was noted last. Pre: the body is where it was at the end of the last
+    // step.
     void note(const Cloth& cloth, const MovingBodyCollider& body, double seconds);
+    // The stretch between two frames that are far apart in time: how long a triangle is overstretched does not depend
+    // on how often the cloth is shown.
+    void note_stretch(const Cloth& cloth, double seconds);
 
     // What a person would see as wrong, a sentence each. A face may dip as deep as in FaultLimits.
     std::vector<std::string> faults() const;
 
     int frames = 0;
-    double p99_stretch = 0, max_stretch = 0;  // largest of all frames: of all triangles, along warp and weft
+    double p99_stretch = 0, max_stretch = 0;  // largest that was noted: of all triangles, along warp and weft
     double overstretched_seconds = 0;         // longest time for which one triangle is overstretched
     // m; of a face, at any place in it (sim/collide/penetration.h), from 0.1 mm on
     double deepest_vertex = 0, deepest_face = 0;
@@ -31,7 +35,6 @@ class MotionQuality {
     bool has_bad_number = false;
 
  private:
-    void note_stretch(const Cloth& cloth, double seconds);
     void note_depths(const Cloth& cloth, const MovingBodyCollider& body);
 
     std::vector<double> stretched_since_;  // by triangle id: s for which it has been overstretched
