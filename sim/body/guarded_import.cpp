@@ -48,13 +48,20 @@ bool looks_like_gltf(std::string_view content) {
 }
 
 bool looks_like_glb(std::string_view content) {
-    constexpr std::size_t kHeader = 12;
-    if (content.size() < kHeader || !content.starts_with("glTF")) return false;
+    constexpr std::size_t kVersionEnd = 8;
+    if (content.size() < kVersionEnd || !content.starts_with("glTF")) return false;
     std::uint32_t version = 0;
-    std::uint32_t length = 0;
     std::memcpy(&version, content.data() + 4, sizeof version);
+    return version == 2;
+}
+
+// Whether a binary glTF file ends before its header says.
+bool is_cut_glb(std::string_view content) {
+    constexpr std::size_t kHeader = 12;
+    std::uint32_t length = 0;
+    if (content.size() < kHeader) return true;
     std::memcpy(&length, content.data() + 8, sizeof length);
-    return version == 2 && length <= content.size();
+    return length > content.size();
 }
 
 bool looks_like_fbx(std::string_view content) {
@@ -66,8 +73,7 @@ bool looks_like_fbx(std::string_view content) {
 
 bool looks_like_bvh(std::string_view content) {
     const std::size_t first = content.find_first_not_of(" \t\r\n");
-    return first != std::string_view::npos && content.substr(first).starts_with("HIERARCHY") &&
-           content.find("MOTION") != std::string_view::npos;
+    return first != std::string_view::npos && content.substr(first).starts_with("HIERARCHY");
 }
 
 struct Format {
@@ -86,7 +92,7 @@ constexpr std::array<Format, 5> kFormats{{{".obj", "Wavefront OBJ", looks_like_o
 // The file extension by which assimp identifies the importer.
 std::string importer_for(const std::filesystem::path& path, std::string_view content, ImportKind kind) {
     const std::string extension = lower_extension(path);
-    std::string accepted;
+    std::string accepted = kind == ImportKind::Motion ? ".json" : "";  // of our own motions, which come another way
     for (const Format& format : kFormats) {
         if (!(kind == ImportKind::Motion ? format.has_motion : format.has_surface)) continue;
         accepted += (accepted.empty() ? "" : ", ") + std::string(format.extension);
@@ -97,10 +103,13 @@ std::string importer_for(const std::filesystem::path& path, std::string_view con
                              has_mark ? "it starts with a byte-order mark: save it as UTF-8 without one"
                                       : std::string("its content is not ") + format.name);
         }
+        if (format.extension == std::string_view(".glb") && is_cut_glb(content))
+            throw InputError(path.string(), "", "it is cut off: it ends before the length that its header gives");
         return extension.substr(1);
     }
-    throw InputError(path.string(), "",
-                     "the format '" + extension + "' is not on the list of those that are read: " + accepted);
+    const std::string problem = extension.empty() ? "its name has no extension that tells its format"
+                                                  : "the format '" + extension + "' is not read";
+    throw InputError(path.string(), "", problem + "; those that are: " + accepted);
 }
 
 ImportAnswer run_guarded(const std::filesystem::path& path, const std::string& importer, ImportKind kind,
