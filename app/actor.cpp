@@ -37,16 +37,21 @@ void note_still_limbs(const sim::Body& body, const sim::Clip& clip, std::vector<
     if (!still.empty()) notes.push_back("the motion's skeleton has no joint that is known as " + still + ": not moved");
 }
 
+// Whether a motion of the body's own file is meant.
+bool is_own(const MotionChoice& motion, const sim::BodyClips& own) {
+    const std::string& name = motion.name;
+    return name.empty() || std::ranges::any_of(own.clips, [&](const sim::Clip& clip) {
+               return clip.name == name || clip.name.ends_with("|" + name);
+           });
+}
+
 // A motion of the body's own file, or else one that ships or is in another file.
 sim::Clip choose_motion(const MotionChoice& motion, const sim::BodyClips& own, const std::string& source,
                         std::vector<std::string>& notes) {
     const std::string& name = motion.name;
     if (name.empty() && own.clips.empty())
         throw sim::InputError("", "--motion", "is missing: the body's file has no motion of its own");
-    const bool is_own = name.empty() || std::ranges::any_of(own.clips, [&](const sim::Clip& clip) {
-                            return clip.name == name || clip.name.ends_with("|" + name);
-                        });
-    if (!is_own) {
+    if (!is_own(motion, own)) {
         sim::Clip clip = find_other_motion(name, own);
         note_still_limbs(own.body, clip, notes);
         return clip;
@@ -75,7 +80,8 @@ Actor make_actor(const BodyOptions& body, const MotionChoice& motion) {
     if (own.body.skin.empty())
         throw sim::InputError(body.source, "skin", "is missing: a body moves by bones that its surface is bound to");
     sim::Clip clip = choose_motion(motion, own, body.source, notes);
-    return {std::make_shared<const sim::Body>(std::move(own.body)), std::move(clip), std::move(notes)};
+    const bool can_open_arms = is_own(motion, own) && !motion.opens_arms;
+    return {std::make_shared<const sim::Body>(std::move(own.body)), std::move(clip), std::move(notes), can_open_arms};
 }
 
 }  // namespace selvedge::app

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/actor.h"
+#include "app/camera_path.h"
 #include "app/commands.h"
 #include "app/film.h"
 #include "app/garment_options.h"
@@ -28,6 +29,7 @@
 #include "sim/dress/animation_report.h"
 #include "sim/dress/dressing_pose.h"
 #include "sim/exchange/mesh_cache.h"
+#include "sim/exchange/pc2_file.h"
 #include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::app {
@@ -51,6 +53,8 @@ struct AnimateArguments {
 
 std::vector<Path> all_outputs(const AnimateArguments& arguments) {
     std::vector<Path> outputs = arguments.caches;
+    for (const Path& cache : arguments.caches)
+        if (cache.extension() == ".pc2") outputs.push_back(sim::mesh_beside(cache));
     for (const Path& file : {arguments.film, arguments.report_file}) {
         if (!file.empty()) outputs.push_back(file);
     }
@@ -64,13 +68,7 @@ FilmFormat film_format(const AnimateArguments& arguments, int frames) {
             .frames = frames};
 }
 
-// The middle of a body over the floor, m.
-Vec3f place_of(std::span<const Vec3f> body) {
-    const Vec3f middle = sim::box_around(body).center();
-    return {middle.x(), 0, middle.z()};
-}
-
-// Where some of the garment hangs: from the nearest vertex of its body, with which it goes.
+// Where some of the garment hangs: it goes with a vertex of its body.
 struct Hanging {
     std::size_t vertex;  // of the body
     float aside;         // m, over the floor
@@ -85,38 +83,56 @@ struct Hanging {
     }
 };
 
+std::size_t nearest(std::span<const Vec3f> body, const Vec3f& place) {
+    const auto found = std::ranges::min_element(body, {}, [&](const Vec3f& x) { return (x - place).squaredNorm(); });
+    return static_cast<std::size_t>(found - body.begin());
+}
+
+// For each vertex of a garment the highest of its panel.
+std::vector<std::size_t> tops_of_panels(const sim::DrawMesh& garment) {
+    std::vector<std::size_t> tops(garment.panel_names.size(), garment.x.size()), of_vertex(garment.x.size(), 0);
+    for (std::size_t t = 0; t < garment.triangles.size(); ++t)
+        for (const std::size_t v : garment.triangles[t]) {
+            std::size_t& top = tops[panel_of(garment, t)];
+            if (top == garment.x.size() || garment.x[v].y() > garment.x[top].y()) top = v;
+        }
+    for (std::size_t t = 0; t < garment.triangles.size(); ++t)
+        for (const std::size_t v : garment.triangles[t]) of_vertex[v] = tops[panel_of(garment, t)];
+    return of_vertex;
+}
+
+// Cloth goes with what it lies on; where that moves away from under it, as thighs do from a skirt, it hangs down from
+// the top of its panel.
 std::vector<Hanging> find_hanging(const sim::DrawMesh& garment, std::span<const Vec3f> body) {
     constexpr std::size_t kEvery = 8;  // the frame is as large with an eighth of the vertices
+    const std::vector<std::size_t> tops = tops_of_panels(garment);
     std::vector<Hanging> hanging;
     for (std::size_t v = 0; v < garment.x.size(); v += kEvery) {
-        const auto nearest =
-            std::ranges::min_element(body, {}, [&](const Vec3f& x) { return (x - garment.x[v]).squaredNorm(); });
-        const Vec3f away = garment.x[v] - *nearest;
-        hanging.push_back({static_cast<std::size_t>(nearest - body.begin()), std::hypot(away.x(), away.z()), away.y()});
+        const std::size_t on = nearest(body, garment.x[v]);
+        const Vec3f away = garment.x[v] - body[on];
+        hanging.push_back({on, std::hypot(away.x(), away.z()), away.y()});
+        const std::size_t holder = nearest(body, garment.x[tops[v]]);
+        hanging.push_back({holder, 0, garment.x[v].y() - body[holder].y()});
     }
     return hanging;
 }
 
-// Draws the frames of a film. The camera follows the body over the floor, smoothly, and frames it, or what the garment
-// hangs on, in all its poses.
+// Draws the frames of a film. The camera follows the body over the floor, and frames it, or what the garment hangs on,
+// in all its poses.
 class Filming {
  public:
     Filming(const AnimateArguments& arguments, const sim::Animation& animation)
-        : arguments_(arguments),
-          writer_(arguments.film, film_format(arguments, animation.frame_count())),
-          start_(place_of(animation.body_points())),
-          at_(start_) {
+        : arguments_(arguments), writer_(arguments.film, film_format(arguments, animation.frame_count())) {
+        if (!arguments.camera_stays) path_.emplace(animation);
         const sim::DrawMesh mesh = draw_mesh(animation.cloth(), animation.panel_names());
         layout_ =
             compose({.garment = mesh, .body = &animation.body()}, arguments.picture, {0}, framed(animation, mesh));
     }
 
     void add(const sim::Animation& animation) {
-        const double share = 1 - std::exp(-1 / (kFollowSeconds * arguments_.frames_per_second));
-        if (!arguments_.camera_stays) at_ += (place_of(animation.body_points()) - at_) * static_cast<float>(share);
         const sim::DrawMesh mesh = draw_mesh(animation.cloth(), animation.panel_names());
-        const Layout now =
-            moved(layout_, {.garment = mesh, .body = &animation.body()}, arguments_.picture, at_ - start_);
+        const Layout now = moved(layout_, {.garment = mesh, .body = &animation.body()}, arguments_.picture,
+                                 camera_way(animation.seconds()));
         render::Image image = renderer_.draw(now.scene, render_options(arguments_.picture));
         if (now.legend) draw_legend(image, *now.legend, now.corner);
         writer_.add(image);
@@ -125,25 +141,26 @@ class Filming {
     void finish() { writer_.finish(); }
 
  private:
-    static constexpr double kFollowSeconds = 0.3;  // time constant of the camera
+    // By which the camera is moved then, m.
+    Vec3f camera_way(double seconds) const {
+        return path_ ? Vec3f(path_->at(seconds) - path_->at(0)) : Vec3f(Vec3f::Zero());
+    }
 
     // Where what fills the picture will be, as seen by the camera.
     std::vector<Vec3f> framed(const sim::Animation& animation, const sim::DrawMesh& garment) const {
-        constexpr int kMoments = 48;
+        constexpr int kMoments = 96;
         constexpr std::size_t kEvery = 16;  // vertices of a body
-        std::vector<Hanging> hanging;
-        if (arguments_.picture.framing == Framing::Garment) {
-            hanging = find_hanging(garment, animation.body_points());
-        } else {
+        std::vector<Hanging> hanging = find_hanging(garment, animation.body_points());
+        if (arguments_.picture.framing != Framing::Garment)
             for (std::size_t v = 0; v < animation.body_points().size(); v += kEvery) hanging.push_back({v, 0, 0});
-        }
         const sim::BodyTimeline& timeline = animation.timeline();
         const sim::SkinnedSurface surface(animation.body());
         std::vector<Vec3f> points, x;
         for (int i = 0; i < kMoments; ++i) {
-            surface.positions(animation.body(), timeline.pose(timeline.seconds() * i / (kMoments - 1)), x);
-            const Vec3f by = arguments_.camera_stays ? Vec3f::Zero() : Vec3f(start_ - place_of(x));
-            for (const Hanging& hung : hanging) hung.add_points(x[hung.vertex] + by, points);
+            const double seconds = timeline.seconds() * i / (kMoments - 1);
+            surface.positions(animation.body(), timeline.pose(seconds), x);
+            const Vec3f way = camera_way(seconds);
+            for (const Hanging& hung : hanging) hung.add_points(x[hung.vertex] - way, points);
         }
         return points;
     }
@@ -151,7 +168,7 @@ class Filming {
     const AnimateArguments& arguments_;
     render::Renderer renderer_;
     FilmWriter writer_;
-    Vec3f start_, at_;
+    std::optional<CameraPath> path_;  // none: the camera stays
     Layout layout_;
 };
 
@@ -224,7 +241,7 @@ void print_summary(const AnimateArguments& arguments, const sim::Animation& anim
         100 * quality.p99_stretch, 100 * quality.max_stretch, quality.deep_vertices, quality.deep_faces,
         quality.pinched);
     constexpr int kMany = 20;
-    if (quality.pinched > kMany && !arguments.motion.opens_arms)
+    if (quality.pinched > kMany && actor.can_open_arms)
         std::printf(
             "note: limbs that lie inside of other parts of the body stretch the cloth between them; --open-arms moves "
             "arms out of the trunk\n");
@@ -379,7 +396,7 @@ void add_animate_command(CLI::App& app, int& exit_code) {
         "The body is dressed at rest, goes over into the motion within --blend seconds, and moves. Ctrl-C ends early\n"
         "and leaves a film and caches of what was done.\n"
         "Exit code: 0 done, 2 wrong input or a file that could not be written, 3 a fault of the drape, at rest or in\n"
-        "motion, 130 interrupted.\n"
+        "motion, 130 interrupted, 143 terminated.\n"
         "Examples:\n"
         "  selvedge animate patterns/tshirt.json --motion walk --film walk.mp4\n"
         "  selvedge animate patterns/skirt.json --body dancer.glb --film dance/ --export dance.glb\n"

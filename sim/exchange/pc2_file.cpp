@@ -65,7 +65,7 @@ class Pc2Cache final : public MeshCache {
 
     void finish() override {
         SELVEDGE_ASSERT(samples_ > 0);
-        write_garment(mesh_, std::filesystem::path(file_.path()).replace_extension(".obj"));
+        write_garment(mesh_, mesh_beside(file_.path()));
         file_.commit();
     }
 
@@ -81,6 +81,10 @@ class Pc2Cache final : public MeshCache {
 std::unique_ptr<MeshCache> open_pc2_cache(const std::filesystem::path& path, const DrawMesh& mesh,
                                           const CacheOptions& options) {
     return std::make_unique<Pc2Cache>(path, mesh, options);
+}
+
+std::filesystem::path mesh_beside(const std::filesystem::path& cache) {
+    return std::filesystem::path(cache).replace_extension(".obj");
 }
 
 }  // namespace selvedge::sim

@@ -22,4 +22,7 @@ namespace selvedge::sim {
 std::unique_ptr<MeshCache> open_pc2_cache(const std::filesystem::path& path, const DrawMesh& mesh,
                                           const CacheOptions& options);
 
+// The file beside such a cache that holds the first frame's mesh: cache.obj.
+std::filesystem::path mesh_beside(const std::filesystem::path& cache);
+
 }  // namespace selvedge::sim
