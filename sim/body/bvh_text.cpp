@@ -197,9 +197,21 @@ class BvhReader {
                 read_value("a channel");
             }
         }
-        if (!words_.is_at_end())
-            fail(words_.line(), "more rows than the " + std::to_string(frames) +
-                                    " of 'Frames:', or a row of more than " + std::to_string(channels_) + " numbers");
+        read_surplus(frames);
+    }
+
+    // Recorders write rows after the last that they count: whole ones are left out.
+    void read_surplus(std::size_t frames) {
+        for (std::size_t row = 0; !words_.is_at_end(); ++row) {
+            const std::size_t line = words_.line();
+            for (std::size_t k = 0; k < channels_; ++k) {
+                if (words_.is_at_end() || words_.line() != line)
+                    fail(line, "neither a row of " + std::to_string(channels_) + " numbers nor the end, after the " +
+                                   std::to_string(frames) + " rows of 'Frames:'");
+                read_value("a channel");
+            }
+            if (channels_ == 0) fail(line, "numbers of no channel");
+        }
     }
 
     static constexpr double kChannelsPerKey = 3;  // a rotation's or a place's

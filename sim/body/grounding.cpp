@@ -21,6 +21,15 @@ Vec3d in_root_frame(const Body& body, const Vec3d& way) {
     return body.frame.linear().inverse() * way;
 }
 
+// The least height of the joints of the feet, m; infinite if there are none.
+double lowest_foot(const Body& body, const JointBones& joints, const Pose& pose) {
+    const std::vector<Eigen::Affine3d> frames = bone_frames(body, pose);
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Joint joint : {Joint::LeftFoot, Joint::RightFoot, Joint::LeftToe, Joint::RightToe})
+        if (joints[joint] >= 0) lowest = std::min(lowest, frames[std::size_t(joints[joint])].translation().y());
+    return lowest;
+}
+
 }  // namespace
 
 double lowest_point(const Body& body, const Pose& pose) {
@@ -70,6 +79,16 @@ Vec3d hips_of(const Body& body, const Pose& pose) {
 Vec3d way_over_floor(const Body& body, const Pose& from, const Pose& to) {
     const Vec3d way = hips_of(body, to) - hips_of(body, from);
     return {way.x(), 0, way.z()};
+}
+
+Pose blend_on_floor(const Body& body, const Pose& a, const Pose& b, double share) {
+    Pose pose = blend(a, b, share);
+    const JointBones joints = find_joints(body.bones);
+    const double now = lowest_foot(body, joints, pose);
+    if (!std::isfinite(now)) return pose;
+    const double wanted = (1 - share) * lowest_foot(body, joints, a) + share * lowest_foot(body, joints, b);
+    shift(body, pose, Vec3d(0, wanted - now, 0));
+    return pose;
 }
 
 void shift(const Body& body, Pose& pose, const Vec3d& by) {

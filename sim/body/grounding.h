@@ -22,6 +22,11 @@ Vec3d hips_of(const Body& body, const Pose& pose);
 // The way of the hips from one pose to another, without its height, m.
 Vec3d way_over_floor(const Body& body, const Pose& from, const Pose& to);
 
+// The poses in proportion, as blend() (pose.h), and so high that the lowest joint of the feet goes evenly from its
+// height in the one to that in the other: hips and knees that go over each for themselves would put the feet through
+// the floor. As blend() if the feet are not known by name.
+Pose blend_on_floor(const Body& body, const Pose& a, const Pose& b, double share);
+
 // Moves a whole pose, m in our frame.
 void shift(const Body& body, Pose& pose, const Vec3d& by);
 

@@ -224,6 +224,8 @@ std::vector<double> sample_times(const Clip& clip) {
 }
 
 class Retargeter {
+    static constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
  public:
     Retargeter(const Body& source, const Clip& clip, const Body& target)
         : clip_(clip),
@@ -253,8 +255,8 @@ class Retargeter {
         if (!moves_hips()) return;
         const std::vector<Eigen::Affine3d> frames = bone_frames(source_.body, pose);
         hips_.push_back(way_of(Joint::Hips, frames));
-        for (const Joint joint : {Joint::LeftFoot, Joint::RightFoot, Joint::LeftToe, Joint::RightToe})
-            if (source_.has(joint)) lowest_ = std::min(lowest_, (source_.at(joint) + way_of(joint, frames)).y());
+        foot_heights_.push_back(
+            least_height([&](Joint joint) { return source_.has(joint) ? way_of(joint, frames).y() : kUnknown; }));
     }
 
     Clip finish(const std::vector<double>& times, const RetargetOptions& options) {
@@ -314,18 +316,46 @@ class Retargeter {
         return parent < 0 ? target_.body.frame : target_.frames[std::size_t(parent)];
     }
 
-    // The rest pose stands on the source's floor, unless its feet never come near to where they are at rest, as with
-    // BVH files whose rest pose has its hips at 0.
-    double floor_shift() const {
-        double at_rest = std::numeric_limits<double>::infinity();
+    // The least of the feet and toes that both skeletons have; kUnknown if there are none.
+    template <class Height>
+    double least_height(const Height& height) const {
+        double least = kUnknown;
         for (const Joint joint : {Joint::LeftFoot, Joint::RightFoot, Joint::LeftToe, Joint::RightToe})
-            if (source_.has(joint)) at_rest = std::min(at_rest, source_.at(joint).y());
-        const double shift = at_rest - lowest_;
-        return std::isfinite(shift) && std::abs(shift) > 0.25 * leg_length(source_) ? shift : 0;
+            if (source_.has(joint) && target_.has(joint)) least = std::min(least, height(joint));
+        return least;
+    }
+
+    // How high the target's feet are over where they are at rest at a key, in its unit, while its hips stay at rest.
+    double target_foot_height(std::size_t key) const {
+        Pose pose = rest_pose(target_.body);
+        for (std::size_t i = 0; i < tracks_.size(); ++i)
+            if (is_driven_[i]) pose.bones[i].rotation = tracks_[i].rotation.values[key];
+        const std::vector<Eigen::Affine3d> frames = bone_frames(target_.body, pose);
+        return least_height([&](Joint joint) {
+            const std::size_t bone = std::size_t(target_.joints[joint]);
+            return (target_.to_ours * frames[bone].translation()).y() - target_.at(joint).y();
+        });
+    }
+
+    // The least of the source's foot heights. The rest pose stands on the source's floor, unless its feet never come
+    // near to where they are at rest, as with BVH files whose rest pose has its hips at 0.
+    double floor_height() const {
+        const double lowest = std::ranges::min(foot_heights_);
+        return std::abs(lowest) > 0.25 * leg_length(source_) ? lowest : 0;
+    }
+
+    // The feet are as high over the floor as the source's, by the ratio of the legs: by the same way of the hips, knees
+    // that bend between bones of other proportions would lift them off it.
+    void keep_feet_over_floor() {
+        if (foot_heights_.empty() || foot_heights_.front() == kUnknown) return;
+        const double floor = floor_height();
+        for (std::size_t k = 0; k < hips_.size(); ++k)
+            hips_[k].y() = foot_heights_[k] - floor - target_foot_height(k) / ratio_;
     }
 
     void move_hips(const std::vector<double>& times, const RetargetOptions& options) {
-        Vec3d shift(0, floor_shift(), 0);
+        keep_feet_over_floor();
+        Vec3d shift = Vec3d::Zero();
         if (options.starts_at_rest) shift -= Vec3d(hips_.front().x(), 0, hips_.front().z());
         const auto bone = std::size_t(target_.joints[Joint::Hips]);
         const Eigen::Affine3d to_parent = hips_parent().inverse();
@@ -343,10 +373,10 @@ class Retargeter {
     std::vector<Namesake> namesakes_;
     double ratio_;
     std::vector<Joint> driven_;
-    std::vector<bool> is_driven_;  // by bone of the target
-    std::vector<Track> tracks_;    // by bone of the target
-    std::vector<Vec3d> hips_;      // way_of() at each key
-    double lowest_ = std::numeric_limits<double>::infinity();
+    std::vector<bool> is_driven_;       // by bone of the target
+    std::vector<Track> tracks_;         // by bone of the target
+    std::vector<Vec3d> hips_;           // way_of() at each key
+    std::vector<double> foot_heights_;  // of the source at each key, over where they are at rest, in its unit
 };
 
 }  // namespace

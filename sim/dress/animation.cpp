@@ -26,7 +26,7 @@ Pose BodyTimeline::pose(double seconds) const {
     Pose moving = sample(*body_, clip_, options_.from + options_.speed * in_motion);
     shift(*body_, moving, way_);
     if (seconds >= options_.blend_seconds) return moving;
-    return blend(start_, moving, smoothstep(seconds, 0, options_.blend_seconds));
+    return blend_on_floor(*body_, start_, moving, smoothstep(seconds, 0, options_.blend_seconds));
 }
 
 void BodyTimeline::positions(double seconds, const Region& region, std::vector<Vec3f>& x) {

@@ -195,7 +195,7 @@ void BodyMover::advance(double seconds) {
     if (blend_) {
         blend_->elapsed += seconds;
         if (blend_->elapsed < blend_->seconds) {
-            now_ = blend(blend_->from, target(), smoothstep(blend_->elapsed, 0, blend_->seconds));
+            now_ = blend_on_floor(*body_, blend_->from, target(), smoothstep(blend_->elapsed, 0, blend_->seconds));
             return;
         }
         now_ = target();

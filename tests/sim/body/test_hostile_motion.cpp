@@ -248,8 +248,9 @@ TEST_F(HostileMotion, in_bvh_text_is_named) {
         EXPECT_EQ(message("2", time, frame + frame), "line 18: the time of a frame is not between 0.001 and 1 s");
     EXPECT_EQ(message("2", "nan", frame + frame), "line 18: the time of a frame is no number: 'nan'");
     EXPECT_EQ(message("3", "0.0333", frame), "line 19: the file ends in row 2 of 3, after 0 of 9 numbers");
-    EXPECT_EQ(message("1", "0.0333", frame + frame),
-              "line 20: more rows than the 1 of 'Frames:', or a row of more than 9 numbers");
+    EXPECT_EQ(message("1", "0.0333", frame + frame), "");
+    EXPECT_EQ(message("1", "0.0333", frame + "1 2 3\n" + frame),
+              "line 20: neither a row of 9 numbers nor the end, after the 1 rows of 'Frames:'");
     EXPECT_EQ(message("0", "0.0333", ""), "line 17: its motion has no frames");
     for (const char* frames : {"-1", "3.7"})
         EXPECT_EQ(message(frames, "0.0333", frame), "line 17: the number of frames is not a whole number");

@@ -141,11 +141,15 @@ TEST(Retarget, moves_the_hips_by_the_ratio_of_the_legs_and_starts_where_they_res
                (joint_at(of, rest, c) - joint_at(of, rest, b)).norm();
     };
     const double ratio = leg(body, "left_upper_leg", "left_lower_leg", "left_foot") / 40;
-    const Vec3d rest = joint_at(body, rest_pose(body), "hips");
-    EXPECT_LT((joint_at(body, sample(body, onto, 0), "hips") - rest).norm(), 1e-9);
-    const Vec3d middle = joint_at(body, sample(body, onto, 0.5), "hips");
-    EXPECT_LT((middle - rest - Vec3d(0, 4 * ratio, 20 * ratio)).norm(), 1e-6);
-    EXPECT_LT((joint_at(body, sample(body, onto, 3), "hips") - rest - Vec3d(0, 0, 120 * ratio)).norm(), 1e-6);
+    const auto way = [&](double t) {  // of the hips over the floor; of a foot, upward
+        const Pose pose = sample(body, onto, t), rest = rest_pose(body);
+        Vec3d moved = joint_at(body, pose, "hips") - joint_at(body, rest, "hips");
+        moved.y() = joint_at(body, pose, "left_foot").y() - joint_at(body, rest, "left_foot").y();
+        return moved;
+    };
+    EXPECT_LT(way(0).norm(), 1e-6);
+    EXPECT_LT((way(0.5) - Vec3d(0, 4 * ratio, 20 * ratio)).norm(), 1e-6);
+    EXPECT_LT((way(3) - Vec3d(0, 0, 120 * ratio)).norm(), 1e-6);
 }
 
 TEST(Retarget, puts_a_rest_pose_with_hips_at_zero_on_the_floor_that_the_feet_reach) {
@@ -156,7 +160,52 @@ TEST(Retarget, puts_a_rest_pose_with_hips_at_zero_on_the_floor_that_the_feet_rea
     Clip clip{.name = "stand", .seconds = 1};
     clip.tracks.push_back({.bone = 0, .translation = {{0}, {{0, 0, 50}}}});
     const Clip onto = retarget(figure, clip, body);
-    EXPECT_LT((joint_at(body, sample(body, onto, 0.5), "hips") - joint_at(body, rest_pose(body), "hips")).norm(), 1e-9);
+    EXPECT_NEAR(joint_at(body, sample(body, onto, 0.5), "left_foot").y(),
+                joint_at(body, rest_pose(body), "left_foot").y(), 1e-6);
+}
+
+// The thighs of the mannequin are longer than its shins, those of the figure are as long.
+TEST(Retarget, keeps_the_feet_of_bent_legs_on_the_floor) {
+    const Body& body = test::mannequin();
+    const Body figure = t_pose_figure();
+    Clip clip{.name = "squat", .seconds = 1};
+    for (const std::string side : {"Left", "Right"}) {
+        const auto turn = [&](const std::string& bone, double angle) {
+            clip.tracks.push_back(
+                {.bone = find_bone(figure, side + bone),
+                 .rotation = {{0, 1}, {Eigen::Quaterniond::Identity(), about(Vec3d::UnitX(), angle)}}});
+        };
+        turn("UpLeg", -1.2);
+        turn("Leg", 1.8);
+        turn("Foot", -0.6);
+    }
+    const Vec3d sunk =
+        joint_at(figure, sample(figure, clip, 1), "LeftFoot") - joint_at(figure, rest_pose(figure), "LeftFoot");
+    clip.tracks.push_back({.bone = 0, .translation = {{0, 1}, {{0, 0, 50}, {0, 0, 50 - sunk.z()}}}});
+    const Clip onto = retarget(figure, clip, body);
+    const Pose squat = sample(body, onto, 1);
+    EXPECT_NEAR(joint_at(body, squat, "left_foot").y(), joint_at(body, rest_pose(body), "left_foot").y(), 0.002);
+    EXPECT_LT(joint_at(body, squat, "hips").y(), joint_at(body, rest_pose(body), "hips").y() - 0.2);
+}
+
+// From standing to standing with knees bent and hips lowered: half way, the legs alone would be too long for the hips.
+TEST(BlendOnFloor, keeps_feet_at_their_height_on_the_way_between_two_poses) {
+    const Body& body = test::mannequin();
+    const Pose standing = rest_pose(body);
+    Pose squat = standing;
+    for (const std::string side : {"left_", "right_"}) {
+        const auto turn = [&](const char* bone, double angle) {
+            squat.bones[std::size_t(find_bone(body, side + bone))].rotation = about(Vec3d::UnitX(), angle);
+        };
+        turn("upper_leg", -1.2);
+        turn("lower_leg", 1.8);
+        turn("foot", -0.6);
+    }
+    const auto foot = [&](const Pose& pose) { return joint_at(body, pose, "left_toe").y(); };
+    shift(body, squat, Vec3d(0, foot(standing) - foot(squat), 0));
+    EXPECT_GT(std::abs(foot(blend(standing, squat, 0.5)) - foot(standing)), 0.02);
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
+        EXPECT_NEAR(foot(blend_on_floor(body, standing, squat, share)), foot(standing), 1e-6) << share;
 }
 
 TEST(Retarget, leaves_what_the_source_does_not_have_and_shares_the_turn_along_the_trunk) {
