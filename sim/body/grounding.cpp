@@ -6,6 +6,7 @@
 
 #include "sim/body/joint_names.h"
 #include "sim/body/skin.h"
+#include "sim/body/soles.h"
 
 namespace selvedge::sim {
 namespace {
@@ -21,13 +22,41 @@ Vec3d in_root_frame(const Body& body, const Vec3d& way) {
     return body.frame.linear().inverse() * way;
 }
 
-// The least height of the joints of the feet, m; infinite if there are none.
-double lowest_foot(const Body& body, const JointBones& joints, const Pose& pose) {
-    const std::vector<Eigen::Affine3d> frames = bone_frames(body, pose);
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const Joint joint : {Joint::LeftFoot, Joint::RightFoot, Joint::LeftToe, Joint::RightToe})
-        if (joints[joint] >= 0) lowest = std::min(lowest, frames[std::size_t(joints[joint])].translation().y());
-    return lowest;
+constexpr double kRate = 30;  // 1/s, of the looks at a clip
+constexpr int kMostSamples = 3000;
+
+// Times at which a clip is looked at, s.
+std::vector<double> looks_at(const Clip& clip) {
+    const int intervals = std::clamp(int(std::ceil(clip.seconds * kRate)), 1, kMostSamples);
+    std::vector<double> times;
+    for (int i = 0; i <= intervals; ++i) times.push_back(clip.seconds * i / intervals);
+    return times;
+}
+
+// Between the first and the last time; linear.
+double value_at(const std::vector<double>& times, const std::vector<double>& values, double t) {
+    const auto after = std::ranges::upper_bound(times, t);
+    if (after == times.begin()) return values.front();
+    if (after == times.end()) return values.back();
+    const auto k = std::size_t(after - times.begin());
+    const double share = (t - times[k - 1]) / (times[k] - times[k - 1]);
+    return (1 - share) * values[k - 1] + share * values[k];
+}
+
+// Lifts the root bones of a clip, m in our frame at those times (s).
+void lift(const Body& body, const std::vector<double>& times, const std::vector<double>& lifts, Clip& clip) {
+    for (std::size_t i = 0; i < body.bones.size(); ++i) {
+        if (body.bones[i].parent >= 0) continue;
+        auto track = std::ranges::find(clip.tracks, int(i), &Track::bone);
+        if (track == clip.tracks.end()) track = clip.tracks.insert(track, Track{.bone = int(i)});
+        Keys<Vec3d>& keys = track->translation;
+        if (keys.times.size() < 2) {
+            const Vec3d place = keys.values.empty() ? body.bones[i].rest.translation : keys.values.front();
+            keys = {times, std::vector<Vec3d>(times.size(), place)};
+        }
+        for (std::size_t k = 0; k < keys.times.size(); ++k)
+            keys.values[k] += in_root_frame(body, Vec3d(0, value_at(times, lifts, keys.times[k]), 0));
+    }
 }
 
 }  // namespace
@@ -39,14 +68,11 @@ double lowest_point(const Body& body, const Pose& pose) {
 }
 
 double lowest_point(const Body& body, const Clip& clip) {
-    constexpr double kRate = 30;  // 1/s
-    constexpr int kMostSamples = 3000;
-    const int intervals = std::clamp(int(std::ceil(clip.seconds * kRate)), 1, kMostSamples);
     const SkinnedSurface surface(body);
     std::vector<Vec3f> x;
     double lowest = std::numeric_limits<double>::infinity();
-    for (int i = 0; i <= intervals; ++i) {
-        surface.positions(body, sample(body, clip, clip.seconds * i / intervals), x);
+    for (const double t : looks_at(clip)) {
+        surface.positions(body, sample(body, clip, t), x);
         lowest = std::min(lowest, lowest_of(x));
     }
     return lowest;
@@ -59,16 +85,34 @@ double stand_on_floor(const Body& body, Pose& pose) {
 }
 
 double stand_on_floor(const Body& body, Clip& clip) {
-    const double lift = -lowest_point(body, clip);
-    const Vec3d way = in_root_frame(body, Vec3d(0, lift, 0));
-    for (std::size_t i = 0; i < body.bones.size(); ++i) {
-        if (body.bones[i].parent >= 0) continue;
-        auto track = std::ranges::find(clip.tracks, int(i), &Track::bone);
-        if (track == clip.tracks.end()) track = clip.tracks.insert(track, Track{.bone = int(i)});
-        if (track->translation.times.empty()) track->translation = {{0.0}, {body.bones[i].rest.translation}};
-        for (Vec3d& value : track->translation.values) value += way;
+    const double up = -lowest_point(body, clip);
+    lift(body, {0}, {up}, clip);
+    return up;
+}
+
+void keep_on_floor(const Body& body, Clip& clip) {
+    constexpr double kLower = 0.1;  // share of the time
+    const Soles soles(body, find_joints(body.bones));
+    if (soles.empty()) {
+        stand_on_floor(body, clip);
+        return;
     }
-    return lift;
+    const SkinnedSurface surface(body);
+    const std::vector<double> times = looks_at(clip);
+    std::vector<double> lowest, feet;
+    std::vector<Vec3f> x;
+    for (const double t : times) {
+        const Pose pose = sample(body, clip, t);
+        surface.positions(body, pose, x);
+        lowest.push_back(lowest_of(x));
+        feet.push_back(soles.height(bone_frames(body, pose)));
+    }
+    const auto standing = feet.begin() + std::ptrdiff_t(kLower * double(feet.size() - 1));
+    std::ranges::nth_element(feet, standing);
+    const double up = -*standing - lowest_point(body, rest_pose(body));
+    std::vector<double> lifts;
+    for (const double height : lowest) lifts.push_back(std::max(up, -height));
+    lift(body, times, lifts, clip);
 }
 
 Vec3d hips_of(const Body& body, const Pose& pose) {
@@ -83,11 +127,10 @@ Vec3d way_over_floor(const Body& body, const Pose& from, const Pose& to) {
 
 Pose blend_on_floor(const Body& body, const Pose& a, const Pose& b, double share) {
     Pose pose = blend(a, b, share);
-    const JointBones joints = find_joints(body.bones);
-    const double now = lowest_foot(body, joints, pose);
-    if (!std::isfinite(now)) return pose;
-    const double wanted = (1 - share) * lowest_foot(body, joints, a) + share * lowest_foot(body, joints, b);
-    shift(body, pose, Vec3d(0, wanted - now, 0));
+    const Soles soles(body, find_joints(body.bones));
+    if (soles.empty()) return pose;
+    const auto height = [&](const Pose& of) { return soles.height(bone_frames(body, of)); };
+    shift(body, pose, Vec3d(0, (1 - share) * height(a) + share * height(b) - height(pose), 0));
     return pose;
 }
 

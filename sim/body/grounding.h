@@ -16,6 +16,11 @@ double lowest_point(const Body& body, const Clip& clip);
 double stand_on_floor(const Body& body, Pose& pose);
 double stand_on_floor(const Body& body, Clip& clip);
 
+// Puts a clip of another skeleton on the floor: its feet are on it where they are lowest but for a tenth of the time,
+// and while any part of the surface would be below, the whole body is higher, as when it lies. Pre: the body has a
+// skin.
+void keep_on_floor(const Body& body, Clip& clip);
+
 // Where the hips are in that pose, m; without hips, the first bone. Pre: the body has bones.
 Vec3d hips_of(const Body& body, const Pose& pose);
 

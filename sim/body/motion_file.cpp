@@ -287,7 +287,12 @@ std::vector<std::string> pose_names() {
 Clip find_motion(const std::string& text, const Body& body) {
     const auto source = source_of(text);
     Clip clip = fitted(source.first, source.second, body);
-    if (!body.skin.empty()) stand_on_floor(body, clip);
+    if (body.skin.empty()) return clip;
+    if (!source.first.file.empty() && source.first.file == body.file) {
+        stand_on_floor(body, clip);  // and moves as it was made
+    } else {
+        keep_on_floor(body, clip);
+    }
     return clip;
 }
 

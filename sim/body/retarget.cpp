@@ -9,6 +9,7 @@
 #include <string>
 
 #include "sim/body/joint_names.h"
+#include "sim/body/soles.h"
 #include "sim/core/error.h"
 
 namespace selvedge::sim {
@@ -224,8 +225,6 @@ std::vector<double> sample_times(const Clip& clip) {
 }
 
 class Retargeter {
-    static constexpr double kUnknown = std::numeric_limits<double>::infinity();
-
  public:
     Retargeter(const Body& source, const Clip& clip, const Body& target)
         : clip_(clip),
@@ -234,7 +233,9 @@ class Retargeter {
           alignment_(alignment(source_, target_)),
           between_(bones_between(source_, target_)),
           namesakes_(namesakes(source_, target_)),
-          ratio_(leg_ratio(source_, target_)) {
+          ratio_(leg_ratio(source_, target_)),
+          source_soles_(source, source_.joints, source_.to_ours),
+          target_soles_(target, target_.joints, target_.to_ours) {
         tracks_.resize(target.bones.size());
         is_driven_.assign(target.bones.size(), false);
         for (std::size_t i = 0; i < kJointCount; ++i) {
@@ -255,8 +256,7 @@ class Retargeter {
         if (!moves_hips()) return;
         const std::vector<Eigen::Affine3d> frames = bone_frames(source_.body, pose);
         hips_.push_back(way_of(Joint::Hips, frames));
-        foot_heights_.push_back(
-            least_height([&](Joint joint) { return source_.has(joint) ? way_of(joint, frames).y() : kUnknown; }));
+        if (has_soles()) foot_heights_.push_back(source_soles_.height(frames));
     }
 
     Clip finish(const std::vector<double>& times, const RetargetOptions& options) {
@@ -316,25 +316,14 @@ class Retargeter {
         return parent < 0 ? target_.body.frame : target_.frames[std::size_t(parent)];
     }
 
-    // The least of the feet and toes that both skeletons have; kUnknown if there are none.
-    template <class Height>
-    double least_height(const Height& height) const {
-        double least = kUnknown;
-        for (const Joint joint : {Joint::LeftFoot, Joint::RightFoot, Joint::LeftToe, Joint::RightToe})
-            if (source_.has(joint) && target_.has(joint)) least = std::min(least, height(joint));
-        return least;
-    }
+    bool has_soles() const { return !source_soles_.empty() && !target_soles_.empty(); }
 
-    // How high the target's feet are over where they are at rest at a key, in its unit, while its hips stay at rest.
+    // How high the target's feet are over its floor at a key, in its unit, while its hips stay at rest.
     double target_foot_height(std::size_t key) const {
         Pose pose = rest_pose(target_.body);
         for (std::size_t i = 0; i < tracks_.size(); ++i)
             if (is_driven_[i]) pose.bones[i].rotation = tracks_[i].rotation.values[key];
-        const std::vector<Eigen::Affine3d> frames = bone_frames(target_.body, pose);
-        return least_height([&](Joint joint) {
-            const std::size_t bone = std::size_t(target_.joints[joint]);
-            return (target_.to_ours * frames[bone].translation()).y() - target_.at(joint).y();
-        });
+        return target_soles_.height(bone_frames(target_.body, pose));
     }
 
     // The least of the source's foot heights. The rest pose stands on the source's floor, unless its feet never come
@@ -344,13 +333,17 @@ class Retargeter {
         return std::abs(lowest) > 0.25 * leg_length(source_) ? lowest : 0;
     }
 
-    // The feet are as high over the floor as the source's, by the ratio of the legs: by the same way of the hips, knees
-    // that bend between bones of other proportions would lift them off it.
+    // By the same way of the hips, knees that bend between bones of other proportions would lift the feet off the
+    // floor, or put them through it: they are kept between the floor and the height of the source's, by the ratio of
+    // the legs.
     void keep_feet_over_floor() {
-        if (foot_heights_.empty() || foot_heights_.front() == kUnknown) return;
+        if (!has_soles()) return;
         const double floor = floor_height();
-        for (std::size_t k = 0; k < hips_.size(); ++k)
-            hips_[k].y() = foot_heights_[k] - floor - target_foot_height(k) / ratio_;
+        for (std::size_t k = 0; k < hips_.size(); ++k) {
+            const double source = foot_heights_[k] - floor, below_hips = target_foot_height(k) / ratio_;
+            const double height = hips_[k].y() - floor + below_hips;
+            hips_[k].y() = std::clamp(height, std::min(0.0, source), std::max(0.0, source)) - below_hips;
+        }
     }
 
     void move_hips(const std::vector<double>& times, const RetargetOptions& options) {
@@ -372,11 +365,12 @@ class Retargeter {
     std::vector<Between> between_;
     std::vector<Namesake> namesakes_;
     double ratio_;
+    Soles source_soles_, target_soles_;
     std::vector<Joint> driven_;
     std::vector<bool> is_driven_;       // by bone of the target
     std::vector<Track> tracks_;         // by bone of the target
     std::vector<Vec3d> hips_;           // way_of() at each key
-    std::vector<double> foot_heights_;  // of the source at each key, over where they are at rest, in its unit
+    std::vector<double> foot_heights_;  // of the source at each key, over its floor, in its unit
 };
 
 }  // namespace

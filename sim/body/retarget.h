@@ -1,9 +1,9 @@
 #pragma once
 // A clip of one skeleton played on another. Joints are matched by name (joint_names.h). Each bone is first turned from
 // the target's rest direction to that of the source, which makes a T-pose, an A-pose and the zero pose of a BVH file
-// comparable; then it turns in the world as the source's bone turns from its rest pose. The hips move over the floor
-// as the source's, by the ratio of the legs' lengths, and are as high as puts the feet where the source's are over its
-// floor. (Intermediate skeleton: Monzani, Baerlocher, Boulic, Thalmann 2000)
+// comparable; then it turns in the world as the source's bone turns from its rest pose. The hips move as the source's,
+// by the ratio of the legs' lengths, but never so that the feet are below the floor or higher over it than the
+// source's. (Intermediate skeleton: Monzani, Baerlocher, Boulic, Thalmann 2000)
 #include "sim/body/body.h"
 #include "sim/body/clip.h"
 
