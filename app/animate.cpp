@@ -300,7 +300,7 @@ int run(AnimateArguments arguments) {
     bar.finish();
     if (!arguments.garment.is_quiet) print_summary(arguments, animation, actor);
     print_faults(animation.dress_report());
-    const std::vector<std::string> motion_faults = animation.quality().faults();
+    const std::vector<std::string> motion_faults = animation.quality().faults(animation.panel_names());
     for (const std::string& fault : motion_faults) std::printf("defect: in motion: %s\n", fault.c_str());
     if (stop.is_raised()) {
         std::fprintf(stderr, "selvedge: stopped after %s of %s\n", seconds_text(animation.seconds()).c_str(),

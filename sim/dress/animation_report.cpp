@@ -24,7 +24,7 @@ std::string to_json(const Animation& animation, const std::string& motion) {
     measured[report_key::kPinched] = quality.pinched;
     measured[report_key::kHasBadNumber] = quality.has_bad_number;
     Json& faults = json[report_key::kMotionFaults] = Json::array();
-    for (const std::string& fault : quality.faults()) faults.push_back(fault);
+    for (const std::string& fault : quality.faults(animation.panel_names())) faults.push_back(fault);
     Json& timing = json[report_key::kTiming] = Json::object();
     timing[report_key::kMsPerFrame] = quantile(animation.frame_ms(), 0.5);
     timing[report_key::kMsPerFrameP95] = quantile(animation.frame_ms(), 0.95);

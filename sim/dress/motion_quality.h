@@ -1,10 +1,13 @@
 #pragma once
 // What is wrong with cloth on a body that moves: stretch, depth in the body and pinches, over all frames.
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "sim/cloth/cloth.h"
 #include "sim/collide/moving_body.h"
+#include "sim/core/math.h"
 
 namespace selvedge::sim {
 
@@ -22,8 +25,16 @@ class MotionQuality {
     // on how often the cloth is shown.
     void note_stretch(const Cloth& cloth, double seconds);
 
-    // What a person would see as wrong, a sentence each. A face may dip as deep as in FaultLimits.
-    std::vector<std::string> faults() const;
+    // What a person would see as wrong, a sentence each, with where it is worst. A face may dip as deep as in
+    // FaultLimits. panels: the names of the cloth's panels, if they are known.
+    std::vector<std::string> faults(std::span<const std::string> panels = {}) const;
+
+    // Where and when something was worst.
+    struct Event {
+        double seconds = 0;           // since the first note
+        Vec3f place = Vec3f::Zero();  // m
+        std::uint16_t panel = 0;
+    };
 
     int frames = 0;
     double p99_stretch = 0, max_stretch = 0;  // largest that was noted: of all triangles, along warp and weft
@@ -31,12 +42,15 @@ class MotionQuality {
     // m; of a face, at any place in it (sim/collide/penetration.h), from 0.1 mm on
     double deepest_vertex = 0, deepest_face = 0;
     int deep_vertices = 0, deep_faces = 0;  // sums over the frames
+    Event deepest{}, most_overstretched{};  // where deepest_face, or deepest_vertex; and for longest
     int pinched = 0;                        // most in a frame
     bool has_bad_number = false;
 
  private:
     void note_depths(const Cloth& cloth, const MovingBodyCollider& body);
+    Event event_at(const Cloth& cloth, const LeafTriangle& face) const;
 
+    double seconds_ = 0;                   // since the first note
     std::vector<double> stretched_since_;  // by triangle id: s for which it has been overstretched
 };
 

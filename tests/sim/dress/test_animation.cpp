@@ -238,10 +238,18 @@ TEST(MotionQuality, tells_what_a_person_would_see_as_wrong) {
     quality.deep_faces = 3;
     quality.deepest_face = 0.0168;
     quality.overstretched_seconds = 0.44;
-    const std::vector<std::string> faults = quality.faults();
+    quality.deepest = {.seconds = 1.5, .place = {0.1F, 1, -0.25F}, .panel = 1};
+    quality.most_overstretched = {.seconds = 2, .place = {0, 1.5F, 0}, .panel = 2};
+    const std::vector<std::string> panels{"front", "left sleeve"};
+    const std::vector<std::string> faults = quality.faults(panels);
     ASSERT_EQ(faults.size(), 2U);
-    EXPECT_EQ(faults[0], "cloth is in the body by 16.8 mm: 2 vertices and 3 faces by more than 1 mm, all frames");
-    EXPECT_EQ(faults[1], "a triangle is stretched by more than 15 % for 0.44 s");
+    EXPECT_EQ(
+        faults[0],
+        "cloth is in the body by 16.8 mm at 1.50 s, at (0.10, 1.00, -0.25) m in panel 'left sleeve'; by more than "
+        "1 mm are, summed over the frames, 2 vertices and 3 faces");
+    EXPECT_EQ(faults[1], "a triangle is stretched by more than 15 % for 0.44 s, until 2.00 s, at (0.00, 1.50, 0.00) m");
+    quality.deep_vertices = 1;
+    EXPECT_TRUE(quality.faults()[0].ends_with("1 vertex and 3 faces")) << quality.faults()[0];
 }
 
 // A tube skirt of two panels that hangs from the hips of a walking mannequin.
