@@ -10,6 +10,10 @@ import pathlib
 import sys
 
 import bpy
+import numpy  # of Debian's python3-numpy, which Blender's glTF importer needs
+
+if not hasattr(numpy, "bool"):
+    numpy.bool = bool  # numpy 1.24 dropped the name, which the importer of Blender 3.4 uses
 
 TOLERANCE = 1e-5  # m
 
