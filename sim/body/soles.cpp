@@ -1,6 +1,7 @@
 #include "sim/body/soles.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace selvedge::sim {
