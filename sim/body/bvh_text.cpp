@@ -202,7 +202,7 @@ class BvhReader {
 
     // Recorders write rows after the last that they count: whole ones are left out.
     void read_surplus(std::size_t frames) {
-        for (std::size_t row = 0; !words_.is_at_end(); ++row) {
+        while (!words_.is_at_end()) {
             const std::size_t line = words_.line();
             for (std::size_t k = 0; k < channels_; ++k) {
                 if (words_.is_at_end() || words_.line() != line)

@@ -264,9 +264,14 @@ std::pair<Body, Clip> source_of(const std::string& text) {
     return {std::move(motion.body), std::move(found)};
 }
 
+// Whether both are of one file: then the clip moves the body as it was made.
+bool are_of_one_file(const Body& source, const Body& body) {
+    return !source.file.empty() && source.file == body.file;
+}
+
 Clip fitted(const Body& source, const Clip& clip, const Body& body) {
     Clip result = retarget(source, clip, body);
-    if (source.file.empty() || source.file != body.file) clear_arms(body, result);
+    if (!are_of_one_file(source, body)) clear_arms(body, result);
     return result;
 }
 
@@ -288,8 +293,8 @@ Clip find_motion(const std::string& text, const Body& body) {
     const auto source = source_of(text);
     Clip clip = fitted(source.first, source.second, body);
     if (body.skin.empty()) return clip;
-    if (!source.first.file.empty() && source.first.file == body.file) {
-        stand_on_floor(body, clip);  // and moves as it was made
+    if (are_of_one_file(source.first, body)) {
+        stand_on_floor(body, clip);
     } else {
         keep_on_floor(body, clip);
     }
