@@ -3,16 +3,17 @@
 #include <string>
 
 #include "tests/app/run_program.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::app {
 
 // Runs the program; `arguments` use shell syntax.
 inline ProgramResult run_selvedge(const std::string& arguments) {
-    return run_command("'" SELVEDGE_PROGRAM "' " + arguments);
+    return run_command("'" + program_folder() + "/selvedge' " + arguments);
 }
 
 inline std::string shipped(const std::string& file) {
-    return "'" SELVEDGE_SOURCE_DIR "/patterns/" + file + "'";
+    return "'" + source_folder() + "/patterns/" + file + "'";
 }
 
 }  // namespace selvedge::app

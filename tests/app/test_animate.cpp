@@ -9,6 +9,7 @@
 #include "render/image/image.h"
 #include "sim/core/json.h"
 #include "tests/app/selvedge_program.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::app {
 namespace {
@@ -58,9 +59,10 @@ TEST(AnimateCommand, gives_the_same_frames_for_any_number_of_threads) {
 TEST(AnimateCommand, leaves_a_film_of_what_was_done_when_it_is_stopped) {
     const ScratchFolder folder;
     const ProgramResult run = run_command(
-        "'" SELVEDGE_PROGRAM "' animate " + shipped("tshirt.json") + kQuick + "--motion walk --seconds 600 --export '" +
-        folder / "walk.pc2" + "' --film '" + folder / "walk.frames" + "' & task=$!; for i in $(seq 300); do [ -e '" +
-        folder / "walk.frames/frame_0003.png" + "' ] && break; sleep 0.1; done; kill -TERM $task; wait $task");
+        "'" + program_folder() + "/selvedge' animate " + shipped("tshirt.json") + kQuick +
+        "--motion walk --seconds 600 --export '" + folder / "walk.pc2" + "' --film '" + folder / "walk.frames" +
+        "' & task=$!; for i in $(seq 300); do [ -e '" + folder / "walk.frames/frame_0003.png" +
+        "' ] && break; sleep 0.1; done; kill -TERM $task; wait $task");
     EXPECT_EQ(run.exit_code, 128 + SIGTERM) << run.err;
     EXPECT_NE(run.err.find("stopped after"), std::string::npos) << run.err;
     EXPECT_TRUE(std::filesystem::exists(folder / "walk.pc2"));

@@ -7,6 +7,7 @@
 #include "render/image/image.h"
 #include "sim/core/json.h"
 #include "tests/app/selvedge_program.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::app {
 namespace {
@@ -28,7 +29,7 @@ TEST(BenchCommand, prints_the_table_that_is_asked_for_and_keeps_it_as_json) {
 TEST(BenchCommand, writes_a_series_as_csv_and_svg_and_a_page_that_holds_it) {
     const ScratchFolder folder;
     const ProgramResult result =
-        run_command("PATH=/nowhere '" SELVEDGE_PROGRAM "' bench thesis --quick --figure 3.21 6.4 --out '" +
+        run_command("PATH=/nowhere '" + program_folder() + "/selvedge' bench thesis --quick --figure 3.21 6.4 --out '" +
                     folder / "figures" + "'");
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(content_of(folder / "figures/figure-3.21.csv").rfind("existing triangles,", 0), 0U);
@@ -97,7 +98,7 @@ ProgramResult check_text(const std::string& text, const std::string& options = "
 
 TEST(CheckCommand, every_pattern_that_ships_is_clean_even_strictly) {
     int tried = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(SELVEDGE_SOURCE_DIR "/patterns")) {
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() + "/patterns")) {
         if (entry.path().extension() != ".json") continue;
         const ProgramResult result = run_selvedge("check --strict '" + entry.path().string() + "'");
         EXPECT_EQ(result.exit_code, 0) << entry.path() << result.out << result.err;

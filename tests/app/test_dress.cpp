@@ -11,6 +11,7 @@
 #include "sim/core/json.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/app/selvedge_program.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::app {
 namespace {
@@ -134,8 +135,8 @@ TEST_F(DressCommand, a_fault_exits_3_is_named_and_still_makes_the_picture) {
 
 TEST_F(DressCommand, shows_the_hierarchy_and_films_it) {
     const ScratchFolder folder;
-    const ProgramResult shown = run_command("cd '" + folder.path().string() + "' && '" SELVEDGE_PROGRAM "' dress " +
-                                            shipped("two_squares.json") +
+    const ProgramResult shown = run_command("cd '" + folder.path().string() + "' && '" + program_folder() +
+                                            "/selvedge' dress " + shipped("two_squares.json") +
                                             " --body mannequin:resolution=1 --max-level 1 --seconds 0.05 -q --size "
                                             "96x96 --show hierarchy --render x.png --turntable out/ --frames 2");
     EXPECT_EQ(shown.exit_code, 3) << shown.err;
@@ -177,8 +178,8 @@ TEST_F(DressCommand, exports_carry_the_curved_surface_when_asked_to) {
 
 TEST_F(DressCommand, runs_from_any_folder) {
     const ScratchFolder folder;
-    const ProgramResult elsewhere = run_command("cd '" + folder.path().string() + "' && '" SELVEDGE_PROGRAM "' dress " +
-                                                shipped("two_squares.json") +
+    const ProgramResult elsewhere = run_command("cd '" + folder.path().string() + "' && '" + program_folder() +
+                                                "/selvedge' dress " + shipped("two_squares.json") +
                                                 " --body mannequin:resolution=1 --max-level 0 --seconds 0.05 "
                                                 "--tartan black_watch --fabric denim --render x.png --size 64x64");
     EXPECT_EQ(elsewhere.exit_code, 3) << elsewhere.err;
@@ -224,7 +225,7 @@ TEST(DressOnAFile, takes_the_body_that_the_garment_names_and_raises_both_to_the_
         }
     }
     lowered.close();
-    sim::PatternDocument garment = sim::load_pattern(SELVEDGE_SOURCE_DIR "/patterns/two_squares.json");
+    sim::PatternDocument garment = sim::load_pattern(source_folder() + "/patterns/two_squares.json");
     garment.pattern.body = folder / "anna.obj";
     for (sim::Panel& panel : garment.pattern.panels) panel.translation.y() -= 1.1;
     save_pattern(garment, folder / "anna.json");

@@ -9,6 +9,7 @@
 #include "editor/ui/files.h"
 #include "render/image/image.h"
 #include "tests/app/real_display.h"
+#include "tests/support/checkout.h"
 #include "tests/support/wait_until.h"
 
 namespace selvedge::app {
@@ -88,13 +89,13 @@ class EditWindowTest : public testing::Test {
         if (!missing.empty()) GTEST_SKIP() << missing << " is absent";
         display_ = std::make_unique<RealDisplay>(kWidth, kHeight);
         ASSERT_TRUE(display_->is_ready());
-        fs::copy_file(SELVEDGE_SOURCE_DIR "/patterns/skirt.json", file_);
+        fs::copy_file(source_folder() + "/patterns/skirt.json", file_);
     }
 
     void start() {
         program_.reset();
         program_ = std::make_unique<RunningProgram>(
-            std::vector<std::string>{SELVEDGE_PROGRAM, "edit", file_, "--state", state_, "--scale", "1"},
+            std::vector<std::string>{program_folder() + "/selvedge", "edit", file_, "--state", state_, "--scale", "1"},
             std::vector<std::string>{display_->environment(), "LIBGL_ALWAYS_SOFTWARE=1"}, scratch_ / "said");
         ASSERT_TRUE(waits_for_title("skirt.json - Selvedge")) << content_of(scratch_ / "said");
         display_->move(kAside);

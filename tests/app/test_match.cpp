@@ -11,6 +11,7 @@
 #include "sim/tartan/tartan_file.h"
 #include "tests/app/selvedge_program.h"
 #include "tests/sim/tartan/seamed_panels.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::app {
 namespace {
@@ -22,7 +23,7 @@ constexpr const char* kPatterns[] = {"poncho.json", "skirt.json", "tshirt.json",
 class Copy {
  public:
     explicit Copy(const std::string& name) : path_(folder_ / name) {
-        sim::Json json = sim::read_json(SELVEDGE_SOURCE_DIR "/patterns/" + name);
+        sim::Json json = sim::read_json(source_folder() + "/patterns/" + name);
         json.find("selvedge")->erase("matched_sett");
         for (sim::Json::Member& panel : json.find("pattern")->find("panels")->members()) panel.value.erase("selvedge");
         sim::write_file_atomically(path_, write_json(json));

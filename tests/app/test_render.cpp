@@ -7,6 +7,7 @@
 
 #include "render/image/image.h"
 #include "tests/app/selvedge_program.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::app {
 namespace {
@@ -24,7 +25,7 @@ class RenderCommand : public testing::Test {
 
     ProgramResult render(const std::string& options) const {
         const std::string size = options.find("--size") == std::string::npos ? "--size 64x64 " : "";
-        return run_command(in_folder() + "'" SELVEDGE_PROGRAM "' render garment.obj " + size + options);
+        return run_command(in_folder() + "'" + program_folder() + "/selvedge' render garment.obj " + size + options);
     }
     std::string in_folder() const { return "cd '" + folder_.path().string() + "' && "; }
     render::Image picture(const std::string& name) const { return render::read_png(folder_ / name); }
@@ -260,8 +261,8 @@ TEST_F(RenderCommand, a_film_that_cannot_be_encoded_leaves_the_old_one) {
     std::ofstream(folder_ / "bin/ffmpeg") << "#!/bin/sh\necho 'no such encoder' >&2\nexit 1\n";
     ASSERT_EQ(run_command("chmod +x '" + folder_ / "bin/ffmpeg" + "'").exit_code, 0);
     const ProgramResult result =
-        run_command(in_folder() + "PATH=\"$PWD/bin:$PATH\" '" SELVEDGE_PROGRAM
-                                  "' render garment.obj --size 64x64 -q --turntable film.mp4 --frames 3");
+        run_command(in_folder() + "PATH=\"$PWD/bin:$PATH\" '" + program_folder() +
+                    "/selvedge' render garment.obj --size 64x64 -q --turntable film.mp4 --frames 3");
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_EQ(count_lines(result.err), 1) << result.err;
     EXPECT_NE(result.err.find("no such encoder"), std::string::npos) << result.err;
@@ -270,8 +271,8 @@ TEST_F(RenderCommand, a_film_that_cannot_be_encoded_leaves_the_old_one) {
 }
 
 TEST_F(RenderCommand, without_ffmpeg_the_missing_package_is_named) {
-    const ProgramResult result = run_command(in_folder() + "PATH=/no/such/folder '" SELVEDGE_PROGRAM
-                                                           "' render garment.obj --turntable film.mp4");
+    const ProgramResult result = run_command(in_folder() + "PATH=/no/such/folder '" + program_folder() +
+                                             "/selvedge' render garment.obj --turntable film.mp4");
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_EQ(count_lines(result.err), 1) << result.err;
     EXPECT_NE(result.err.find("package ffmpeg"), std::string::npos) << result.err;

@@ -4,11 +4,12 @@
 #include <fstream>
 
 #include "tests/app/run_program.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::app {
 namespace {
 
-const std::string kScript = "bash '" SELVEDGE_SOURCE_DIR "/scripts/install_dependencies'";
+const std::string kScript = "bash '" + source_folder() + "/scripts/install_dependencies'";
 
 // A system that is not Debian 12 and has only a shell.
 std::string on_another_system(const ScratchFolder& folder, const std::string& command) {

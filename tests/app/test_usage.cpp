@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "tests/app/selvedge_program.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::app {
 namespace {
@@ -105,9 +106,10 @@ TEST(Usage, a_folder_that_cannot_be_written_is_said_before_the_work) {
 
 TEST(Usage, dress_writes_over_nothing_that_it_reads_and_no_file_twice) {
     const ScratchFolder folder;
-    std::filesystem::copy_file(SELVEDGE_SOURCE_DIR "/patterns/two_squares.json", folder / "garment.json");
+    std::filesystem::copy_file(source_folder() + "/patterns/two_squares.json", folder / "garment.json");
     const std::string before = content_of(folder / "garment.json");
-    const std::string dress = "cd '" + folder.path().string() + "' && '" SELVEDGE_PROGRAM "' dress garment.json ";
+    const std::string dress =
+        "cd '" + folder.path().string() + "' && '" + program_folder() + "/selvedge' dress garment.json ";
     for (const char* outputs :
          {"--report ./garment.json", "--export a.obj --export-body ./a.obj", "--render a.png --report ./a.png"}) {
         const ProgramResult result = run_command(dress + outputs);

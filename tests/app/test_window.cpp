@@ -6,6 +6,7 @@
 #include "tests/app/real_display.h"
 #include "tests/app/run_program.h"
 #include "tests/golden/frozen_scene.h"
+#include "tests/support/checkout.h"
 #include "tests/support/wait_until.h"
 
 namespace selvedge::app {
@@ -21,7 +22,7 @@ class WindowTest : public testing::Test {
     }
 
     void start(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), SELVEDGE_STAND_IN);
+        arguments.insert(arguments.begin(), program_folder() + "/stand_in_window");
         program_ = std::make_unique<RunningProgram>(
             arguments, std::vector<std::string>{display_->environment(), "LIBGL_ALWAYS_SOFTWARE=1"}, said_);
     }
@@ -82,7 +83,8 @@ TEST_F(WindowTest, writes_the_times_of_its_frames) {
 }
 
 TEST(WindowWithoutDisplay, is_an_input_error_in_words) {
-    const ProgramResult result = run_command("env -u DISPLAY -u WAYLAND_DISPLAY " SELVEDGE_STAND_IN);
+    const ProgramResult result =
+        run_command("env -u DISPLAY -u WAYLAND_DISPLAY '" + program_folder() + "/stand_in_window'");
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_EQ(result.err.rfind("window: cannot be opened: ", 0), 0U) << result.err;
 }

@@ -7,6 +7,7 @@
 #include "bench/thesis/captions.h"
 #include "bench/thesis/page.h"
 #include "bench/thesis/thesis.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::bench {
 namespace {
@@ -84,8 +85,8 @@ TEST(Captions, none_is_missing_and_every_figure_has_an_experiment) {
 // Every table that has an experiment, run at small size, has the columns and units that its caption asks for.
 TEST(Thesis, every_table_has_the_columns_and_units_that_its_caption_names) {
     ThesisOptions quick{.is_quick = true};
-    quick.tshirt = SELVEDGE_SOURCE_DIR "/patterns/tshirt_thesis.json";
-    quick.dress = SELVEDGE_SOURCE_DIR "/patterns/dress.json";
+    quick.tshirt = source_folder() + "/patterns/tshirt_thesis.json";
+    quick.dress = source_folder() + "/patterns/dress.json";
     std::set<std::string> checked;
     for (const Experiment& experiment : thesis_experiments()) {
         const bool has_caption = std::ranges::any_of(experiment.tables, [](const std::string& name) {

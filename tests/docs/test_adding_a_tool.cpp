@@ -5,6 +5,7 @@
 #include "sim/core/file.h"
 #include "tests/docs/pocket_tool.h"
 #include "tests/editor/tools/tool_support.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::editor {
 namespace {
@@ -48,7 +49,7 @@ TEST(PocketTool, has_a_key_and_an_id_that_no_tool_has) {
 }
 
 TEST(PocketTool, has_a_script_whose_steps_exist) {
-    const std::string file = SELVEDGE_SOURCE_DIR "/tests/docs/pocket.txt";
+    const std::string file = source_folder() + "/tests/docs/pocket.txt";
     EXPECT_EQ(parse_script(sim::read_file(file, 10000), file).size(), 7U);
 }
 

@@ -10,6 +10,7 @@
 #include "sim/mannequin/mannequin.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/golden/golden.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::test {
 namespace {
@@ -139,7 +140,7 @@ sim::Body coarse_mannequin() {
 }
 
 sim::DressedGarment dress_shipped(const std::string& garment, const sim::DressOptions& options) {
-    const auto path = std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (garment + ".json");
+    const auto path = std::filesystem::path(source_folder()) / "patterns" / (garment + ".json");
     return dress(sim::load_pattern(path).pattern, coarse_mannequin(), options);
 }
 

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "render/image/image.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::test {
 namespace {
@@ -38,7 +39,7 @@ testing::AssertionResult matches(const render::Image& image, const std::string& 
 }  // namespace
 
 std::filesystem::path reference_path(const std::string& file) {
-    return std::filesystem::path(SELVEDGE_SOURCE_DIR) / "tests/golden/reference" / file;
+    return std::filesystem::path(source_folder()) / "tests/golden/reference" / file;
 }
 
 bool is_to_be_renewed(const std::string& name) {

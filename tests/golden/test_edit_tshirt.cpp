@@ -14,6 +14,7 @@
 #include "tests/app/selvedge_program.h"
 #include "tests/golden/drape_numbers.h"
 #include "tests/golden/golden.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::test {
 namespace {
@@ -75,9 +76,9 @@ class EditTshirt : public testing::Test {
  protected:
     static void SetUpTestSuite() {
         folder_ = new app::ScratchFolder;
-        const std::string script = "'" SELVEDGE_SOURCE_DIR "/tests/golden/edit_tshirt.script'";
-        played_ = app::run_command("cd '" + folder_->path().string() +
-                                   "' && '" SELVEDGE_PROGRAM "' edit --state state " + "--script " + script);
+        const std::string script = "'" + source_folder() + "/tests/golden/edit_tshirt.script'";
+        played_ = app::run_command("cd '" + folder_->path().string() + "' && '" + program_folder() +
+                                   "/selvedge' edit --state state " + "--script " + script);
     }
     static void TearDownTestSuite() {
         delete folder_;
@@ -88,7 +89,7 @@ class EditTshirt : public testing::Test {
 
     static sim::Pattern made() { return sim::load_pattern(*folder_ / "made.json").pattern; }
     static sim::Pattern shipped_tshirt() {
-        return sim::load_pattern(SELVEDGE_SOURCE_DIR "/patterns/tshirt.json").pattern;
+        return sim::load_pattern(source_folder() + "/patterns/tshirt.json").pattern;
     }
 
     static app::ScratchFolder* folder_;
@@ -161,8 +162,9 @@ TEST_F(EditTshirt, looks_at_each_stage_as_it_did) {
 TEST(EditScript, that_expects_another_state_of_the_drape_ends_with_its_line) {
     const app::ScratchFolder folder;
     std::ofstream(folder / "wish.script") << "click widget start.empty\nexpect Settled\n";
-    const app::ProgramResult result = app::run_command("'" SELVEDGE_PROGRAM "' edit --state '" + folder / "state" +
-                                                       "' --script '" + folder / "wish.script" + "'");
+    const app::ProgramResult result =
+        app::run_command("'" + program_folder() + "/selvedge' edit --state '" + folder / "state" + "' --script '" +
+                         folder / "wish.script" + "'");
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_NE(result.err.find("line 2: the drape is not 'Settled'"), std::string::npos) << result.err;
 }

@@ -7,12 +7,13 @@
 #include "editor/document/command.h"
 #include "editor/document/document.h"
 #include "sim/core/error.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::editor {
 namespace {
 
 sim::PatternDocument shipped(const std::string& name) {
-    return sim::load_pattern(std::string(SELVEDGE_SOURCE_DIR) + "/patterns/" + name);
+    return sim::load_pattern(source_folder() + "/patterns/" + name);
 }
 
 // A document with its journal as text.
@@ -44,8 +45,7 @@ TEST(Journal, gives_back_all_that_was_done) {
 
 TEST(Journal, gives_back_garments_that_were_put_on_and_taken_off) {
     Journaled journaled("tshirt.json");
-    const std::string skirt =
-        write_pattern(sim::load_pattern(std::string(SELVEDGE_SOURCE_DIR) + "/patterns/skirt.json"));
+    const std::string skirt = write_pattern(sim::load_pattern(source_folder() + "/patterns/skirt.json"));
     for (int i = 0; i < 2; ++i) journaled.document.run(PutOver{.file = "skirt.json", .text = skirt});
     journaled.document.run(TakeOff{.garment = "skirt"});
     const auto recovery = recover(journaled.text);

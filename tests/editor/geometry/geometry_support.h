@@ -8,11 +8,12 @@
 #include "editor/geometry/panel_edit.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_file.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::editor {
 
 inline sim::Pattern shipped_pattern(const std::string& name) {
-    return sim::load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json")).pattern;
+    return sim::load_pattern(std::filesystem::path(source_folder()) / "patterns" / (name + ".json")).pattern;
 }
 
 // A square with sides of 1 m; edges: bottom, right, top, left.

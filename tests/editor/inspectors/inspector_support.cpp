@@ -4,10 +4,11 @@
 #include <filesystem>
 
 #include "sim/pattern/pattern_file.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::editor {
 sim::PatternDocument shipped_pattern(const std::string& file) {
-    return sim::load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / file);
+    return sim::load_pattern(std::filesystem::path(source_folder()) / "patterns" / file);
 }
 
 InspectorFixture::InspectorFixture(sim::PatternDocument source, Draw draw, const WindowSize& size)

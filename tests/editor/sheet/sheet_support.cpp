@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/ui_draw.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::editor {
 namespace {
@@ -140,7 +141,7 @@ render::Image SheetFixture::picture() {
 }
 
 sim::PatternDocument shipped_pattern(const std::string& name) {
-    return sim::load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json"));
+    return sim::load_pattern(std::filesystem::path(source_folder()) / "patterns" / (name + ".json"));
 }
 
 }  // namespace selvedge::editor

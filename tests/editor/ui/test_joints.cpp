@@ -13,6 +13,7 @@
 #include "sim/core/atomic_file.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/editor/ui/services_without_files.h"
+#include "tests/support/checkout.h"
 #include "tests/support/temporary_folder.h"
 
 namespace selvedge::editor {
@@ -21,7 +22,7 @@ namespace {
 class JointsInEditor : public testing::Test {
  protected:
     JointsInEditor() {
-        const auto file = std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / "two_squares.json";
+        const auto file = std::filesystem::path(source_folder()) / "patterns" / "two_squares.json";
         open_loaded(editor_.state(), sim::load_pattern(file), file.string());
         drape().options().max_level = 0;
         play("frames 3\nclick widget tab.Body\nframes 2\n");

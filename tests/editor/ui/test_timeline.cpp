@@ -9,6 +9,7 @@
 #include "editor/ui/files.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/editor/ui/services_without_files.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::editor {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 class Timeline : public testing::Test {
  protected:
     Timeline() {
-        const auto file = std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / "two_squares.json";
+        const auto file = std::filesystem::path(source_folder()) / "patterns" / "two_squares.json";
         open_loaded(editor_.state(), sim::load_pattern(file), file.string());
         drape().options().max_level = 0;
         rest(3);

@@ -11,6 +11,7 @@
 #include "sim/core/error.h"
 #include "sim/dress/animation.h"
 #include "sim/pattern/pattern_file.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::editor {
 namespace {
@@ -33,12 +34,12 @@ class DrapeOnMovingBody : public testing::Test {
     std::shared_ptr<const sim::SessionFrame> frame() { return drape().frame(); }
 
     std::vector<std::string> sought_;
-    Workspace workspace_{
-        sim::load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / "two_squares.json"),
-        sim::SessionDrive::Caller, make_mannequin_body, [this](const std::string& text, const sim::Body& body) {
-            sought_.push_back(text);
-            return sim::find_motion(text, body);
-        }};
+    Workspace workspace_{sim::load_pattern(std::filesystem::path(source_folder()) / "patterns" / "two_squares.json"),
+                         sim::SessionDrive::Caller, make_mannequin_body,
+                         [this](const std::string& text, const sim::Body& body) {
+                             sought_.push_back(text);
+                             return sim::find_motion(text, body);
+                         }};
 };
 
 TEST_F(DrapeOnMovingBody, goes_to_a_pose_and_back) {
@@ -151,7 +152,7 @@ TEST(DrapeOnAnimatedBody, plays_the_first_motion_of_its_file_if_none_is_chosen) 
         }
         return current;
     };
-    Workspace workspace(sim::load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / "two_squares.json"),
+    Workspace workspace(sim::load_pattern(std::filesystem::path(source_folder()) / "patterns" / "two_squares.json"),
                         sim::SessionDrive::Caller, made);
     Drape& drape = workspace.drape;
     EXPECT_FALSE(drape.can_play()) << "no body is ready";
@@ -170,7 +171,7 @@ TEST(DrapeOnTPose, has_its_own_pose_chosen_and_goes_back_to_the_one_in_which_it_
         current.body = std::make_shared<const sim::Body>(posed(*current.body, sim::find_pose("T", *current.body)));
         return current;
     };
-    Workspace workspace(sim::load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / "two_squares.json"),
+    Workspace workspace(sim::load_pattern(std::filesystem::path(source_folder()) / "patterns" / "two_squares.json"),
                         sim::SessionDrive::Caller, made);
     Drape& drape = workspace.drape;
     drape.options().max_level = 0;

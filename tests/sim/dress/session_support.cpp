@@ -10,6 +10,7 @@
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/place/fit.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::sim::test {
 namespace {
@@ -30,7 +31,7 @@ std::shared_ptr<const Body> session_body() {
 }
 
 Pattern session_pattern(const std::string& name) {
-    return load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json")).pattern;
+    return load_pattern(std::filesystem::path(source_folder()) / "patterns" / (name + ".json")).pattern;
 }
 
 SessionOptions coarse_options() {

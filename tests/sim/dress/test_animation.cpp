@@ -19,6 +19,7 @@
 #include "tests/sim/cloth/fixtures.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
+#include "tests/support/checkout.h"
 #include "tests/support/mannequin.h"
 
 namespace selvedge::sim::test {
@@ -174,7 +175,7 @@ TEST(DressingPose, lowers_the_arms_of_a_t_pose_and_leaves_others_as_they_are) {
 
 // Sleeves of panels that are placed for arms that hang at an angle.
 TEST(Dress, dresses_a_body_in_a_t_pose_by_lowering_its_arms_and_moving_them_back) {
-    const Pattern tshirt = load_pattern(SELVEDGE_SOURCE_DIR "/patterns/tshirt.json").pattern;
+    const Pattern tshirt = load_pattern(source_folder() + "/patterns/tshirt.json").pattern;
     const Body t_pose = posed(mannequin(), find_pose("T", mannequin()));
     const DressedGarment dressed = dress(tshirt, t_pose, {.max_level = 1});
     EXPECT_TRUE(dressed.report.settled);

@@ -18,6 +18,7 @@
 #include "sim/pattern/garments.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/sim/dress/shapes.h"
+#include "tests/support/checkout.h"
 #include "tests/support/mannequin.h"
 
 namespace selvedge::sim::test {
@@ -83,7 +84,7 @@ TEST(LimbsAside, let_cloth_fall_only_where_there_is_gravity) {
 
 // Sewn only: what it looks like under the skirt is decided then.
 TEST(LimbsAside, leave_the_sleeves_of_what_is_worn_round_the_arms) {
-    const std::filesystem::path tshirt = std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / "tshirt.json";
+    const std::filesystem::path tshirt = std::filesystem::path(source_folder()) / "patterns" / "tshirt.json";
     Pattern pattern = load_pattern(tshirt).pattern;
     put_over(pattern, wide_skirt(2.6));
     const BodyCollider collider(mannequin());

@@ -20,13 +20,14 @@
 #include "sim/pattern/garments.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/sim/dress/shapes.h"
+#include "tests/support/checkout.h"
 #include "tests/support/mannequin.h"
 
 namespace selvedge::sim::test {
 namespace {
 
 Pattern shipped(const std::string& name) {
-    return load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json")).pattern;
+    return load_pattern(std::filesystem::path(source_folder()) / "patterns" / (name + ".json")).pattern;
 }
 
 constexpr DistanceFieldOptions kCoarse{.cell = 0.006F, .band = 0.024F};

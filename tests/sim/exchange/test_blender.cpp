@@ -9,6 +9,7 @@
 #include "sim/exchange/mesh_cache.h"
 #include "sim/exchange/mesh_file.h"
 #include "tests/sim/exchange/two_panels.h"
+#include "tests/support/checkout.h"
 #include "tests/support/temporary_folder.h"
 
 namespace selvedge::sim {
@@ -57,10 +58,9 @@ TEST(Blender, reads_the_caches_as_they_were_written) {
         cache->finish();
     }
     write_file_atomically(folder / "expected.json", write_json(expected_json(mesh, options.first_frame)));
-    const std::string command =
-        "blender --background --factory-startup --python-exit-code 1 --python '" SELVEDGE_SOURCE_DIR
-        "/tests/sim/exchange/check_in_blender.py' -- '" +
-        (folder / "").string() + "' 2>&1";
+    const std::string command = "blender --background --factory-startup --python-exit-code 1 --python '" +
+                                source_folder() + "/tests/sim/exchange/check_in_blender.py' -- '" +
+                                (folder / "").string() + "' 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0);
 }
 

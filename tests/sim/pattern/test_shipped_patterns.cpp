@@ -11,12 +11,13 @@
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/sim/pattern/sample.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::sim {
 namespace {
 
 std::filesystem::path shipped(const std::string& name) {
-    return std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json");
+    return std::filesystem::path(source_folder()) / "patterns" / (name + ".json");
 }
 
 class ShippedPattern : public ::testing::TestWithParam<const char*> {
@@ -74,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(, ShippedPattern,
 
 TEST(FormatGuide, shows_a_garment_that_is_sound) {
     const std::string guide =
-        read_file(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / "FORMAT.md", std::size_t{1} << 20);
+        read_file(std::filesystem::path(source_folder()) / "patterns" / "FORMAT.md", std::size_t{1} << 20);
     const std::size_t from = guide.find("```json\n") + 8;
     const std::string example = guide.substr(from, guide.find("```", from) - from);
     for (const Fault& fault : check_pattern_text(example, "FORMAT.md")) ADD_FAILURE() << describe(fault);

@@ -15,6 +15,7 @@
 #include "sim/pattern/pattern_file.h"
 #include "sim/place/fit.h"
 #include "tests/support/bodies.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::sim::test {
 namespace {
@@ -205,7 +206,7 @@ class FitOfTheTshirt : public testing::Test {
     }
     static std::vector<TightLevel> levels_on(const Body& body) {
         const Pattern pattern =
-            load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / "tshirt.json").pattern;
+            load_pattern(std::filesystem::path(source_folder()) / "patterns" / "tshirt.json").pattern;
         DressOptions options;
         options.max_level = 0;
         return tight_levels(dress(pattern, body, options).mesh, body);
