@@ -136,14 +136,14 @@ class ContactFinder {
     // By the Morton code of their positions, so that sixteen that search together are near each other.
     void make_order() {
         moving_.order_made_at = cloth_.adaptations;
-        std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
+        std::vector<CodedPoint> keys;
         for (const VertexId v : cloth_.mesh.leaf_vertices()) {
             if (cloth_.inverse_mass[v.value] <= 0) continue;
-            keys.emplace_back(morton_code(cloth_.x[v.value].head<3>()), v.value);
+            keys.push_back({morton_code(cloth_.x[v.value].head<3>()), v.value});
         }
-        std::ranges::sort(keys);
+        sort_by_code(keys);
         moving_.order.clear();
-        for (const auto& [key, v] : keys) moving_.order.push_back(v);
+        for (const CodedPoint& key : keys) moving_.order.push_back(key.index);
     }
 
     Vec3f position(std::uint32_t v) const {
@@ -168,23 +168,16 @@ class ContactFinder {
         const float radius = reach + body_.longest_deformation();
         const std::size_t i = searchers.count++;
         searchers.group.start(i, p, radius);
-        if (last.triangle != LastContact::kNone) {
-            const float known = distance_to(last.triangle, p);
-            if (known < radius) {
-                searchers.group.squared[i] = known * known;
-                searchers.group.triangle[i] = last.triangle;
-            }
-        }
+        start_with(last.triangle, i, searchers.group);
         searchers.reach = std::max(searchers.reach, reach);
         searchers.own_reach[i] = reach;
         searchers.offset[i] = offset;
         searchers.vertex[i] = v;
     }
 
-    float distance_to(std::uint32_t triangle, const Vec3f& p) const {
-        const std::span<const Vec3f> x = body_.surface().points();
-        const auto [a, b, c] = body_.surface().triangles()[triangle];
-        return (closest_on_triangle(p, x[a], x[b], x[c]).point - p).norm();
+    void start_with(std::uint32_t triangle, std::size_t slot, PointGroup& group) const {
+        if (triangle != LastContact::kNone)
+            group.start_with(slot, body_.surface().distance_to(triangle, group.point(slot)));
     }
 
     void search_vertices(Searchers& searchers) {
@@ -250,7 +243,8 @@ class ContactFinder {
         if (last.is_pinched) return body_.surface().walk_nearest(last.triangle, p, last.normal, {.least = kCrease});
         const SurfaceBvh& surface = body_.surface();
         if (surface.face_normal(nearest).dot(last.normal) > kCrease) return nearest;
-        const float radius = std::max(reach + body_.longest_deformation(), distance_to(last.triangle, p));
+        const float radius =
+            std::max(reach + body_.longest_deformation(), std::sqrt(surface.distance_to(last.triangle, p).squared));
         const auto own = surface.nearest_facing(p, last.normal, {.least = kCrease}, radius);
         return own && !is_ridge(surface.closest_on(*own, p), surface.closest_on(nearest, p)) ? *own : nearest;
     }
@@ -276,15 +270,15 @@ class ContactFinder {
     void find_samples() {
         moving_.samples.resize(contacts_.samples.size());
         moving_.is_sample_near.assign(contacts_.samples.size(), 0);
-        std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+        std::vector<CodedPoint> order;
         for (std::size_t index = 0; index < contacts_.samples.size(); ++index) {
             for (std::size_t at = 0; at < kBlock; ++at) {
                 clear_plane(moving_.samples[index], at);
                 if (contacts_.samples[index].shares[0][at] <= 0) continue;
-                order.emplace_back(morton_code(sample_place(index, at).first), std::uint32_t(index * kBlock + at));
+                order.push_back({morton_code(sample_place(index, at).first), std::uint32_t(index * kBlock + at)});
             }
         }
-        std::ranges::sort(order);
+        sort_by_code(order);
         for (std::size_t first = 0; first < order.size(); first += kBlock)
             find_samples(std::span(order).subspan(first, std::min(kBlock, order.size() - first)));
     }
@@ -302,12 +296,17 @@ class ContactFinder {
         return {p, way};
     }
 
-    void find_samples(std::span<const std::pair<std::uint64_t, std::uint32_t>> near) {
+    void find_samples(std::span<const CodedPoint> near) {
         Searchers searchers{.count = near.size()};
         for (std::size_t i = 0; i < near.size(); ++i) {
-            const auto [p, way] = sample_place(near[i].second / kBlock, near[i].second % kBlock);
+            const std::size_t index = near[i].index / kBlock, at = near[i].index % kBlock;
+            const auto [p, way] = sample_place(index, at);
             const float reach = offset_ + (way - body_.surface().drift()).norm() + kUnforeseen;
-            searchers.group.start(i, p, reach + body_.longest_deformation());
+            // A triangle beyond the reach need not be the nearest: nearer ones may be left out.
+            searchers.group.start(i, p, reach);
+            start_with(moving_.last[contacts_.samples[index].vertices[0][at] / 4].triangle, i, searchers.group);
+            if (searchers.group.triangle[i] == NearestTriangle::kNone)
+                searchers.group.start(i, p, reach + body_.longest_deformation());
             searchers.reach = std::max(searchers.reach, reach);
         }
         searchers.fill();
@@ -315,7 +314,7 @@ class ContactFinder {
         for (std::size_t i = 0; i < near.size(); ++i) {
             const std::uint32_t triangle = searchers.group.triangle[i];
             if (triangle == NearestTriangle::kNone) continue;
-            const std::size_t index = near[i].second / kBlock, at = near[i].second % kBlock;
+            const std::size_t index = near[i].index / kBlock, at = near[i].index % kBlock;
             const Vec3f p = searchers.group.point(i);
             const MovingPlane plane = body_.plane_at(triangle, p);
             if (is_on_other_side(contacts_.samples[index], at, plane.normal)) continue;

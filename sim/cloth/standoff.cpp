@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/moving_contact.h"
 #include "sim/collide/collider.h"
+#include "sim/collide/moving_body.h"
 
 namespace selvedge::sim {
 namespace {
@@ -43,6 +45,7 @@ class Lacks {
 
  private:
     using Corners = std::array<VertexId, 3>;
+    static constexpr float kReach = kChordClearance + kMaxStandoff;  // m: points that are farther away have room
 
     // Whether one of the vertices is near a body that moves. Where they are not all on one smooth side of it, the cloth
     // between them may be deepest beside its middle.
@@ -54,30 +57,47 @@ class Lacks {
         });
     }
 
-    // Returns whether what is known at the corners tells the distance there: that there is room for any bump of the
-    // skin between them, of which they know nothing.
+    // Adds a point between the corners. If their planes leave more room than kMaxStandoff, that tells its distance;
+    // else the body is asked, for there may be a bump between them. Returns whether they are on one smooth side of it.
     bool add(const Corners& corners, const std::array<float, 3>& shares) {
         Vec3f x = Vec3f::Zero();
         for (std::size_t k = 0; k < 3; ++k) x += shares[k] * cloth_.x[corners[k].value].head<3>();
-        if (body_.moving()) {
-            const auto known = distance_between(cloth_.solver.contacts.moving, corners, shares, x);
-            if (known && *known > kMaxStandoff) {
-                note(corners, *known);
-                return true;
-            }
+        const std::optional<float> known =
+            body_.moving() ? distance_between(cloth_.solver.contacts.moving, corners, shares, x) : std::nullopt;
+        if (known && *known > kMaxStandoff) {
+            note(corners, *known);
+            return true;
         }
-        if (corners_.size() % kContactLanes == 0) blocks_.emplace_back();
-        blocks_.back().set_point(corners_.size() % kContactLanes, x);
+        points_.push_back(x);
         corners_.push_back(corners);
-        return false;
+        return known.has_value();
     }
 
     void query() {
-        for (std::size_t i = corners_.size(); i < blocks_.size() * kContactLanes; ++i)
-            blocks_.back().set_point(i % kContactLanes, blocks_.back().point(0));
-        body_.contacts(blocks_, kChordClearance + kMaxStandoff);
+        if (points_.empty()) return;
+        if (const MovingBodyCollider* const moving = body_.moving()) return query(*moving);
+        std::vector<ContactBlock> blocks((points_.size() + kContactLanes - 1) / kContactLanes);
+        for (std::size_t i = 0; i < blocks.size() * kContactLanes; ++i)
+            blocks[i / kContactLanes].set_point(i % kContactLanes, points_[std::min(i, points_.size() - 1)]);
+        body_.contacts(blocks, kReach);
         for (std::size_t i = 0; i < corners_.size(); ++i)
-            note(corners_[i], blocks_[i / kContactLanes].distance[i % kContactLanes]);
+            note(corners_[i], blocks[i / kContactLanes].distance[i % kContactLanes]);
+    }
+
+    void query(const MovingBodyCollider& body) {
+        std::vector<SearchPoint> searched;
+        for (std::size_t i = 0; i < points_.size(); ++i) searched.push_back({points_[i], triangle_near(corners_[i])});
+        const auto found = body.closest(searched, std::max(kReach, MovingBodyCollider::kDeepest));
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            if (found[i]) note(corners_[i], found[i]->distance);
+    }
+
+    // The triangle of the body that is nearest to the first of the corners that is near the body.
+    std::uint32_t triangle_near(const Corners& corners) const {
+        const std::vector<LastContact>& last = cloth_.solver.contacts.moving.last;
+        for (const VertexId v : corners)
+            if (v.value < last.size() && last[v.value].triangle != LastContact::kNone) return last[v.value].triangle;
+        return LastContact::kNone;
     }
 
     void note(const Corners& corners, float distance) {
@@ -89,7 +109,7 @@ class Lacks {
     const Collider& body_;
     std::vector<float> by_vertex_;
     std::vector<Corners> corners_;
-    std::vector<ContactBlock> blocks_;
+    std::vector<Vec3f> points_;  // in the middle of these, or beside it, m
 };
 
 // The height of a vertex above its offset surface, m, by the cached plane; nothing is known where it is far away.

@@ -78,27 +78,37 @@ Contact MovingBodyCollider::contact(const Vec3f& p) const {
 }
 
 // Sixteen points at a time, in the order of their Morton codes, so that each sixteen are near each other.
-void MovingBodyCollider::contacts(std::span<ContactBlock> blocks, float reach) const {
-    const std::size_t count = blocks.size() * kContactLanes;
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> order(count);
-    for (std::size_t i = 0; i < count; ++i)
-        order[i] = {morton_code(blocks[i / kContactLanes].point(i % kContactLanes)), std::uint32_t(i)};
-    std::ranges::sort(order);
-    for (std::size_t first = 0; first < count; first += kContactLanes) {
+std::vector<std::optional<ClosestPoint>> MovingBodyCollider::closest(std::span<const SearchPoint> points,
+                                                                     float radius) const {
+    std::vector<CodedPoint> order(points.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = {morton_code(points[i].x), std::uint32_t(i)};
+    sort_by_code(order);
+    std::vector<std::optional<ClosestPoint>> found(points.size());
+    for (std::size_t first = 0; first < order.size(); first += PointGroup::kPoints) {
+        const std::size_t count = std::min(PointGroup::kPoints, order.size() - first);
         PointGroup group;
-        const auto at = [&](std::size_t lane) { return std::size_t(order[first + lane].second); };
-        for (std::size_t lane = 0; lane < kContactLanes; ++lane)
-            group.start(lane, blocks[at(lane) / kContactLanes].point(at(lane) % kContactLanes),
-                        std::max(reach, kDeepest));
-        bvh_.find_nearest(group);
-        for (std::size_t lane = 0; lane < kContactLanes; ++lane) {
-            Contact contact{.distance = band()};
-            if (group.triangle[lane] != NearestTriangle::kNone) {
-                const ClosestPoint closest = bvh_.closest_on(group.triangle[lane], group.point(lane));
-                if (closest.distance < band()) contact = {closest.distance, closest.normal};
-            }
-            blocks[at(lane) / kContactLanes].set(at(lane) % kContactLanes, contact);
+        for (std::size_t slot = 0; slot < PointGroup::kPoints; ++slot) {
+            const SearchPoint& point = points[order[first + std::min(slot, count - 1)].index];
+            group.start(slot, point.x, radius);
+            if (point.known != NearestTriangle::kNone) group.start_with(slot, bvh_.distance_to(point.known, point.x));
         }
+        bvh_.find_nearest(group);
+        for (std::size_t slot = 0; slot < count; ++slot) {
+            if (group.triangle[slot] == NearestTriangle::kNone) continue;
+            found[order[first + slot].index] = bvh_.closest_on(group.triangle[slot], group.point(slot));
+        }
+    }
+    return found;
+}
+
+void MovingBodyCollider::contacts(std::span<ContactBlock> blocks, float reach) const {
+    std::vector<SearchPoint> points(blocks.size() * kContactLanes);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].x = blocks[i / kContactLanes].point(i % kContactLanes);
+    const std::vector<std::optional<ClosestPoint>> found = closest(points, std::max(reach, kDeepest));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const bool is_near = found[i] && found[i]->distance < band();
+        blocks[i / kContactLanes].set(
+            i % kContactLanes, is_near ? Contact{found[i]->distance, found[i]->normal} : Contact{.distance = band()});
     }
 }
 

@@ -2,6 +2,7 @@
 // Collider for a body that moves: its vertices travel along straight lines from where they are to where they will be at
 // the end of a step. A contact point asks once per step for the triangle that is nearest to it, and then follows that
 // triangle's tangent plane, which moves with the surface. (thesis 5.3.4, 5.3.5)
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -28,6 +29,12 @@ struct PlaneNow {
 };
 PlaneNow plane_now(const MovingPlane& plane, const Vec3f& x, float share);
 
+// A point that looks for the surface, and a triangle of it that is near, if one is known.
+struct SearchPoint {
+    Vec3f x = Vec3f::Zero();  // m
+    std::uint32_t known = NearestTriangle::kNone;
+};
+
 class MovingBodyCollider final : public Collider {
  public:
     // Starts at rest, where the body is. The body need not outlive the collider. Pre: its surface is closed.
@@ -53,6 +60,10 @@ class MovingBodyCollider final : public Collider {
     std::vector<ThinPart> thin_parts_in_step() const { return thin_parts_.between(bvh_.points(), bvh_.end_points()); }
     // The tangent plane at the point of the triangle that is nearest to p.
     MovingPlane plane_at(std::uint32_t triangle, const Vec3f& p) const;
+
+    // The points of the surface, at the start of the step, that are nearest to these; nullopt where none is within
+    // `radius` (m). A triangle that is known only makes the search faster.
+    std::vector<std::optional<ClosestPoint>> closest(std::span<const SearchPoint> points, float radius) const;
 
     const MovingBodyCollider* moving() const override { return this; }
 

@@ -83,6 +83,11 @@ Vec3f SurfaceBvh::moved_vertex_normal(std::uint32_t vertex) const {
     return sum.stableNormalized();
 }
 
+NearestTriangle SurfaceBvh::distance_to(std::uint32_t triangle, const Vec3f& p) const {
+    const auto [a, b, c] = triangles_[triangle];
+    return {.squared = (closest_on_triangle(p, x_[a], x_[b], x_[c]).point - p).squaredNorm(), .triangle = triangle};
+}
+
 ClosestPoint SurfaceBvh::closest_on(std::uint32_t triangle, const Vec3f& p) const {
     const auto [a, b, c] = triangles_[triangle];
     const TrianglePoint on = closest_on_triangle(p, x_[a], x_[b], x_[c]);
@@ -276,15 +281,17 @@ float entry_fraction(const Node& node, std::size_t k, const Ray& ray) {
     return enter <= leave ? enter : std::numeric_limits<float>::infinity();
 }
 
-// Moeller and Trumbore 1997, in double precision, so that a ray cannot pass between two adjacent triangles.
-std::optional<float> hit_fraction(const Ray& ray, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
-    const Vec3d along = ray.along.cast<double>();
+}  // namespace
+
+std::optional<float> crossing_fraction(const std::array<Vec3f, 2>& segment, const Vec3f& a, const Vec3f& b,
+                                       const Vec3f& c) {
+    const Vec3d along = Vec3f(segment[1] - segment[0]).cast<double>();
     const Vec3d edge1 = b.cast<double>() - a.cast<double>();
     const Vec3d edge2 = c.cast<double>() - a.cast<double>();
     const Vec3d p = along.cross(edge2);
     const double det = edge1.dot(p);
     if (det == 0) return std::nullopt;
-    const Vec3d s = ray.origin.cast<double>() - a.cast<double>();
+    const Vec3d s = segment[0].cast<double>() - a.cast<double>();
     const double u = s.dot(p) / det;
     const Vec3d q = s.cross(edge1);
     const double v = along.dot(q) / det;
@@ -293,8 +300,6 @@ std::optional<float> hit_fraction(const Ray& ray, const Vec3f& a, const Vec3f& b
     if (u < -kSlack || v < -kSlack || u + v > 1 + kSlack || t < 0 || t > 1) return std::nullopt;
     return float(t);
 }
-
-}  // namespace
 
 std::optional<SurfaceHit> SurfaceBvh::first_hit(const Vec3f& from, const Vec3f& to) const {
     if (nodes_.empty()) return std::nullopt;
@@ -317,7 +322,7 @@ std::optional<SurfaceHit> SurfaceBvh::first_hit(const Vec3f& from, const Vec3f& 
         }
         for (const std::uint32_t t : packets_[std::size_t(~top.child)].triangle) {
             const auto [a, b, c] = triangles_[t];
-            const std::optional<float> fraction = hit_fraction(ray, x_[a], x_[b], x_[c]);
+            const std::optional<float> fraction = crossing_fraction({from, to}, x_[a], x_[b], x_[c]);
             if (fraction && (!hit || *fraction < hit->fraction))
                 hit = SurfaceHit{from + ray.along * *fraction, face_normal(t), *fraction, t};
         }

@@ -28,6 +28,11 @@ TrianglePoint closest_on_triangle(const Vec3f& p, const Vec3f& a, const Vec3f& b
 // Barycentric coordinates of a point in the plane of a triangle; (1, 0, 0) for one without area.
 std::array<float, 3> barycentric(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c);
 
+// The share of the segment at which it crosses the triangle, from either side; nullopt if it does not. In double
+// precision, so that a segment cannot pass between two adjacent triangles.  (Moeller and Trumbore 1997)
+std::optional<float> crossing_fraction(const std::array<Vec3f, 2>& segment, const Vec3f& a, const Vec3f& b,
+                                       const Vec3f& c);
+
 // Packets of eight triangles whose squared distances from a point are computed together.
 
 struct TrianglePacket {
@@ -71,6 +76,12 @@ struct alignas(64) PointGroup {
     std::array<std::uint32_t, kPoints> triangle{};
 
     Vec3f point(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
+    // The search of the slot starts with this triangle as its nearest, if that is within its limit.
+    void start_with(std::size_t lane, const NearestTriangle& known) {
+        if (!(known.squared < squared[lane])) return;
+        squared[lane] = known.squared;
+        triangle[lane] = known.triangle;
+    }
     // Resets the slot to a new point and limits its search to `radius` (m).
     void start(std::size_t lane, const Vec3f& p, float radius) {
         x[lane] = p.x();
@@ -129,6 +140,9 @@ class SurfaceBvh {
     // `squared` is exact up to rounding. One traversal for all points: efficient when they are close together. Leaves
     // out what does not come within `reach` (m) of any of the points while the surface moves, less its drift.
     void find_nearest(PointGroup& group, float reach = std::numeric_limits<float>::infinity()) const;
+
+    // The triangle, with its squared distance from p.
+    NearestTriangle distance_to(std::uint32_t triangle, const Vec3f& p) const;
 
     // The point of this triangle nearest to p. The sign is correct only if no other triangle is nearer.
     ClosestPoint closest_on(std::uint32_t triangle, const Vec3f& p) const;

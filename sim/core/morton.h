@@ -3,6 +3,7 @@
 // groups.
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 #include "sim/core/math.h"
 
@@ -27,5 +28,14 @@ inline std::uint64_t morton_code(const Vec3f& p) {
     }
     return code;
 }
+
+struct CodedPoint {
+    std::uint64_t code = 0;
+    std::uint32_t index = 0;  // of the point
+};
+
+// Sorts by code, and keeps the order of those with the same one. Pre: codes below 2^55; those of morton_code() have 48
+// bits.
+void sort_by_code(std::vector<CodedPoint>& points);
 
 }  // namespace selvedge::sim

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "tests/support/bodies.h"
 
@@ -80,6 +83,34 @@ TEST(MovingBody, answers_many_points_at_once_as_one_by_one) {
         EXPECT_NEAR(block.distance[i % kContactLanes], one.distance, 1e-6F);
         EXPECT_NEAR(block.nx[i % kContactLanes], one.normal.x(), 1e-4F);
     }
+}
+
+TEST(MovingBody, a_known_triangle_changes_nothing_but_where_the_search_starts) {
+    const Body body = shapes::sphere(Vec3d::Zero(), 0.1, 12);
+    MovingBodyCollider moving(body);
+    moving.place(moved(body, 1));
+    constexpr float kRadius = 0.05F;
+    std::mt19937 random(8);
+    std::vector<SearchPoint> points(300);  // not a multiple of sixteen
+    for (SearchPoint& point : points) point.x = random_point(random, 0.2F);
+    const auto alone = moving.closest(points, kRadius);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i % 3 == 1) points[i].known = std::uint32_t(random() % body.triangles.size());  // most are far away
+        if (i % 3 == 2 && alone[i]) points[i].known = alone[i]->triangle;
+    }
+    const auto started = moving.closest(points, kRadius);
+    int found = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto exact = moving.surface().closest(points[i].x, kRadius);
+        ASSERT_EQ(alone[i].has_value(), exact.has_value());
+        ASSERT_EQ(started[i].has_value(), exact.has_value());
+        if (!exact) continue;
+        ++found;
+        EXPECT_NEAR(alone[i]->distance, exact->distance, 1e-6F);
+        EXPECT_NEAR(started[i]->distance, exact->distance, 1e-6F);
+    }
+    EXPECT_GT(found, 50);
+    EXPECT_LT(found, 250);
 }
 
 TEST(MovingBody, a_tangent_plane_turns_and_travels_with_the_surface) {
