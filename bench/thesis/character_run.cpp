@@ -16,7 +16,7 @@ namespace selvedge::bench {
 namespace {
 
 constexpr float kFixedRegion = 0.06F;    // m from the shoulder seams
-constexpr float kLongestMotion = 0.02F;  // m: a step in which the body moves farther is divided
+constexpr double kLongestMotion = 0.02;  // m: a step in which the body moves farther is divided
 constexpr int kMostParts = 4;
 constexpr float kFreeStandoff = 0.0027F;  // m, as for garments on bodies that move (sim/dress/motion_run.cpp)
 
@@ -123,6 +123,10 @@ CharacterRun::CharacterRun(const DressedCharacter& character, const CharacterRun
     if (options.budget) budget_.emplace(sim::BudgetOptions{.target = *options.budget});
     skin_.positions(*character.body, motion_.pose(0), end_);
     collider_.place(end_);
+    if (options.collides_with_limbs) {
+        limbs_ = std::make_unique<LimbCollider>(*character.body);
+        limbs_->move_to(*character.body, motion_.pose(0), end_);
+    }
     forget_contacts(cloth_);
     if (options.touches_at_vertices) {
         free_standoffs(cloth_, {.free = 0});
@@ -140,7 +144,7 @@ CharacterRun::CharacterRun(const DressedCharacter& character, const CharacterRun
                               .level = *options.level});
     }
     uniform.minimum_levels = everywhere;
-    adapt_cloth(cloth_, collider_, uniform, contact());
+    adapt_cloth(cloth_, cloth_collider(), uniform, contact());
 }
 
 sim::ContactOptions CharacterRun::contact() const {
@@ -152,7 +156,8 @@ sim::ContactOptions CharacterRun::contact() const {
 void CharacterRun::frame(CharacterTimes& times) {
     if (!options_.level) times.adaptation += 1e3 * time_once([&] { adapt(); });
     if (!options_.touches_at_vertices)
-        times.collision += 1e3 * time_once([&] { update_standoffs(cloth_, collider_, {.free = kFreeStandoff}); });
+        times.collision +=
+            1e3 * time_once([&] { update_standoffs(cloth_, cloth_collider(), {.free = kFreeStandoff}); });
     for (int i = 0; i < kStepsPerAdaptation; ++i) step_once(times);
 }
 
@@ -163,38 +168,63 @@ void CharacterRun::adapt() {
         adapting.visibility = &visibility_;
     }
     if (budget_) adapting.budget = &*budget_;
-    adapt_cloth(cloth_, collider_, adapting, contact());
+    adapt_cloth(cloth_, cloth_collider(), adapting, contact());
+}
+
+const sim::Collider& CharacterRun::cloth_collider() const {
+    if (limbs_) return *limbs_;
+    return collider_;
+}
+
+void CharacterRun::move_to(const sim::Pose& pose, CharacterTimes& times) {
+    times.skinning += 1e3 * time_once([&] { skin_.positions(*character_.body, pose, end_); });
+    const double moving = time_once([&] { collider_.move_to(end_); });
+    if (!limbs_) times.structures += 1e3 * moving;
+}
+
+void CharacterRun::move_limbs(const sim::Pose& pose, CharacterTimes& times) {
+    times.structures += 1e3 * time_once([&] { limbs_->move_to(*character_.body, pose, end_); });
+    keep_far_contacts(cloth_, collider_.longest_motion());
+}
+
+void CharacterRun::arrive(CharacterTimes& times) {
+    const double arriving = time_once([&] { collider_.arrive(); });
+    if (!limbs_) times.structures += 1e3 * arriving;
+}
+
+// The thesis' structures stand still in each part: the skin then passes at most half of what they see, unless that
+// takes more parts than there are sub-steps.
+int CharacterRun::parts_of_step() const {
+    const double longest = limbs_ ? LimbCollider::kReach / 2 : kLongestMotion;
+    const int most = limbs_ ? step_options().substeps : kMostParts;
+    return std::clamp(static_cast<int>(std::ceil(static_cast<double>(collider_.longest_motion()) / longest)), 1, most);
 }
 
 void CharacterRun::step_once(CharacterTimes& times) {
     sim::StepOptions stepping = step_options();
     stepping.contact = contact();
-    const double from = seconds();
-    const auto move_to = [&](double share) {
-        times.skinning +=
-            1e3 * time_once([&] { skin_.positions(*character_.body, motion_.pose(from + share * kClothStep), end_); });
-        times.structures += 1e3 * time_once([&] { collider_.move_to(end_); });
-    };
-    move_to(1);
-    const int parts =
-        std::clamp(static_cast<int>(std::ceil(collider_.longest_motion() / kLongestMotion)), 1, kMostParts);
+    const auto pose_at = [&](double share) { return motion_.pose(seconds() + share * kClothStep); };
+    move_to(pose_at(1), times);
+    const int parts = parts_of_step();
     const int substeps = stepping.substeps;
     int done = 0;
     for (int part = 1; part <= parts; ++part) {
-        if (parts > 1) move_to(static_cast<double>(part) / parts);
+        const sim::Pose pose = pose_at(static_cast<double>(part) / parts);
+        if (parts > 1) move_to(pose, times);
+        if (limbs_) move_limbs(pose, times);
         const int until = substeps * part / parts;
         sim::StepTimes within;
         stepping.substeps = until - done;
         stepping.times = &within;
         const Duration spent = time_both([&] {
             stepping.kinematic = pins_.follow(cloth_, collider_.surface(), end_);
-            step(cloth_, collider_, stepping);
+            step(cloth_, cloth_collider(), stepping);
         });
-        const double share = spent.wall > 0 ? within.collision / spent.wall : 0;
-        times.collision += 1e3 * spent.cpu * share;
-        times.simulation += 1e3 * spent.cpu * (1 - share);
+        const double colliding = spent.wall > 0 ? within.collision / spent.wall : 0;
+        times.collision += 1e3 * spent.cpu * colliding;
+        times.simulation += 1e3 * spent.cpu * (1 - colliding);
         done = until;
-        times.structures += 1e3 * time_once([&] { collider_.arrive(); });
+        arrive(times);
     }
     ++steps_;
     updates_.push_back(seconds());

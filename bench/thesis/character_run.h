@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/thesis/limb_cylinders.h"
+#include "bench/thesis/limb_collider.h"
 #include "bench/thesis/surface_tables.h"
 #include "bench/thesis/thesis.h"
 #include "sim/adaptive/back_face.h"
@@ -76,7 +76,7 @@ Character make_character(const ThesisOptions& options);
 // ms per frame of 1/30 s: one adaptation and four steps. CPU times of one thread.
 struct CharacterTimes {
     double skinning = 0;
-    double structures = 0;  // our hierarchy, moved to each blended frame
+    double structures = 0;  // our hierarchy or the cylinders and spheres, moved to each blended frame
     double simulation = 0;  // the steps without collision
     double collision = 0;
     double adaptation = 0;
@@ -86,6 +86,7 @@ struct CharacterRunOptions {
     std::optional<int> level{};        // uniform; none: adaptive by all criteria
     bool coarsens_back_faces = false;  // seen by a viewer in front, who goes along
     bool touches_at_vertices = false;  // as the thesis' cloth: no contact points between them, and no standoffs
+    bool collides_with_limbs = false;  // with the thesis' cylinders and spheres instead of our hierarchy
     std::optional<std::size_t> budget{};
     double seconds = kWalkStart + 4;  // longest run
 };
@@ -103,6 +104,7 @@ class CharacterRun {
     double seconds() const { return static_cast<double>(steps_) * kClothStep; }
     const sim::Cloth& cloth() const { return cloth_; }
     const BlendedMotion& motion() const { return motion_; }
+    // Our hierarchy, also where the cloth collides with the limbs.
     const sim::MovingBodyCollider& collider() const { return collider_; }
     sim::TriangleBudget* budget() { return budget_ ? &*budget_ : nullptr; }
     sim::Pose pose() const { return motion_.pose(seconds()); }  // of the body, now
@@ -116,6 +118,14 @@ class CharacterRun {
 
  private:
     void step_once(CharacterTimes& times);
+    // Sends the body to that pose.
+    void move_to(const sim::Pose& pose, CharacterTimes& times);
+    // Puts the cylinders and spheres there.
+    void move_limbs(const sim::Pose& pose, CharacterTimes& times);
+    // Ends the motion.
+    void arrive(CharacterTimes& times);
+    int parts_of_step() const;
+    const sim::Collider& cloth_collider() const;
     sim::ContactOptions contact() const;
     void adapt();
 
@@ -124,6 +134,7 @@ class CharacterRun {
     BlendedMotion motion_;
     sim::SkinnedSurface skin_;
     sim::MovingBodyCollider collider_;
+    std::unique_ptr<LimbCollider> limbs_;
     sim::Cloth cloth_;
     sim::Visibility visibility_;
     std::optional<sim::TriangleBudget> budget_;

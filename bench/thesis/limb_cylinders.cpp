@@ -448,21 +448,35 @@ void LimbBounds::collect_from_spheres(const Vec3f& p, std::vector<std::uint32_t>
 }
 
 std::optional<LimbContact> LimbBounds::nearest(const Vec3f& p, std::span<const std::uint32_t> triangles) const {
+    constexpr float kSame = 1e-6F;                                     // m, rounding
+    float least = std::numeric_limits<float>::infinity(), beyond = 0;  // m, of p from the surface; from that plane
     LimbContact nearest;
     for (const std::uint32_t t : triangles) {
         const float above = planes_[t].head<3>().dot(p) - planes_[t].w();
-        if (std::abs(above) >= std::abs(nearest.distance)) continue;
+        if (std::abs(above) >= least + kSame) continue;
         const auto [a, b, c] = triangles_[t];
         const Vec3f point = sim::closest_on_triangle(p, x_[a], x_[b], x_[c]).point;
         const float distance = (p - point).norm();
-        if (distance < std::abs(nearest.distance))
-            nearest = {.point = point, .distance = above < 0 ? -distance : distance, .triangle = t};
+        if (distance >= least + kSame || (distance > least - kSame && std::abs(above) <= beyond)) continue;
+        least = std::min(least, distance);
+        beyond = std::abs(above);
+        nearest = {.point = point, .distance = above < 0 ? -least : least, .triangle = t};
     }
     return std::isinf(nearest.distance) ? std::nullopt : std::optional(nearest);
 }
 
+std::optional<float> LimbBounds::crossing(std::uint32_t triangle, const std::array<Vec3f, 2>& segment) const {
+    const auto [a, b, c] = triangles_[triangle];
+    return sim::crossing_fraction(segment, x_[a], x_[b], x_[c]);
+}
+
 std::optional<LimbContact> LimbBounds::contact(const Vec3f& p) const {
     std::vector<std::uint32_t> triangles;
+    return contact(p, triangles);
+}
+
+std::optional<LimbContact> LimbBounds::contact(const Vec3f& p, std::vector<std::uint32_t>& triangles) const {
+    triangles.clear();
     collect_from_cylinders(p, triangles);
     collect_from_spheres(p, triangles);
     return nearest(p, triangles);

@@ -97,12 +97,21 @@ class LimbBounds {
     void collect_from_cylinders(const Vec3f& p, std::vector<std::uint32_t>& triangles) const;
     void collect_from_spheres(const Vec3f& p, std::vector<std::uint32_t>& triangles) const;
 
-    // The nearest of the triangles; nullopt if there are none.
+    // The nearest of the triangles; nullopt if there are none. Of those that share the nearest point, an edge's or a
+    // corner's, the one whose plane p is farthest from tells on which side of the surface p is: a rule of thumb, which
+    // holds at edges and at corners that are not saddles.
     std::optional<LimbContact> nearest(const Vec3f& p, std::span<const std::uint32_t> triangles) const;
 
     // Collects from all and finds the nearest. If p is within the margin, it is that of the whole surface, as long as
     // rigid triangles stay within the slack.
     std::optional<LimbContact> contact(const Vec3f& p) const;
+    // The same with a list to use.
+    std::optional<LimbContact> contact(const Vec3f& p, std::vector<std::uint32_t>& triangles) const;
+
+    // Unit normal of a triangle, and its distance from the origin, m, in the present pose.
+    const Vec4f& plane(std::uint32_t triangle) const { return planes_[triangle]; }
+    // As crossing_fraction() (sim/collide/surface_bvh.h).
+    std::optional<float> crossing(std::uint32_t triangle, const std::array<Vec3f, 2>& segment) const;
 
     const LimbOptions& options() const { return options_; }
     const std::vector<int>& bone_map() const { return bone_map_; }

@@ -25,7 +25,7 @@ std::vector<Experiment> thesis_experiments() {
         {{}, {"4.7", "4.8"}, draw_collision_grids, true},
         {{}, {"4.3", "4.11", "4.12", "4.13"}, draw_tshirt, false, true},
         {{"5.1"}, {}, list_character_parameters},
-        {{"5.2", "5.3", "5.4"}, {"5.9"}, measure_character, false, true},
+        {{"5.2", "5.3", "5.4", "5.4-runs"}, {"5.9"}, measure_character, false, true},
         {{}, {"5.4"}, draw_collision_section},
         {{}, {"5.1", "5.2", "5.3"}, draw_limb_frames},
         {{}, {"5.5"}, draw_cylinders, true},

@@ -6,19 +6,22 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bench/thesis/character_painter.h"
 #include "bench/thesis/character_run.h"
 #include "bench/thesis/character_tables.h"
 #include "bench/thesis/thesis.h"
 #include "sim/body/motion_file.h"
+#include "sim/cloth/cloth_penetration.h"
+#include "tests/support/checkout.h"
 #include "tests/support/mannequin.h"
 
 namespace selvedge::bench {
 namespace {
 
 ThesisOptions quick() {
-    return {.is_quick = true, .dress = SELVEDGE_SOURCE_DIR "/patterns/dress.json"};
+    return {.is_quick = true, .dress = source_folder() + "/patterns/dress.json"};
 }
 
 const DressedCharacter& character() {
@@ -129,7 +132,7 @@ TEST(Character, has_fewer_triangles_with_coarse_back_faces_and_unseen_edges_are_
 
 TEST(Character, tables_have_a_row_for_each_level_and_the_thesis_structures_miss_no_triangle) {
     const ThesisResult result = measure_character(quick());
-    ASSERT_EQ(result.tables.size(), 3U);
+    ASSERT_EQ(result.tables.size(), 4U);
     EXPECT_EQ(result.tables[0].rows.size(), 2U) << "the thesis' structures, and ours";
     const Table &cloth = result.tables[1], &collision = result.tables[2];
     ASSERT_EQ(cloth.rows.size(), 6U);
@@ -148,6 +151,25 @@ TEST(Character, tables_have_a_row_for_each_level_and_the_thesis_structures_miss_
         EXPECT_GE(number(collision, row, 8), number(collision, row, 9)) << "some of all vertices";
     }
     EXPECT_LT(number(cloth, 4, 1), triangles[3]) << "adaptive";
+    const Table& runs = result.tables[3];
+    ASSERT_EQ(runs.rows.size(), 2U) << "the thesis' collider, and ours";
+    for (std::size_t row = 0; row < 2; ++row) {
+        for (const std::size_t column : {1U, 2U, 3U, 4U}) EXPECT_GT(number(runs, row, column), 0);
+    }
+}
+
+TEST(Character, wears_its_dress_on_the_thesis_cylinders_and_spheres_as_well) {
+    CharacterRun run(character(), {.level = 1, .collides_with_limbs = true});
+    const std::vector<Vec3f> start(run.body_x().begin(), run.body_x().end());
+    CharacterTimes times;
+    while (run.seconds() < kWalkStart + 0.5) run.frame(times);
+    EXPECT_GT((run.body_x()[0] - start[0]).norm(), 0.1F) << "it walks";
+    ASSERT_EQ(find_bad_vertex(run.cloth()), std::nullopt);
+    EXPECT_TRUE(run.cloth().solver.contacts.moving.last.empty()) << "nothing follows planes of the hierarchy";
+    const auto found = find_penetration(run.cloth(), run.collider().surface(), {.depth = 0.001F});
+    EXPECT_LT(found.faces, 0.01 * static_cast<double>(run.cloth().mesh.leaf_triangles().size()));
+    EXPECT_LT(found.deepest_vertex, 0.01F);
+    EXPECT_GT(times.structures, 0);
 }
 
 TEST(Character, figures_of_the_budget_hold_count_and_target_over_time) {
