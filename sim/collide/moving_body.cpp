@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 #include "sim/core/assert.h"
 #include "sim/core/morton.h"
