@@ -399,7 +399,9 @@ Outcome run(sim::Pattern& pattern, const MoveNotch& command) {
     if (command.index < 0 || static_cast<std::size_t>(command.index) >= notches.size()) {
         throw GeometryError("'" + command.panel + "' has no such notch", {{.panel = command.panel}});
     }
-    notches[static_cast<std::size_t>(command.index)] = {.edge = command.edge, .t = command.t};
+    sim::Notch& notch = notches[static_cast<std::size_t>(command.index)];
+    notch.edge = command.edge;
+    notch.t = command.t;
     return {};
 }
 

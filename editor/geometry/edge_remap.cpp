@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "editor/geometry/draft.h"
-#include "editor/geometry/edge_shape.h"
+#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::editor {
@@ -78,18 +78,7 @@ void remap_edges(sim::Pattern& pattern, int panel, const std::function<std::opti
 int split_alone(sim::Pattern& pattern, const sim::SeamSide& at, double t) {
     sim::Panel& panel = pattern.panels[as_size(at.panel)];
     const int vertex = static_cast<int>(panel.vertices.size());
-    const SplitCurve split = split_curve(panel, panel.edges[as_size(at.edge)], t, vertex);
-    panel.vertices.push_back(split.point);
-    panel.edges[as_size(at.edge)] = split.before;
-    panel.edges.insert(panel.edges.begin() + at.edge + 1, split.after);
-    for (sim::Notch& notch : panel.notches) {
-        if (notch.edge > at.edge) {
-            ++notch.edge;
-        } else if (notch.edge == at.edge) {
-            notch = notch.t <= t ? sim::Notch{at.edge, std::min(1.0, notch.t / t)}
-                                 : sim::Notch{at.edge + 1, std::clamp((notch.t - t) / (1 - t), 0.0, 1.0)};
-        }
-    }
+    split_edge(panel, at.edge, t);
     remap_edges(pattern, at.panel, [&](int edge) { return EdgeImage{{at.panel, edge > at.edge ? edge + 1 : edge}}; });
     return vertex;
 }
@@ -196,8 +185,8 @@ bool is_smooth(const sim::Panel& panel, int vertex) {
     if (std::find(panel.pins.begin(), panel.pins.end(), vertex) != panel.pins.end()) return false;
     const int after = edge_from(panel, vertex);
     const int before = (after + edge_count(panel) - 1) % edge_count(panel);
-    const Vec2d arriving = curve_direction(panel, panel.edges[as_size(before)], EdgeEnd::End);
-    const Vec2d leaving = curve_direction(panel, panel.edges[as_size(after)], EdgeEnd::Start);
+    const Vec2d arriving = curve_direction(panel, panel.edges[as_size(before)], sim::EdgeEnd::End);
+    const Vec2d leaving = curve_direction(panel, panel.edges[as_size(after)], sim::EdgeEnd::Start);
     return arriving.dot(leaving) > 0 && std::abs(sim::cross2(arriving, leaving)) < kSmooth;
 }
 

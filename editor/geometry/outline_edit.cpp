@@ -5,7 +5,7 @@
 
 #include "editor/geometry/draft.h"
 #include "editor/geometry/edge_remap.h"
-#include "editor/geometry/edge_shape.h"
+#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::editor {
@@ -61,9 +61,9 @@ class VertexRemover {
     std::vector<bool> is_marked_;          // per vertex of panel_
 };
 
-VertexMove move_of(const sim::Panel& panel, const std::vector<int>& vertices, const Eigen::Affine2d& map) {
+sim::VertexMove move_of(const sim::Panel& panel, const std::vector<int>& vertices, const Eigen::Affine2d& map) {
     expect_vertices(panel, vertices);
-    VertexMove move{std::vector<bool>(panel.vertices.size(), false), map};
+    sim::VertexMove move{std::vector<bool>(panel.vertices.size(), false), map};
     for (const int vertex : vertices) move.is_moved[as_size(vertex)] = true;
     return move;
 }
@@ -101,7 +101,7 @@ void move_vertices(sim::Pattern& pattern, int panel, const std::vector<int>& ver
 
 void transform_vertices(sim::Pattern& pattern, int panel, const std::vector<int>& vertices,
                         const Eigen::Affine2d& map) {
-    const VertexMove move = move_of(panel_of(pattern, panel), vertices, map);
+    const sim::VertexMove move = move_of(panel_of(pattern, panel), vertices, map);
     edit_pattern(pattern, [&](sim::Pattern& draft) { move_outline(draft.panels[as_size(panel)], move); });
 }
 
@@ -112,7 +112,7 @@ void transform_panel(sim::Pattern& pattern, int panel, const Eigen::Affine2d& ma
         own = mapped_panel(own, map);
         if (map.linear().determinant() >= 0) return;
         remap_edges(draft, panel, [&](int edge) {
-            return EdgeImage{{panel, mirrored_edge(edge, edge_count(own))}, true};
+            return EdgeImage{{panel, sim::mirrored_edge(edge, edge_count(own))}, true};
         });
     });
 }

@@ -5,8 +5,8 @@
 
 #include "editor/geometry/draft.h"
 #include "editor/geometry/edge_remap.h"
-#include "editor/geometry/edge_shape.h"
 #include "editor/geometry/outline_edit.h"
+#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::editor {
@@ -238,7 +238,9 @@ class PanelCutter {
         const std::vector<sim::Notch> notches = std::exchange(taken.notches, {});
         for (const sim::Notch& notch : notches) {
             const sim::SeamSide image = image_of(notch.edge);
-            (image.panel == panel_ ? kept : taken).notches.push_back({image.edge, notch.t});
+            std::vector<sim::Notch>& notches_there = (image.panel == panel_ ? kept : taken).notches;
+            notches_there.push_back(notch);
+            notches_there.back().edge = image.edge;
         }
     }
 

@@ -4,8 +4,8 @@
 
 #include "editor/geometry/draft.h"
 #include "editor/geometry/edge_remap.h"
-#include "editor/geometry/edge_shape.h"
 #include "editor/geometry/panel_edit.h"
+#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::editor {
@@ -54,7 +54,7 @@ class Merger {
         const Vec2d to = b().vertices[as_size(other.start)];
         const Vec2d start = a().vertices[as_size(own.start)];
         const Vec2d end = a().vertices[as_size(own.end)];
-        Eigen::Affine2d map = chord_map(from, to, start, end);
+        Eigen::Affine2d map = sim::chord_map(from, to, start, end);
         map.linear() /= std::sqrt(map.linear().determinant());  // rigid: remove the scale
         map.translation() = (start + end) / 2 - map.linear() * (from + to) / 2;
         return map;
@@ -100,7 +100,7 @@ class Merger {
         b_start_ = edge(b(), b_first_).start;
         b_end_ = edge(b(), b_edge(count_ - 1)).end;
         for (const auto& [vertex, to] : {std::pair{b_start_, a_end_}, std::pair{b_end_, a_start_}}) {
-            VertexMove move{std::vector<bool>(other_.vertices.size(), false), Eigen::Affine2d::Identity()};
+            sim::VertexMove move{std::vector<bool>(other_.vertices.size(), false), Eigen::Affine2d::Identity()};
             move.is_moved[as_size(vertex)] = true;
             move.map.translation() = a().vertices[as_size(to)] - other_.vertices[as_size(vertex)];
             move_outline(other_, move);
@@ -155,7 +155,10 @@ class Merger {
     template <class ImageOf>
     static void add_notches(sim::Panel& joined, const std::vector<sim::Notch>& notches, ImageOf image_of) {
         for (const sim::Notch& notch : notches) {
-            if (const auto image = image_of(notch.edge)) joined.notches.push_back({image->side.edge, notch.t});
+            const auto image = image_of(notch.edge);
+            if (!image) continue;
+            joined.notches.push_back(notch);
+            joined.notches.back().edge = image->side.edge;
         }
     }
 
@@ -190,54 +193,12 @@ bool is_straight(const sim::Panel& panel, const sim::OutlineEdge& edge) {
                        [&](const Vec2d& p) { return std::abs(sim::cross2(along, p - start)) < 1e-5; });
 }
 
-Eigen::Affine2d reflection(const Vec2d& from, const Vec2d& to) {
-    const Vec2d along = (to - from).normalized();
-    Eigen::Affine2d map = Eigen::Affine2d::Identity();
-    map.linear() = 2 * along * along.transpose() - Eigen::Matrix2d::Identity();
-    map.translation() = from - map.linear() * from;
-    return map;
-}
-
-// Edges before the fold keep their indices; then the image of edge (fold - 1 - i) at offset i; then those after the
-// fold.
 void unfold(sim::Pattern& draft, const sim::SeamSide& fold) {
     sim::Panel& panel = draft.panels[as_size(fold.panel)];
-    const sim::Panel half = panel;
-    const int count = edge_count(half);
-    const sim::OutlineEdge& axis = half.edges[as_size(fold.edge)];
-    const Eigen::Affine2d map = reflection(half.vertices[as_size(axis.start)], half.vertices[as_size(axis.end)]);
-    std::vector<int> image(half.vertices.size());
-    for (std::size_t v = 0; v < image.size(); ++v) image[v] = static_cast<int>(v);
-    for (const sim::OutlineEdge& edge : half.edges) {
-        if (edge.start == axis.start || edge.start == axis.end) continue;
-        image[as_size(edge.start)] = static_cast<int>(panel.vertices.size());
-        panel.vertices.push_back(map * half.vertices[as_size(edge.start)]);
-    }
-    // NOLINTNEXTLINE(clang-analyzer-core.DivideZero): an outline has edges
-    const auto image_of = [&](int e) { return fold.edge + (fold.edge - 1 - e + count) % count; };
-    const auto stays_at = [&](int e) { return e < fold.edge ? e : e + count - 2; };
-    panel.edges.assign(as_size(2 * (count - 1)), {});
-    panel.notches.clear();
-    for (int e = 0; e < count; ++e) {
-        if (e == fold.edge) continue;
-        sim::OutlineEdge other = reversed_edge(mapped_curve(half, half.edges[as_size(e)], map));
-        other.start = image[as_size(other.start)];
-        other.end = image[as_size(other.end)];
-        panel.edges[as_size(stays_at(e))] = half.edges[as_size(e)];
-        panel.edges[as_size(image_of(e))] = other;
-    }
-    for (const sim::Notch& notch : half.notches) {
-        if (notch.edge == fold.edge) continue;
-        panel.notches.push_back({stays_at(notch.edge), notch.t});
-        panel.notches.push_back({image_of(notch.edge), 1 - notch.t});
-    }
-    for (const int pin : half.pins) {
-        if (image[as_size(pin)] != pin) panel.pins.push_back(image[as_size(pin)]);
-    }
-    for (sim::InternalLine line : half.internal_lines) {
-        for (Vec2d& point : line.points) point = map * point;
-        panel.internal_lines.push_back(std::move(line));
-    }
+    const int count = edge_count(panel);
+    const auto image_of = [&](int e) { return sim::unfolded_image(e, fold.edge, count); };
+    const auto stays_at = [&](int e) { return sim::unfolded_index(e, fold.edge, count); };
+    panel = sim::unfolded(panel, fold.edge);
     std::vector<sim::Seam> darts;
     for (const sim::Seam& seam : draft.seams) {
         if (seam.first.panel != fold.panel || seam.second.panel != fold.panel) continue;

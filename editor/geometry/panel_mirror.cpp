@@ -5,8 +5,8 @@
 
 #include "editor/geometry/draft.h"
 #include "editor/geometry/edge_remap.h"
-#include "editor/geometry/edge_shape.h"
 #include "editor/geometry/panel_edit.h"
+#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::editor {
@@ -55,8 +55,8 @@ std::vector<sim::Seam> darts_of(const sim::Pattern& pattern, int panel) {
 
 // The image of a dart on a mirrored panel of `count` edges.
 sim::Seam dart_across(const sim::Seam& dart, int panel, int count) {
-    return {{panel, mirrored_edge(dart.first.edge, count)},
-            {panel, mirrored_edge(dart.second.edge, count)},
+    return {{panel, sim::mirrored_edge(dart.first.edge, count)},
+            {panel, sim::mirrored_edge(dart.second.edge, count)},
             dart.is_reversed,
             "",
             dart.is_eased};

@@ -7,8 +7,8 @@
 
 #include "editor/geometry/draft.h"
 #include "editor/geometry/edge_remap.h"
-#include "editor/geometry/edge_shape.h"
 #include "editor/geometry/panel_edit.h"
+#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern.h"
 
@@ -70,7 +70,7 @@ class SideScaler {
         Vec2d centre = (start + end) / 2;
         if (start_holds || (is_end_free && !is_start_free)) centre = start;
         if (end_holds || (is_start_free && !is_end_free)) centre = end;
-        VertexMove move{std::vector<bool>(panel.vertices.size(), false), Eigen::Affine2d::Identity()};
+        sim::VertexMove move{std::vector<bool>(panel.vertices.size(), false), Eigen::Affine2d::Identity()};
         move.is_moved[as_size(edge.start)] = move.is_moved[as_size(edge.end)] = true;
         move.map.linear() *= factor;
         move.map.translation() = centre - factor * centre;

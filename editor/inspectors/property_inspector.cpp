@@ -6,7 +6,7 @@
 #include <array>
 
 #include "editor/geometry/draft.h"
-#include "editor/geometry/edge_shape.h"
+#include "sim/pattern/edge_shape.h"
 #include "editor/geometry/outline_edit.h"
 #include "editor/geometry/panel_edit.h"
 #include "editor/inspectors/controls.h"

@@ -65,6 +65,26 @@ std::optional<std::string> FaultReader::text(const JsonNode& node) {
     return node.value->string();
 }
 
+std::optional<int> FaultReader::whole_number(const JsonNode& node, int least, int most) {
+    const auto value = number(node);
+    if (!value) return std::nullopt;
+    if (*value == std::floor(*value) && *value >= least && *value <= most) return static_cast<int>(*value);
+    error(node, node.value->number_text() + " is not a whole number from " + std::to_string(least) + " to " +
+                    std::to_string(most));
+    return std::nullopt;
+}
+
+std::optional<std::size_t> FaultReader::choice(const JsonNode& node, std::span<const std::string_view> names) {
+    const auto word = text(node);
+    if (!word) return std::nullopt;
+    const auto found = std::ranges::find(names, *word);
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    std::string known;
+    for (const std::string_view name : names) known += (known.empty() ? "" : ", ") + std::string(name);
+    error(node, "'" + *word + "' is none of " + known);
+    return std::nullopt;
+}
+
 std::optional<bool> FaultReader::flag(const JsonNode& node) {
     if (node.value->is_bool()) return node.value->boolean();
     const auto value = number(node);

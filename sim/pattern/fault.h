@@ -2,7 +2,9 @@
 // Faults in a file, each with its JSON path and severity, and FaultReader, which reads JSON and records every fault
 // instead of stopping at the first.
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -58,6 +60,8 @@ class FaultReader {
     std::optional<int> index(const JsonNode& node, std::size_t count, const char* of_what);
     std::optional<std::string> text(const JsonNode& node);
     std::optional<bool> flag(const JsonNode& node);  // true, false, 1 or 0
+    std::optional<int> whole_number(const JsonNode& node, int least, int most);
+    std::optional<std::size_t> choice(const JsonNode& node, std::span<const std::string_view> names);  // its index
     std::optional<Vec2d> pair(const JsonNode& node);
     std::optional<Vec3d> triple(const JsonNode& node);
 

@@ -17,6 +17,11 @@ namespace selvedge::sim {
 
 enum class CurveKind { Line, Quadratic, Cubic, Arc };
 
+// How the seam allowance of an edge ends at both of its corners. Mitred: both cut lines go on to where they meet, and a
+// sharp corner is cut off. Squared: the cut line ends at a right angle to the edge. Mirrored: it is cut so that the
+// allowance, turned over about the edge, covers the panel, as at a hem.
+enum class AllowanceCorner { Mitred, Squared, Mirrored };
+
 // One edge of an outline, from vertex `start` to vertex `end` of its panel.
 struct OutlineEdge {
     int start = 0;
@@ -27,21 +32,31 @@ struct OutlineEdge {
     bool is_large_arc = false;                                   // Arc only
     bool turns_right = false;  // Arc only: it turns right from start to end, in the panel frame
     std::string label = {};
+    std::optional<double> allowance = {};  // m, between this edge and the cut line; none: the panel's
+    AllowanceCorner allowance_corner = AllowanceCorner::Mitred;
 
     bool operator==(const OutlineEdge&) const = default;
 };
 
+// Fold: the panel is folded here, as a waistband along its middle, or was drawn as one half of it.
+enum class LineUse { Mark, Fold };
+
 struct InternalLine {
     std::string name;
     std::vector<Vec2d> points;  // panel frame, m
+    LineUse use = LineUse::Mark;
 
     bool operator==(const InternalLine&) const = default;
 };
+
+enum class NotchKind { Slit, V, T, Castle, U };
 
 // A mark on the outline that the tailor aligns with a mark on the other panel when sewing a seam.
 struct Notch {
     int edge = 0;    // index into Panel::edges
     double t = 0.5;  // 0..1, fraction of the edge's length from its start
+    NotchKind kind = NotchKind::Slit;
+    int count = 1;  // of notches side by side: two often mark the back
 
     bool operator==(const Notch&) const = default;
 };
@@ -64,6 +79,10 @@ struct Panel {
     std::vector<int> pins;                       // indices of outline vertices that are pinned
     std::vector<InternalLine> internal_lines;
     std::vector<Notch> notches = {};
+    std::vector<Vec2d> drill_points = {};  // m, panel frame: where a hole marks a pocket or the end of a dart
+    std::optional<double> allowance = {};  // m, between the outline and the cut line; none: the pattern's
+    int pieces = 1;                        // how often the panel is cut
+    bool is_worn = true;                   // false: it is cut, but takes no part in the drape, as a pocket or a facing
     double wrap_radius = 0;  // m; 0: the panel starts flat. Otherwise it starts bent to a cylinder of this radius, with
                              // the axis parallel to the panel's y, behind x = 0 on the fabric's wrong side
     std::string mirror_of = {};                // this panel is kept a mirror image of that panel; empty: of none
@@ -113,6 +132,9 @@ struct MatchedSett {
 
 inline constexpr std::size_t kMostInterlinings = 16;              // of a panel
 inline constexpr int kHighestLayer = 1000;                        // of Panel::layer; the lowest is -kHighestLayer
+inline constexpr int kMostPieces = 1000;                          // of Panel::pieces
+inline constexpr int kMostNotchesTogether = 9;                    // of Notch::count
+inline constexpr double kWidestAllowance = 0.5;                   // m
 inline constexpr double kSmallestSett = 0.001, kLargestSett = 5;  // m, accepted range of Pattern::sett_size
 
 struct Pattern {
@@ -128,6 +150,8 @@ struct Pattern {
                                   // whose own frame the panels are placed; empty: GarmentCode's
     double body_height = 1.7199;  // m, stature of that body, feet at y = 0
     std::optional<double> edge_length;  // m, of the base mesh; none: the mesher's default
+    double allowance = 0;               // m, between outlines and cut lines
+    std::string size = {};              // for which it was drafted: "40", "M"; empty: not named
 
     bool operator==(const Pattern&) const = default;
 };

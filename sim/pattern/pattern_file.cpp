@@ -302,8 +302,24 @@ class Writer {
             if (!place.is_object()) place = Json::object();
             set_numbers(place["endpoints"], {double(edge.start), double(edge.end)});
             set_unless_default(place, "label", edge.label, std::string());
+            write_edge_additions(place, edge);
             write_curvature(place, panel, edge);
         }
+    }
+
+    void write_edge_additions(Json& place, const OutlineEdge& edge) {
+        const Json* found = place.find("selvedge");
+        Json own = found ? *found : Json::object();
+        set_optional(own, "allowance", edge.allowance);
+        set_unless_default(own, "allowance_corner", std::string(kAllowanceCornerNames[edge.allowance_corner]),
+                           std::string(kAllowanceCornerNames[AllowanceCorner::Mitred]));
+        if (found || !own.members().empty()) place["selvedge"] = std::move(own);
+    }
+
+    // A length in metres that need not be there.
+    void set_optional(Json& object, const char* key, const std::optional<double>& length) {
+        if (!length) return object.erase(key);
+        set_number(object[key], units_ * *length);
     }
 
     void write_curvature(Json& place, const Panel& panel, const OutlineEdge& edge) {
@@ -380,7 +396,25 @@ class Writer {
         if (const auto& position = panel.sheet_position) {
             set_numbers(own["sheet_position"], {units_ * position->x(), units_ * position->y()});
         }
+        write_cutting(own, panel);
         if (found || !own.members().empty()) json["selvedge"] = std::move(own);
+    }
+
+    void write_cutting(Json& own, const Panel& panel) {
+        set_optional(own, "allowance", panel.allowance);
+        if (own.find("pieces") || panel.pieces != 1) set_number(own["pieces"], panel.pieces);
+        if (own.find("worn") || !panel.is_worn) own["worn"] = Json(panel.is_worn);
+        if (own.find("drill_points") || !panel.drill_points.empty())
+            write_points(own["drill_points"], panel, panel.drill_points);
+    }
+
+    void write_points(Json& json, const Panel& panel, const std::vector<Vec2d>& points) {
+        if (!json.is_array()) json = Json::array();
+        json.elements().resize(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Vec2d p = in_file(panel, points[i]);
+            set_numbers(json.elements()[i], {p.x(), p.y()});
+        }
     }
 
     static void write_pins(Json& json, const Panel& panel) {
@@ -397,6 +431,9 @@ class Writer {
             if (!place.is_object()) place = Json::object();
             set_number(place["edge"], panel.notches[i].edge);
             set_number(place["at"], panel.notches[i].t);
+            set_unless_default(place, "kind", std::string(kNotchKindNames[panel.notches[i].kind]),
+                               std::string(kNotchKindNames[NotchKind::Slit]));
+            if (place.find("count") || panel.notches[i].count != 1) set_number(place["count"], panel.notches[i].count);
         }
     }
 
@@ -408,13 +445,9 @@ class Writer {
             Json& place = json.elements()[i];
             if (!place.is_object()) place = Json::object();
             set_unless_default(place, "name", line.name, std::string());
-            Json& points = place["points"];
-            if (!points.is_array()) points = Json::array();
-            points.elements().resize(line.points.size());
-            for (std::size_t k = 0; k < line.points.size(); ++k) {
-                const Vec2d p = in_file(panel, line.points[k]);
-                set_numbers(points.elements()[k], {p.x(), p.y()});
-            }
+            set_unless_default(place, "use", std::string(kLineUseNames[line.use]),
+                               std::string(kLineUseNames[LineUse::Mark]));
+            write_points(place["points"], panel, line.points);
         }
     }
 
@@ -468,6 +501,8 @@ class Writer {
         if (own.find("body_height") || pattern_.body_height != Pattern().body_height) {
             set_number(own["body_height"], units_ * pattern_.body_height);
         }
+        set_number_unless_zero(own, "allowance", units_ * pattern_.allowance);
+        set_unless_default(own, "size", pattern_.size, std::string());
         if (pattern_.edge_length) set_number(own["edge_length"], units_ * *pattern_.edge_length);
         if (!pattern_.edge_length) own.erase("edge_length");
         if (found || !own.members().empty()) root_["selvedge"] = std::move(own);

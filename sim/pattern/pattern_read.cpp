@@ -15,6 +15,20 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
+template <class T, std::size_t N>
+std::optional<T> choice_of(FaultReader& reader, const JsonNode& node, const EnumNames<T, N>& names) {
+    const auto index = reader.choice(node, names.texts);
+    return index ? std::optional(static_cast<T>(*index)) : std::nullopt;
+}
+
+// Between an outline and its cut line, in file units; returns metres.
+std::optional<double> read_allowance(FaultReader& reader, const JsonNode& node) {
+    const auto width = reader.length(node);
+    if (!width || (*width >= 0 && *width <= kWidestAllowance)) return width;
+    reader.error(node, "an allowance is from 0 to 50 cm");
+    return std::nullopt;
+}
+
 using Node = JsonNode;
 
 class Reader : private FaultReader {
@@ -126,6 +140,20 @@ class Reader : private FaultReader {
             panel.mirror_of = name.value_or("");
         }
         if (const Node position = node.member("sheet_position")) panel.sheet_position = point(position);
+        read_cutting(node, panel);
+    }
+
+    // What the panel's paper says: allowance, pieces, drill points.
+    void read_cutting(const Node& node, Panel& panel) {
+        if (const Node width = node.member("allowance")) panel.allowance = read_allowance(*this, width);
+        if (const Node count = node.member("pieces"))
+            panel.pieces = whole_number(count, 1, kMostPieces).value_or(panel.pieces);
+        if (const Node worn = node.member("worn")) panel.is_worn = flag(worn).value_or(true);
+        if (const Node points = node.member("drill_points"); points && expect(points, Json::Kind::Array)) {
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                if (const auto p = point(points.element(i))) panel.drill_points.push_back(*p);
+            }
+        }
     }
 
     void read_interlinings(const Node& node, Panel& panel) {
@@ -155,7 +183,13 @@ class Reader : private FaultReader {
             const auto edge_index = index(edge, panel.edges.size(), "edge");
             const auto fraction = number(at);
             if (fraction && !(*fraction >= 0 && *fraction <= 1)) error(at, "a notch lies from 0 to 1 along its edge");
-            if (edge_index && fraction) panel.notches.push_back({*edge_index, *fraction});
+            if (!edge_index || !fraction) continue;
+            Notch notch{.edge = *edge_index, .t = *fraction};
+            if (const Node kind = node.member("kind"))
+                notch.kind = choice_of(*this, kind, kNotchKindNames).value_or(notch.kind);
+            if (const Node count = node.member("count"))
+                notch.count = whole_number(count, 1, kMostNotchesTogether).value_or(notch.count);
+            panel.notches.push_back(notch);
         }
     }
 
@@ -181,6 +215,7 @@ class Reader : private FaultReader {
             InternalLine line;
             if (!expect(node, Json::Kind::Object)) continue;
             if (const Node name = node.member("name")) line.name = text(name).value_or("");
+            if (const Node use = node.member("use")) line.use = choice_of(*this, use, kLineUseNames).value_or(line.use);
             const Node points = node.member("points");
             if (!points) {
                 error(node, "no key 'points'");
@@ -282,6 +317,8 @@ class Reader : private FaultReader {
                 pattern.body_height = value.value_or(pattern.body_height);
             }
         }
+        if (const Node width = node.member("allowance")) pattern.allowance = read_allowance(*this, width).value_or(0);
+        if (const Node size = node.member("size")) pattern.size = text(size).value_or("");
         if (const Node edge = node.member("edge_length")) {
             pattern.edge_length = length(edge);
             if (pattern.edge_length && (*pattern.edge_length < 0.005 || *pattern.edge_length > 0.5)) {
@@ -438,12 +475,20 @@ class OutlineReader {
         const auto start = reader_.index(endpoints.element(0), panel_.vertices.size(), "vertex");
         const auto end = reader_.index(endpoints.element(1), panel_.vertices.size(), "vertex");
         if (const JsonNode label = node.member("label")) edge.label = reader_.text(label).value_or("");
+        if (const JsonNode own = node.member("selvedge")) read_edge_additions(own, edge);
         if (!start || !end) return;
         edge.start = *start;
         edge.end = *end;
         if (*start == *end) return reader_.error(endpoints, "the edge starts and ends at the same vertex");
         const JsonNode curvature = node.member("curvature");
         if (curvature && !curvature.value->is_null()) read_curvature(curvature, edge);
+    }
+
+    void read_edge_additions(const JsonNode& node, OutlineEdge& edge) {
+        if (!reader_.expect(node, Json::Kind::Object)) return;
+        if (const JsonNode width = node.member("allowance")) edge.allowance = read_allowance(reader_, width);
+        if (const JsonNode corner = node.member("allowance_corner"))
+            edge.allowance_corner = choice_of(reader_, corner, kAllowanceCornerNames).value_or(edge.allowance_corner);
     }
 
     void read_curvature(const JsonNode& node, OutlineEdge& edge) {
@@ -550,6 +595,7 @@ void convert_to_panel_frame(FaultReader& reader, const JsonNode& panel_node, Pan
     for (InternalLine& line : panel.internal_lines) {
         for (Vec2d& p : line.points) p.x() = -p.x();
     }
+    for (Vec2d& p : panel.drill_points) p.x() = -p.x();
     panel.grain_angle = -panel.grain_angle;
 }
 

@@ -1,23 +1,27 @@
-#include "editor/geometry/edge_shape.h"
+#include "sim/pattern/edge_shape.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
-#include "editor/geometry/draft.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge::editor {
+namespace selvedge::sim {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-const Vec2d& start_of(const sim::Panel& panel, const sim::OutlineEdge& edge) {
+std::size_t as_size(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+const Vec2d& start_of(const Panel& panel, const OutlineEdge& edge) {
     return panel.vertices[as_size(edge.start)];
 }
 
-const Vec2d& end_of(const sim::Panel& panel, const sim::OutlineEdge& edge) {
+const Vec2d& end_of(const Panel& panel, const OutlineEdge& edge) {
     return panel.vertices[as_size(edge.end)];
 }
 
@@ -29,10 +33,10 @@ Vec2d to_the_left(const Vec2d& v) {
     return {-v.y(), v.x()};
 }
 
-void split_controls(const sim::Panel& panel, const sim::OutlineEdge& edge, double s, SplitCurve& out) {
+void split_controls(const Panel& panel, const OutlineEdge& edge, double s, SplitCurve& out) {
     const Vec2d start = start_of(panel, edge);
     const Vec2d end = end_of(panel, edge);
-    if (edge.kind == sim::CurveKind::Quadratic) {
+    if (edge.kind == CurveKind::Quadratic) {
         out.before.control[0] = between(start, edge.control[0], s);
         out.after.control[0] = between(edge.control[0], end, s);
         out.point = between(out.before.control[0], out.after.control[0], s);
@@ -117,21 +121,20 @@ class CubicFit {
 };
 
 // Inverse of split_curve (de Casteljau backwards). None: the two edges are not parts of one curve.
-std::optional<sim::OutlineEdge> rejoined(const sim::Panel& panel, const sim::OutlineEdge& a,
-                                         const sim::OutlineEdge& b) {
-    if (a.kind != b.kind || a.kind == sim::CurveKind::Line) return {};
-    sim::OutlineEdge whole = a;
+std::optional<OutlineEdge> rejoined(const Panel& panel, const OutlineEdge& a, const OutlineEdge& b) {
+    if (a.kind != b.kind || a.kind == CurveKind::Line) return {};
+    OutlineEdge whole = a;
     whole.end = b.end;
     double t = 0;  // parameter of the joint on the whole curve
-    if (a.kind == sim::CurveKind::Arc) {
-        const sim::ArcCircle one = arc_circle(panel, a);
-        const sim::ArcCircle two = arc_circle(panel, b);
+    if (a.kind == CurveKind::Arc) {
+        const ArcCircle one = arc_circle(panel, a);
+        const ArcCircle two = arc_circle(panel, b);
         if (a.turns_right != b.turns_right || std::abs(one.sweep + two.sweep) > 1.99 * kPi) return {};
         whole.is_large_arc = std::abs(one.sweep + two.sweep) > kPi;
         t = one.sweep / (one.sweep + two.sweep);
     } else {
         const Vec2d joint = end_of(panel, a);
-        const std::size_t last = a.kind == sim::CurveKind::Cubic ? 1 : 0;
+        const std::size_t last = a.kind == CurveKind::Cubic ? 1 : 0;
         const double before = (joint - a.control[last]).norm();
         const double after = (b.control[0] - joint).norm();
         if (before < 1e-9 || after < 1e-9) return {};
@@ -147,10 +150,10 @@ std::optional<sim::OutlineEdge> rejoined(const sim::Panel& panel, const sim::Out
     return whole;
 }
 
-sim::OutlineEdge arc_as_cubic(const sim::Panel& panel, const sim::OutlineEdge& edge) {
-    const sim::ArcCircle circle = arc_circle(panel, edge);
+OutlineEdge arc_as_cubic(const Panel& panel, const OutlineEdge& edge) {
+    const ArcCircle circle = arc_circle(panel, edge);
     if (std::abs(circle.sweep) > kPi * 1.01) return joined_curve(panel, {edge});  // best single cubic
-    sim::OutlineEdge cubic{.start = edge.start, .end = edge.end, .kind = sim::CurveKind::Cubic, .label = edge.label};
+    OutlineEdge cubic{.start = edge.start, .end = edge.end, .kind = CurveKind::Cubic, .label = edge.label};
     const double handle = circle.radius * 4 / 3 * std::tan(std::abs(circle.sweep) / 4);
     cubic.control = {start_of(panel, edge) + handle * curve_direction(panel, edge, EdgeEnd::Start),
                      end_of(panel, edge) - handle * curve_direction(panel, edge, EdgeEnd::End)};
@@ -165,16 +168,16 @@ bool is_similarity(const Eigen::Affine2d& map) {
 
 }  // namespace
 
-SplitCurve split_curve(const sim::Panel& panel, const sim::OutlineEdge& edge, double t, int vertex) {
+SplitCurve split_curve(const Panel& panel, const OutlineEdge& edge, double t, int vertex) {
     SplitCurve out{edge, edge};
     const double s = curve_parameter(panel, edge, t);
-    if (edge.kind == sim::CurveKind::Quadratic || edge.kind == sim::CurveKind::Cubic) {
+    if (edge.kind == CurveKind::Quadratic || edge.kind == CurveKind::Cubic) {
         split_controls(panel, edge, s, out);
     } else {
         out.point = curve_point(panel, edge, s);
     }
-    if (edge.kind == sim::CurveKind::Arc) {
-        const sim::ArcCircle circle = arc_circle(panel, edge);
+    if (edge.kind == CurveKind::Arc) {
+        const ArcCircle circle = arc_circle(panel, edge);
         out.before.arc_radius = out.after.arc_radius = circle.radius;
         out.before.is_large_arc = std::abs(circle.sweep) * s > kPi;
         out.after.is_large_arc = std::abs(circle.sweep) * (1 - s) > kPi;
@@ -184,17 +187,31 @@ SplitCurve split_curve(const sim::Panel& panel, const sim::OutlineEdge& edge, do
     return out;
 }
 
-sim::OutlineEdge reversed_edge(const sim::OutlineEdge& edge) {
-    sim::OutlineEdge other = edge;
+void split_edge(Panel& panel, int edge, double t) {
+    const SplitCurve split = split_curve(panel, panel.edges[as_size(edge)], t, static_cast<int>(panel.vertices.size()));
+    panel.vertices.push_back(split.point);
+    panel.edges[as_size(edge)] = split.before;
+    panel.edges.insert(panel.edges.begin() + edge + 1, split.after);
+    for (Notch& notch : panel.notches) {
+        if (notch.edge > edge || (notch.edge == edge && notch.t > t)) {
+            if (notch.edge++ == edge) notch.t = std::clamp((notch.t - t) / (1 - t), 0.0, 1.0);
+        } else if (notch.edge == edge) {
+            notch.t = std::min(1.0, notch.t / t);
+        }
+    }
+}
+
+OutlineEdge reversed_edge(const OutlineEdge& edge) {
+    OutlineEdge other = edge;
     std::swap(other.start, other.end);
-    if (edge.kind == sim::CurveKind::Cubic) std::swap(other.control[0], other.control[1]);
-    if (edge.kind == sim::CurveKind::Arc) other.turns_right = !edge.turns_right;
+    if (edge.kind == CurveKind::Cubic) std::swap(other.control[0], other.control[1]);
+    if (edge.kind == CurveKind::Arc) other.turns_right = !edge.turns_right;
     return other;
 }
 
-sim::OutlineEdge mapped_curve(const sim::Panel& panel, const sim::OutlineEdge& edge, const Eigen::Affine2d& map) {
-    sim::OutlineEdge other = edge;
-    if (edge.kind == sim::CurveKind::Arc) {
+OutlineEdge mapped_curve(const Panel& panel, const OutlineEdge& edge, const Eigen::Affine2d& map) {
+    OutlineEdge other = edge;
+    if (edge.kind == CurveKind::Arc) {
         if (is_similarity(map)) {
             const double determinant = map.linear().determinant();
             other.arc_radius *= std::sqrt(std::abs(determinant));
@@ -203,9 +220,8 @@ sim::OutlineEdge mapped_curve(const sim::Panel& panel, const sim::OutlineEdge& e
         }
         other = arc_as_cubic(panel, edge);
     }
-    if (other.kind == sim::CurveKind::Quadratic || other.kind == sim::CurveKind::Cubic)
-        other.control[0] = map * other.control[0];
-    if (other.kind == sim::CurveKind::Cubic) other.control[1] = map * other.control[1];
+    if (other.kind == CurveKind::Quadratic || other.kind == CurveKind::Cubic) other.control[0] = map * other.control[0];
+    if (other.kind == CurveKind::Cubic) other.control[1] = map * other.control[1];
     return other;
 }
 
@@ -213,26 +229,25 @@ Eigen::Affine2d chord_map(const Vec2d& from_a, const Vec2d& from_b, const Vec2d&
     const Vec2d from = from_b - from_a;
     const Vec2d to = to_b - to_a;
     const double cosine = from.dot(to) / from.squaredNorm();
-    const double sine = sim::cross2(from, to) / from.squaredNorm();
+    const double sine = cross2(from, to) / from.squaredNorm();
     Eigen::Affine2d map = Eigen::Affine2d::Identity();
     map.linear() << cosine, -sine, sine, cosine;
     map.translation() = to_a - map.linear() * from_a;
     return map;
 }
 
-Vec2d curve_direction(const sim::Panel& panel, const sim::OutlineEdge& edge, EdgeEnd at) {
+Vec2d curve_direction(const Panel& panel, const OutlineEdge& edge, EdgeEnd at) {
     const Vec2d start = start_of(panel, edge);
     const Vec2d end = end_of(panel, edge);
     const bool is_start = at == EdgeEnd::Start;
-    if (edge.kind == sim::CurveKind::Arc) {
-        const sim::ArcCircle circle = arc_circle(panel, edge);
+    if (edge.kind == CurveKind::Arc) {
+        const ArcCircle circle = arc_circle(panel, edge);
         const Vec2d spoke = (is_start ? start : end) - circle.centre;
         return to_the_left(spoke).normalized() * (circle.sweep > 0 ? 1 : -1);
     }
     std::vector<Vec2d> polygon{start};
-    if (edge.kind == sim::CurveKind::Quadratic || edge.kind == sim::CurveKind::Cubic)
-        polygon.push_back(edge.control[0]);
-    if (edge.kind == sim::CurveKind::Cubic) polygon.push_back(edge.control[1]);
+    if (edge.kind == CurveKind::Quadratic || edge.kind == CurveKind::Cubic) polygon.push_back(edge.control[0]);
+    if (edge.kind == CurveKind::Cubic) polygon.push_back(edge.control[1]);
     polygon.push_back(end);
     if (!is_start) std::reverse(polygon.begin(), polygon.end());
     for (std::size_t i = 1; i < polygon.size(); ++i) {
@@ -242,38 +257,37 @@ Vec2d curve_direction(const sim::Panel& panel, const sim::OutlineEdge& edge, Edg
     return Vec2d(1, 0);
 }
 
-sim::OutlineEdge joined_curve(const sim::Panel& panel, const std::vector<sim::OutlineEdge>& chain) {
-    sim::OutlineEdge joined{.start = chain.front().start, .end = chain.back().end, .label = chain.front().label};
-    if (std::all_of(chain.begin(), chain.end(),
-                    [](const sim::OutlineEdge& e) { return e.kind == sim::CurveKind::Line; })) {
+OutlineEdge joined_curve(const Panel& panel, const std::vector<OutlineEdge>& chain) {
+    OutlineEdge joined{.start = chain.front().start, .end = chain.back().end, .label = chain.front().label};
+    if (std::all_of(chain.begin(), chain.end(), [](const OutlineEdge& e) { return e.kind == CurveKind::Line; })) {
         return joined;
     }
-    std::optional<sim::OutlineEdge> whole = chain.front();
+    std::optional<OutlineEdge> whole = chain.front();
     for (std::size_t i = 1; i < chain.size() && whole; ++i) whole = rejoined(panel, *whole, chain[i]);
     if (whole && chain.size() > 1) return *whole;
     constexpr int kSamples = 24;  // per edge
     std::vector<Vec2d> points{start_of(panel, chain.front())};
-    for (const sim::OutlineEdge& edge : chain) {
+    for (const OutlineEdge& edge : chain) {
         for (int i = 1; i <= kSamples; ++i) points.push_back(curve_point(panel, edge, double(i) / kSamples));
     }
-    joined.kind = sim::CurveKind::Cubic;
+    joined.kind = CurveKind::Cubic;
     joined.control = CubicFit(points, curve_direction(panel, chain.front(), EdgeEnd::Start),
                               curve_direction(panel, chain.back(), EdgeEnd::End))
                          .controls();
     return joined;
 }
 
-void move_outline(sim::Panel& panel, const VertexMove& move) {
-    sim::Panel moved = panel;
+void move_outline(Panel& panel, const VertexMove& move) {
+    Panel moved = panel;
     for (std::size_t i = 0; i < panel.vertices.size(); ++i) {
         if (move.is_moved[i]) moved.vertices[i] = move.map * panel.vertices[i];
     }
     for (std::size_t e = 0; e < panel.edges.size(); ++e) {
-        const sim::OutlineEdge& edge = panel.edges[e];
+        const OutlineEdge& edge = panel.edges[e];
         const bool has_start = move.is_moved[as_size(edge.start)];
         const bool has_end = move.is_moved[as_size(edge.end)];
         if (has_start && has_end) moved.edges[e] = mapped_curve(panel, edge, move.map);
-        if (has_start == has_end || edge.kind == sim::CurveKind::Line) continue;
+        if (has_start == has_end || edge.kind == CurveKind::Line) continue;
         const Eigen::Affine2d ride =
             chord_map(start_of(panel, edge), end_of(panel, edge), start_of(moved, edge), end_of(moved, edge));
         moved.edges[e] = mapped_curve(panel, edge, ride);
@@ -281,31 +295,93 @@ void move_outline(sim::Panel& panel, const VertexMove& move) {
     panel = std::move(moved);
 }
 
-sim::Panel mapped_panel(const sim::Panel& panel, const Eigen::Affine2d& map) {
-    sim::Panel mapped = panel;
+Panel mapped_panel(const Panel& panel, const Eigen::Affine2d& map) {
+    Panel mapped = panel;
     for (Vec2d& vertex : mapped.vertices) vertex = map * vertex;
     for (std::size_t e = 0; e < panel.edges.size(); ++e) mapped.edges[e] = mapped_curve(panel, panel.edges[e], map);
-    for (sim::InternalLine& line : mapped.internal_lines) {
+    for (InternalLine& line : mapped.internal_lines) {
         for (Vec2d& point : line.points) point = map * point;
     }
+    for (Vec2d& point : mapped.drill_points) point = map * point;
     const Vec2d warp = map.linear() * Vec2d(-std::sin(panel.grain_angle), std::cos(panel.grain_angle));
     const double turned = std::atan2(-warp.x(), warp.y());
     if (std::abs(std::remainder(turned - panel.grain_angle, 2 * kPi)) > 1e-12) mapped.grain_angle = turned;
     if (map.linear().determinant() >= 0) return mapped;
     mapped.sett_offset.x() = -panel.sett_offset.x();
-    const int count = edge_count(panel);
-    const std::vector<sim::OutlineEdge> edges = mapped.edges;
+    const int count = static_cast<int>(panel.edges.size());
+    const std::vector<OutlineEdge> edges = mapped.edges;
     for (int e = 0; e < count; ++e) mapped.edges[as_size(mirrored_edge(e, count))] = reversed_edge(edges[as_size(e)]);
-    for (sim::Notch& notch : mapped.notches) notch = {mirrored_edge(notch.edge, count), 1 - notch.t};
+    for (Notch& notch : mapped.notches) {
+        notch.edge = mirrored_edge(notch.edge, count);
+        notch.t = 1 - notch.t;
+    }
     return mapped;
 }
 
-Eigen::AlignedBox2d outline_box(const sim::Panel& panel, double chord_error) {
+namespace {
+
+Eigen::Affine2d reflection(const Vec2d& from, const Vec2d& to) {
+    const Vec2d along = (to - from).normalized();
+    Eigen::Affine2d map = Eigen::Affine2d::Identity();
+    map.linear() = 2 * along * along.transpose() - Eigen::Matrix2d::Identity();
+    map.translation() = from - map.linear() * from;
+    return map;
+}
+
+// Adds the images of the half's marks to those that the panel has of it.
+void add_mirrored_marks(Panel& panel, const Panel& half, const Eigen::Affine2d& map) {
+    for (InternalLine line : half.internal_lines) {
+        for (Vec2d& point : line.points) point = map * point;
+        panel.internal_lines.push_back(std::move(line));
+    }
+    for (const Vec2d& point : half.drill_points) panel.drill_points.emplace_back(map * point);
+}
+
+}  // namespace
+
+Panel unfolded(const Panel& half, int fold) {
+    Panel panel = half;
+    const int count = static_cast<int>(half.edges.size());
+    const OutlineEdge& axis = half.edges[as_size(fold)];
+    const Eigen::Affine2d map = reflection(start_of(half, axis), end_of(half, axis));
+    std::vector<int> image(half.vertices.size());
+    for (std::size_t v = 0; v < image.size(); ++v) image[v] = static_cast<int>(v);
+    for (const OutlineEdge& edge : half.edges) {
+        if (edge.start == axis.start || edge.start == axis.end) continue;
+        image[as_size(edge.start)] = static_cast<int>(panel.vertices.size());
+        panel.vertices.emplace_back(map * start_of(half, edge));
+    }
+    panel.edges.assign(as_size(2 * (count - 1)), {});
+    panel.notches.clear();
+    for (int e = 0; e < count; ++e) {
+        if (e == fold) continue;
+        OutlineEdge other = reversed_edge(mapped_curve(half, half.edges[as_size(e)], map));
+        other.start = image[as_size(other.start)];
+        other.end = image[as_size(other.end)];
+        panel.edges[as_size(unfolded_index(e, fold, count))] = half.edges[as_size(e)];
+        panel.edges[as_size(unfolded_image(e, fold, count))] = other;
+    }
+    for (Notch notch : half.notches) {
+        if (notch.edge == fold) continue;
+        const int edge = std::exchange(notch.edge, unfolded_index(notch.edge, fold, count));
+        panel.notches.push_back(notch);
+        notch.edge = unfolded_image(edge, fold, count);
+        notch.t = 1 - notch.t;
+        panel.notches.push_back(notch);
+    }
+    for (const int pin : half.pins) {
+        if (image[as_size(pin)] != pin) panel.pins.push_back(image[as_size(pin)]);
+    }
+    add_mirrored_marks(panel, half, map);
+    return panel;
+}
+
+Eigen::AlignedBox2d outline_box(const Panel& panel, double chord_error) {
     Eigen::AlignedBox2d box;
-    for (const sim::OutlineEdge& edge : panel.edges) {
+    for (const OutlineEdge& edge : panel.edges) {
         for (const Vec2d& point : outline_polyline(panel, edge, chord_error)) box.extend(point);
     }
     return box.isEmpty() ? Eigen::AlignedBox2d(Vec2d(0, 0)) : box;
 }
 
-}  // namespace selvedge::editor
+}  // namespace selvedge::sim

@@ -1,0 +1,106 @@
+#pragma once
+// A pattern as another program drew it, before it becomes panels: parts with lines whose meaning the file states or
+// leaves open, marks and texts. Every reader of a 2D format makes one (read_drawing, in drawing_file.h), and pieces.h
+// makes panels of it.
+//
+// Coordinates are those of the file, turned so that y points up; metres_per_unit converts them.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/core/math.h"
+#include "sim/pattern/pattern.h"
+
+namespace selvedge::sim {
+
+// Unknown: the file does not say. Cut, Sew: a part's outline with and without its seam allowance. FoldEdge: along it
+// the part is cut on folded fabric, or mirrored; a bracket beside it means the nearest stretch of the outline.
+// FoldLine: the part is folded here when it is sewn. Help: a line for the drafter, which is not imported.
+enum class LineKind { Unknown, Cut, Sew, FoldEdge, FoldLine, Grain, Internal, Cutout, Help };
+
+// Edges in order, each from where the last one ends. A closed path has as many vertices as edges; an open one has one
+// vertex more. OutlineEdge::control, arc_radius and allowance are in file units here, too.
+struct DrawnPath {
+    LineKind kind = LineKind::Unknown;
+    std::vector<Vec2d> vertices;
+    std::vector<OutlineEdge> edges;
+    bool is_closed = false;
+    std::string name = {};        // id or class in the file
+    std::vector<int> turns = {};  // vertices that the file calls corners; empty: it does not say
+    std::string place = {};       // in the file, for messages: "line 120", "parts.front.paths.seam"
+
+    bool operator==(const DrawnPath&) const = default;
+};
+
+enum class MarkKind { Notch, Drill, Button, Buttonhole };
+
+struct DrawnMark {
+    MarkKind kind = MarkKind::Notch;
+    Vec2d at = Vec2d::Zero();
+    NotchKind notch = NotchKind::Slit;  // of a notch
+    int count = 1;                      // notches side by side: 2 for FreeSewing's back notch
+
+    bool operator==(const DrawnMark&) const = default;
+};
+
+struct DrawnText {
+    Vec2d at = Vec2d::Zero();
+    std::string text;
+
+    bool operator==(const DrawnText&) const = default;
+};
+
+// What a file says of how a part is cut; unset where it says nothing.
+struct CutInstructions {
+    std::optional<int> pieces = {};
+    std::optional<bool> are_mirrored = {};  // every second piece is the mirror image of the first
+    std::optional<bool> is_on_fold = {};
+    std::string material = {};  // "fabric", "lining", "interfacing"; empty: not named
+
+    bool operator==(const CutInstructions&) const = default;
+};
+
+struct DrawnPart {
+    std::string name;
+    std::vector<DrawnPath> paths = {};
+    std::vector<DrawnMark> marks = {};
+    std::vector<DrawnText> texts = {};
+    CutInstructions cut = {};
+    std::string size = {};
+
+    bool operator==(const DrawnPart&) const = default;
+};
+
+// A seam that the file states, as files of Selvedge do. Edges are those of the parts' first closed Sew path, or Cut
+// path if a part has no Sew path.
+struct DrawnSeam {
+    SeamSide first;  // indices of a part and of an edge
+    SeamSide second;
+    bool is_reversed = true;
+    std::string name = {};
+    bool is_eased = false;
+
+    bool operator==(const DrawnSeam&) const = default;
+};
+
+struct Measurement {
+    std::string name;  // as the file has it: "chest", "waist_circ"
+    double value = 0;  // m
+
+    bool operator==(const Measurement&) const = default;
+};
+
+struct Drawing {
+    std::string title;
+    std::string format = {};  // "FreeSewing SVG", "DXF-AAMA R10", for reports
+    std::vector<DrawnPart> parts = {};
+    std::vector<DrawnSeam> seams = {};
+    std::optional<double> metres_per_unit = {};  // none: the file does not say
+    std::optional<double> allowance = {};        // m, that the file states for the whole pattern
+    std::vector<Measurement> measurements = {};  // of the body that it was drafted for
+    std::vector<std::string> notes = {};         // what was repaired or left out, one line each
+
+    bool operator==(const Drawing&) const = default;
+};
+
+}  // namespace selvedge::sim
