@@ -1,11 +1,12 @@
 #include "editor/document/command.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <concepts>
 #include <type_traits>
 #include <utility>
+
+#include "sim/pattern/enum_names.h"
 
 namespace selvedge::editor {
 namespace {
@@ -154,12 +155,6 @@ namespace {
 
 constexpr double kMaxCoordinate = 1000;  // m or rad, limit of all numbers in commands
 
-constexpr std::array<std::pair<sim::CurveKind, std::string_view>, 4> kCurveNames{
-    {{sim::CurveKind::Line, "line"},
-     {sim::CurveKind::Quadratic, "quadratic"},
-     {sim::CurveKind::Cubic, "cubic"},
-     {sim::CurveKind::Arc, "circle"}}};
-
 // Types with fields. Numbers, strings, Eigen vectors and std::vector are not aggregates.
 template <class T>
 concept Record = std::is_aggregate_v<T>;
@@ -205,18 +200,23 @@ void visit_fields(sim::OutlineEdge& edge, Visitor&& visit) {
     visit("is_large", edge.is_large_arc);
     visit("turns_right", edge.turns_right);
     visit("label", edge.label);
+    visit("allowance", edge.allowance);
+    visit("allowance_corner", edge.allowance_corner);
 }
 
 template <class Visitor>
 void visit_fields(sim::InternalLine& line, Visitor&& visit) {
     visit("name", line.name);
     visit("points", line.points);
+    visit("use", line.use);
 }
 
 template <class Visitor>
 void visit_fields(sim::Notch& notch, Visitor&& visit) {
     visit("edge", notch.edge);
     visit("at", notch.t);
+    visit("notch_kind", notch.kind);
+    visit("count", notch.count);
 }
 
 template <class Visitor>
@@ -237,6 +237,10 @@ void visit_fields(sim::Panel& panel, Visitor&& visit) {
     visit("pins", panel.pins);
     visit("internal_lines", panel.internal_lines);
     visit("notches", panel.notches);
+    visit("drill_points", panel.drill_points);
+    visit("allowance", panel.allowance);
+    visit("pieces", panel.pieces);
+    visit("is_worn", panel.is_worn);
     visit("wrap_radius", panel.wrap_radius);
     visit("mirror_of", panel.mirror_of);
     visit("sheet_position", panel.sheet_position);
@@ -278,10 +282,9 @@ sim::Json encode(const Vec3d& value) {
 sim::Json encode(const Eigen::Matrix3d& value) {
     return numbers_json(value);
 }  // column by column
-sim::Json encode(sim::CurveKind kind) {
-    return sim::Json(std::find_if(kCurveNames.begin(), kCurveNames.end(), [&](const auto& known) {
-                         return known.first == kind;
-                     })->second);
+template <class T>
+requires std::is_enum_v<T> sim::Json encode(T value) {
+    return sim::Json(sim::name_of_value(value));
 }
 
 template <class T>
@@ -351,14 +354,19 @@ void decode(const sim::JsonView& view, Eigen::Matrix<Scalar, rows, columns>& val
     for (std::size_t i = 0; i < count; ++i) decode(view.at(i), value.data()[i]);
 }
 
-void decode(const sim::JsonView& view, sim::CurveKind& kind) {
-    for (const auto& [known, name] : kCurveNames) {
-        if (view.string() == name) {
-            kind = known;
+template <class T>
+requires std::is_enum_v<T>
+void decode(const sim::JsonView& view, T& value) {
+    std::string known;
+    constexpr auto names = names_of(T{});
+    for (std::size_t i = 0; i < names.texts.size(); ++i) {
+        if (view.string() == names.texts[i]) {
+            value = static_cast<T>(i);
             return;
         }
+        known += (known.empty() ? "" : ", ") + std::string(names.texts[i]);
     }
-    view.fail("'" + view.string() + "' is none of line, quadratic, cubic, circle");
+    view.fail("'" + view.string() + "' is none of " + known);
 }
 
 template <class T>

@@ -6,6 +6,7 @@
 
 #include "sim/core/assert.h"
 #include "sim/core/disjoint_sets.h"
+#include "sim/core/error.h"
 #include "sim/mesh/sample_outline.h"
 #include "sim/mesh/triangulate.h"
 
@@ -55,9 +56,11 @@ PlacedPanels triangulate_panels(const Pattern& pattern, const MeshOptions& optio
     int vertices = 0;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
         const Panel& panel = pattern.panels[p];
-        placed.meshes.push_back(triangulate_or_reuse(panel, segments[p], options, cache));
-        fresh->panels.push_back({panel.vertices, panel.edges, segments[p], options, placed.meshes.back()});
+        placed.meshes.emplace_back();
         placed.first_vertex.push_back(vertices);
+        if (!panel.is_worn) continue;
+        placed.meshes.back() = triangulate_or_reuse(panel, segments[p], options, cache);
+        fresh->panels.push_back({panel.vertices, panel.edges, segments[p], options, placed.meshes.back()});
         vertices += static_cast<int>(placed.meshes.back().u.size());
     }
     cache.meshes = fresh;
@@ -77,7 +80,7 @@ void add_panel(GarmentMesh& garment, const Panel& panel, const PanelMesh& mesh) 
         }
         garment.triangles.push_back(triangle);
     }
-    for (std::size_t e = 0; e < panel.edges.size(); ++e) {
+    for (std::size_t e = 0; panel.is_worn && e < panel.edges.size(); ++e) {
         if (std::ranges::find(panel.pins, panel.edges[e].start) == panel.pins.end()) continue;
         garment.pins.push_back(first + mesh.outline[static_cast<std::size_t>(mesh.runs[e].first)]);
     }
@@ -121,8 +124,11 @@ GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options, PanelMe
     const PlacedPanels placed = triangulate_panels(pattern, options, cache);
     GarmentMesh garment;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) add_panel(garment, pattern.panels[p], placed.meshes[p]);
+    if (garment.triangles.empty() && !pattern.panels.empty()) throw InputError("", "panels", "none of them is worn");
     for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
-        link_seam(garment, placed, pattern.seams[s], static_cast<int>(s));
+        const Seam& seam = pattern.seams[s];
+        if (!panel_of(pattern, seam.first).is_worn || !panel_of(pattern, seam.second).is_worn) continue;
+        link_seam(garment, placed, seam, static_cast<int>(s));
     }
     separate_coinciding_edges(garment);
     return garment;

@@ -23,9 +23,9 @@ std::vector<int> merge_seams(GarmentMesh& mesh);
 
 // The unsewn garment mesh. Along a seam, sample i of one side is linked to sample i (or n - i) of the other, ends
 // included. Post: once merge_seams() has sewn it, it has no triangle with two equal vertices and no edge with three
-// triangles, unless the pattern itself sews three edges together. Throws InputError for an invalid outline (names the
-// panel, see triangulate()), for a seam to a missing edge or of an edge to itself, and for a panel that needs more than
-// options.max_triangles.
+// triangles, unless the pattern itself sews three edges together. Panels that are not worn have no triangles. Throws
+// InputError for an invalid outline (names the panel, see triangulate()), for a seam to a missing edge or of an edge to
+// itself, for a panel that needs more than options.max_triangles, and if no panel is worn.
 GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options = {});
 
 // The meshes of a garment's panels, with what each was made from: kept from one assemble() to the next.

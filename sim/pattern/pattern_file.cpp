@@ -10,6 +10,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
+#include "sim/pattern/enum_names.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_read.h"
 
@@ -201,6 +202,12 @@ void set_number_unless_zero(Json& object, const char* key, double value) {
     set_number(object[key], value);
 }
 
+// The word for the value of an enumeration; the first value is the default.
+template <class T>
+void set_name(Json& object, const char* key, T value) {
+    set_unless_default(object, key, std::string(name_of_value(value)), std::string(name_of_value(T{})));
+}
+
 class Writer {
  public:
     Writer(const Pattern& pattern, const Json& base, const std::filesystem::path& file)
@@ -311,8 +318,7 @@ class Writer {
         const Json* found = place.find("selvedge");
         Json own = found ? *found : Json::object();
         set_optional(own, "allowance", edge.allowance);
-        set_unless_default(own, "allowance_corner", std::string(kAllowanceCornerNames[edge.allowance_corner]),
-                           std::string(kAllowanceCornerNames[AllowanceCorner::Mitred]));
+        set_name(own, "allowance_corner", edge.allowance_corner);
         if (found || !own.members().empty()) place["selvedge"] = std::move(own);
     }
 
@@ -431,8 +437,7 @@ class Writer {
             if (!place.is_object()) place = Json::object();
             set_number(place["edge"], panel.notches[i].edge);
             set_number(place["at"], panel.notches[i].t);
-            set_unless_default(place, "kind", std::string(kNotchKindNames[panel.notches[i].kind]),
-                               std::string(kNotchKindNames[NotchKind::Slit]));
+            set_name(place, "kind", panel.notches[i].kind);
             if (place.find("count") || panel.notches[i].count != 1) set_number(place["count"], panel.notches[i].count);
         }
     }
@@ -445,8 +450,7 @@ class Writer {
             Json& place = json.elements()[i];
             if (!place.is_object()) place = Json::object();
             set_unless_default(place, "name", line.name, std::string());
-            set_unless_default(place, "use", std::string(kLineUseNames[line.use]),
-                               std::string(kLineUseNames[LineUse::Mark]));
+            set_name(place, "use", line.use);
             write_points(place["points"], panel, line.points);
         }
     }

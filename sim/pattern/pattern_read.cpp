@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "sim/pattern/enum_names.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/fault.h"
 #include "sim/pattern/outline.h"
@@ -15,10 +16,11 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-template <class T, std::size_t N>
-std::optional<T> choice_of(FaultReader& reader, const JsonNode& node, const EnumNames<T, N>& names) {
-    const auto index = reader.choice(node, names.texts);
-    return index ? std::optional(static_cast<T>(*index)) : std::nullopt;
+// Sets the value that the text names.
+template <class T>
+void read_choice(FaultReader& reader, const JsonNode& node, T& value) {
+    constexpr auto names = names_of(T{});
+    if (const auto index = reader.choice(node, names.texts)) value = static_cast<T>(*index);
 }
 
 // Between an outline and its cut line, in file units; returns metres.
@@ -185,8 +187,7 @@ class Reader : private FaultReader {
             if (fraction && !(*fraction >= 0 && *fraction <= 1)) error(at, "a notch lies from 0 to 1 along its edge");
             if (!edge_index || !fraction) continue;
             Notch notch{.edge = *edge_index, .t = *fraction};
-            if (const Node kind = node.member("kind"))
-                notch.kind = choice_of(*this, kind, kNotchKindNames).value_or(notch.kind);
+            if (const Node kind = node.member("kind")) read_choice(*this, kind, notch.kind);
             if (const Node count = node.member("count"))
                 notch.count = whole_number(count, 1, kMostNotchesTogether).value_or(notch.count);
             panel.notches.push_back(notch);
@@ -215,7 +216,7 @@ class Reader : private FaultReader {
             InternalLine line;
             if (!expect(node, Json::Kind::Object)) continue;
             if (const Node name = node.member("name")) line.name = text(name).value_or("");
-            if (const Node use = node.member("use")) line.use = choice_of(*this, use, kLineUseNames).value_or(line.use);
+            if (const Node use = node.member("use")) read_choice(*this, use, line.use);
             const Node points = node.member("points");
             if (!points) {
                 error(node, "no key 'points'");
@@ -488,7 +489,7 @@ class OutlineReader {
         if (!reader_.expect(node, Json::Kind::Object)) return;
         if (const JsonNode width = node.member("allowance")) edge.allowance = read_allowance(reader_, width);
         if (const JsonNode corner = node.member("allowance_corner"))
-            edge.allowance_corner = choice_of(reader_, corner, kAllowanceCornerNames).value_or(edge.allowance_corner);
+            read_choice(reader_, corner, edge.allowance_corner);
     }
 
     void read_curvature(const JsonNode& node, OutlineEdge& edge) {

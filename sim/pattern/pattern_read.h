@@ -1,9 +1,7 @@
 #pragma once
 // Reads a GarmentCode specification into a Pattern and collects all faults. Loading and `check` share this code, so
 // that loading rejects exactly the files for which `check` reports an error.  (patterns/FORMAT.md)
-#include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "sim/core/json.h"
@@ -11,17 +9,6 @@
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::sim {
-
-// The names that files have for the values of an enumeration, in its order.
-template <class T, std::size_t N>
-struct EnumNames {
-    std::array<std::string_view, N> texts;
-
-    std::string_view operator[](T value) const { return texts[static_cast<std::size_t>(value)]; }
-};
-inline constexpr EnumNames<NotchKind, 5> kNotchKindNames{{"slit", "v", "t", "castle", "u"}};
-inline constexpr EnumNames<LineUse, 2> kLineUseNames{{"mark", "fold"}};
-inline constexpr EnumNames<AllowanceCorner, 3> kAllowanceCornerNames{{"mitred", "squared", "mirrored"}};
 
 struct PatternReading {
     Pattern pattern;                  // complete only if no fault is an error

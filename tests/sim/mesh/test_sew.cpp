@@ -62,6 +62,23 @@ TEST(Assemble, places_mirrored_and_turned_panels_but_keeps_their_material_coordi
     EXPECT_EQ(mesh.panel_grain_angles, std::vector<double>{0.4});
 }
 
+TEST(Assemble, leaves_out_what_is_not_worn_and_its_seams) {
+    Pattern pattern = two_squares();
+    pattern.panels.push_back(rectangle("below", 0.3, 0.3));
+    pattern.seams.push_back({{0, 0}, {2, 2}, true});
+    pattern.panels[1].is_worn = false;
+    pattern.panels[1].pins = {0};
+    const GarmentMesh mesh = assemble(pattern);
+    EXPECT_EQ(mesh.panel_names.size(), 3U);
+    for (const GarmentTriangle& triangle : mesh.triangles) EXPECT_NE(triangle.panel, 1);
+    ASSERT_FALSE(mesh.links.empty());
+    for (const SeamLink& link : mesh.links) EXPECT_EQ(link.seam, 1);
+    EXPECT_TRUE(mesh.pins.empty());
+    EXPECT_EQ(check_mesh(mesh).size(), 0U);
+    for (Panel& panel : pattern.panels) panel.is_worn = false;
+    EXPECT_THROW(assemble(pattern), InputError);
+}
+
 TEST(Assemble, carries_pins_to_the_corners_they_name) {
     Pattern pattern = two_squares();
     pattern.panels[1].pins = {2};

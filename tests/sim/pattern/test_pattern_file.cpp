@@ -373,6 +373,42 @@ TEST(PatternAdditions, are_read_in_metres_and_along_the_edges_of_the_file) {
     EXPECT_EQ(front.wrap_radius, 0);
 }
 
+// What the panel's paper says: allowances, kinds of notches, fold lines, drill points, pieces, size.
+TEST(PatternAdditions, keep_what_paper_says_and_mirror_it_with_the_panel) {
+    PatternDocument document = parse_pattern(sample_text(), "");
+    Pattern& pattern = document.pattern;
+    pattern.allowance = 0.01;
+    pattern.size = "M";
+    Panel& back = pattern.panels[1];
+    back.allowance = 0.015;
+    back.pieces = 2;
+    back.is_worn = false;
+    back.drill_points = {{-0.1, 0.2}};
+    back.notches = {{.edge = 1, .t = 0.5, .kind = NotchKind::Castle, .count = 2}};
+    back.internal_lines = {{"middle", {{-0.1, 0.1}, {-0.3, 0.1}}, LineUse::Fold}};
+    back.edges[3].allowance = 0.03;
+    back.edges[3].allowance_corner = AllowanceCorner::Mirrored;
+    const std::string text = write_pattern(document);
+    EXPECT_NE(text.find(R"("drill_points": [[10, 20]])"), std::string::npos) << text;  // the file has it unmirrored
+    Pattern again = parse_pattern(text, "").pattern;
+    EXPECT_EQ(again.allowance, pattern.allowance);
+    EXPECT_EQ(again.size, "M");
+    ASSERT_TRUE(again.panels[1].drill_points[0].isApprox(back.drill_points[0], 1e-12));
+    again.panels[1].drill_points = back.drill_points;
+    again.panels[1].internal_lines[0].points = back.internal_lines[0].points;
+    EXPECT_EQ(again.panels[1].internal_lines, back.internal_lines);
+    EXPECT_EQ(again.panels[1].notches, back.notches);
+    EXPECT_EQ(again.panels[1].edges[3].allowance, back.edges[3].allowance);
+    EXPECT_EQ(again.panels[1].edges[3].allowance_corner, AllowanceCorner::Mirrored);
+    EXPECT_EQ(again.panels[1].allowance, back.allowance);
+    EXPECT_EQ(again.panels[1].pieces, 2);
+    EXPECT_FALSE(again.panels[1].is_worn);
+    EXPECT_TRUE(again.panels[0].is_worn);
+    document.json = parse_json(text, "");
+    document.pattern.panels[1].edges[3].allowance.reset();
+    EXPECT_FALSE(parse_pattern(write_pattern(document), "").pattern.panels[1].edges[3].allowance);
+}
+
 TEST(PatternAdditions, come_back_as_they_stood_when_nothing_changed) {
     EXPECT_EQ(written(parse_pattern(with_drafting(), "")), one_line(with_drafting()));
     const std::string empty = replaced(sample_text(), R"("pattern": {)", R"("selvedge": {"eased": []}, "pattern": {)");
