@@ -6,13 +6,13 @@
 #include <array>
 
 #include "editor/geometry/draft.h"
-#include "sim/pattern/edge_shape.h"
 #include "editor/geometry/outline_edit.h"
 #include "editor/geometry/panel_edit.h"
 #include "editor/inspectors/controls.h"
 #include "editor/inspectors/material_inspector.h"
 #include "editor/inspectors/number_box.h"
 #include "editor/inspectors/pattern_measures.h"
+#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/garments.h"
 #include "sim/pattern/outline.h"

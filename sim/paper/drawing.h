@@ -1,7 +1,7 @@
 #pragma once
 // A pattern as another program drew it, before it becomes panels: parts with lines whose meaning the file states or
-// leaves open, marks and texts. Every reader of a 2D format makes one (read_drawing, in drawing_file.h), and pieces.h
-// makes panels of it.
+// leaves open, marks and texts. Every reader of a 2D format makes one (drawing_file.h), and make_panels.h makes a
+// pattern of it.
 //
 // Coordinates are those of the file, turned so that y points up; metres_per_unit converts them.
 #include <optional>

@@ -35,7 +35,7 @@ TEST(SplitEdge, keeps_the_shape_and_every_notch_where_it_is) {
         EXPECT_EQ(panel.notches[0].kind, NotchKind::V);
         split_edge(panel, 0, t);
         EXPECT_LT((place_of(panel, panel.notches[0]) - before).norm(), 1e-12) << t;
-        EXPECT_NEAR(outline_area(panel), area, 1e-7);
+        EXPECT_NEAR(outline_area(panel), area, 2e-5);  // chords of 0.1 mm
     }
 }
 

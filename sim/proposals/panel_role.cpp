@@ -1,0 +1,173 @@
+#include "sim/proposals/panel_role.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "sim/pattern/edge_shape.h"
+
+namespace selvedge::sim {
+namespace {
+
+// Words that begin with one of these name the part; the first row that fits any word of the name wins.
+struct PartWords {
+    GarmentPart part;
+    std::string_view words;
+};
+constexpr std::array kPartWords = std::to_array<PartWords>({
+    {GarmentPart::Accessory,
+     "facing interfac lining pocket flap placket welt fly loop belt strap zip tab elastic tasche besatz beleg poche "
+     "bolsillo tasca"},
+    {GarmentPart::Binding, "binding ribbing rib neckband armband"},
+    {GarmentPart::Waistband, "waistband wb bund ceinture pretina cintura tailleband"},
+    {GarmentPart::Cuff, "cuff manschette manchette polsino"},
+    {GarmentPart::Sleeve,
+     "sleeve slv topsleeve undersleeve shortsleeve longsleeve armel aermel rmel manche manga manica mouw"},
+    {GarmentPart::CollarStand, "collarstand collarbase collarband"},
+    {GarmentPart::Collar, "undercollar collar kragen cuello colletto kraag"},
+    {GarmentPart::Hood, "hood kapuze capuche capucha cappuccio"},
+    {GarmentPart::Yoke, "yoke passe canesu"},
+    {GarmentPart::Skirt, "skirt rock jupe falda gonna godet"},
+    {GarmentPart::Leg, "pant trouser leg jeans chino shorts slacks hose pantalon broek"},
+    {GarmentPart::Torso, "torso ftorso btorso bodice bust corps"},
+});
+
+constexpr std::array<std::string_view, 9> kFrontWords{"front",  "frnt",   "fr",       "f",      "ftorso",
+                                                      "vorder", "devant", "delanter", "davanti"};
+constexpr std::array<std::string_view, 9> kBackWords{"back",  "bk",  "b",       "btorso", "rear",
+                                                     "rueck", "dos", "trasero", "dietro"};
+constexpr std::array<std::string_view, 5> kLeftWords{"left", "l", "lt", "links", "gauche"};
+constexpr std::array<std::string_view, 5> kRightWords{"right", "r", "rt", "rechts", "droit"};
+
+// Words of up to two letters must be equal, longer ones may go on.
+bool begins(const std::string& word, std::string_view with) {
+    return with.size() <= 2 ? word == with : word.starts_with(with);
+}
+
+template <std::size_t N>
+bool has_word(const std::vector<std::string>& words, const std::array<std::string_view, N>& known) {
+    return std::ranges::any_of(words, [&](const std::string& word) {
+        return std::ranges::any_of(known, [&](std::string_view one) { return begins(word, one); });
+    });
+}
+
+GarmentPart part_of_words(const std::vector<std::string>& words) {
+    constexpr std::size_t kCompound = 8;  // letters: words as long as this may be written in parts, as collar stand
+    std::string together;
+    for (const std::string& word : words) together += word;
+    for (const PartWords& row : kPartWords) {
+        for (const std::string& known : words_of_name(row.words)) {
+            if (known.size() > kCompound && together.find(known) != std::string::npos) return row.part;
+            if (std::ranges::any_of(words, [&](const std::string& word) { return begins(word, known); }))
+                return row.part;
+        }
+    }
+    return GarmentPart::Unknown;
+}
+
+// Whether the outline narrows from its widest place, where a crotch would be, both to the hem and to the waist, and
+// much more on one side than on the other: the hook of a trouser leg.
+bool looks_like_leg(const Panel& panel) {
+    constexpr double kSlender = 1.3;  // height over width
+    constexpr double kHook = 0.03;    // m, by which the crotch stands out above
+    const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
+    const double height = box.sizes().y(), width = box.sizes().x();
+    if (!(height > kSlender * width)) return false;
+    const double low = box.min().y(), top = low + 0.97 * height;
+    std::array<double, 2> at_top{box.max().x(), box.min().x()};
+    std::array<double, 2> outmost{0, 0};  // height of the outermost vertex on the left and on the right, m
+    std::array<double, 2> reach{box.max().x(), box.min().x()};
+    for (const Vec2d& v : panel.vertices) {
+        if (v.y() > top) at_top = {std::min(at_top[0], v.x()), std::max(at_top[1], v.x())};
+        if (v.x() < reach[0]) reach[0] = v.x(), outmost[0] = v.y();
+        if (v.x() > reach[1]) reach[1] = v.x(), outmost[1] = v.y();
+    }
+    const auto is_hook = [&](std::size_t side, double out) {
+        const double share = (outmost[side] - low) / height;
+        return out > kHook && share > 0.35 && share < 0.85;
+    };
+    return is_hook(0, at_top[0] - reach[0]) != is_hook(1, reach[1] - at_top[1]);
+}
+
+bool is_plain_face(const PanelRole& role) {
+    return role.part == GarmentPart::Unknown && role.face != Face::None;
+}
+
+// The part of fronts and backs that name none.
+GarmentPart part_of_faces(const Pattern& pattern, const std::vector<PanelRole>& roles, std::string_view hints) {
+    const auto has = [&](GarmentPart part) {
+        return std::ranges::any_of(roles, [&](const PanelRole& role) { return role.part == part; });
+    };
+    for (const std::string_view text : {std::string_view(pattern.name), hints}) {
+        const GarmentPart part = part_of_words(words_of_name(text));
+        if (part == GarmentPart::Leg || part == GarmentPart::Skirt) return part;
+    }
+    for (const GarmentPart upper :
+         {GarmentPart::Sleeve, GarmentPart::Collar, GarmentPart::CollarStand, GarmentPart::Hood, GarmentPart::Yoke}) {
+        if (has(upper)) return GarmentPart::Torso;
+    }
+    for (std::size_t p = 0; p < roles.size(); ++p) {
+        if (is_plain_face(roles[p]) && looks_like_leg(pattern.panels[p])) return GarmentPart::Leg;
+    }
+    return GarmentPart::Torso;
+}
+
+}  // namespace
+
+std::string_view name_of(GarmentPart part) {
+    constexpr std::array<std::string_view, 13> names{"unknown",   "torso",        "yoke",     "sleeve", "cuff",
+                                                     "collar",    "collar stand", "hood",     "skirt",  "leg",
+                                                     "waistband", "binding",      "accessory"};
+    return names[static_cast<std::size_t>(part)];
+}
+
+std::vector<std::string> words_of_name(std::string_view name) {
+    std::vector<std::string> words;
+    char last = ' ';
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        const auto before = static_cast<unsigned char>(last);
+        const bool is_letter = std::isalpha(byte) || byte >= 0x80;
+        if (is_letter || std::isdigit(byte)) {
+            const bool goes_on = is_letter ? std::isalpha(before) || before >= 0x80 : std::isdigit(before) != 0;
+            const bool is_capital = std::isupper(byte) && std::islower(before);
+            if (!goes_on || is_capital) words.emplace_back();
+            words.back() += static_cast<char>(byte < 0x80 ? std::tolower(byte) : byte);
+        }
+        last = c;
+    }
+    return words;
+}
+
+PanelRole role_of_name(std::string_view name) {
+    const std::vector<std::string> words = words_of_name(name);
+    PanelRole role;
+    role.part = part_of_words(words);
+    if (has_word(words, kFrontWords)) role.face = Face::Front;
+    if (has_word(words, kBackWords)) role.face = role.face == Face::None ? Face::Back : Face::None;
+    if (has_word(words, kLeftWords)) role.flank = Flank::Left;
+    if (has_word(words, kRightWords)) role.flank = role.flank == Flank::None ? Flank::Right : Flank::None;
+    return role;
+}
+
+std::vector<PanelRole> roles_of(const Pattern& pattern, std::string_view hints) {
+    std::vector<PanelRole> roles;
+    for (const Panel& panel : pattern.panels) {
+        roles.push_back(role_of_name(panel.name));
+        PanelRole& role = roles.back();
+        if (role.part != GarmentPart::Unknown) continue;
+        if (panel.label == "leg") role.part = GarmentPart::Leg;  // of GarmentCode, which means skirts, too
+        if (panel.label == "arm") role.part = GarmentPart::Sleeve;
+    }
+    const GarmentPart part = part_of_faces(pattern, roles, hints);
+    for (PanelRole& role : roles) {
+        if (is_plain_face(role)) role.part = part;
+    }
+    return roles;
+}
+
+bool comes_in_pairs(const PanelRole& role) {
+    return role.part == GarmentPart::Sleeve || role.part == GarmentPart::Cuff || role.part == GarmentPart::Leg;
+}
+
+}  // namespace selvedge::sim

@@ -1,0 +1,320 @@
+#include "sim/proposals/seam_proposals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <set>
+
+#include "sim/pattern/edge_shape.h"
+#include "sim/pattern/outline.h"
+#include "sim/proposals/chain_evidence.h"
+
+namespace selvedge::sim {
+namespace {
+
+constexpr double kCorner = 28 * std::numbers::pi / 180;  // rad: turns by less are no corners
+
+std::size_t as_size(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+double confidence_of(double odds) {
+    return 1 / (1 + std::exp(-odds));
+}
+
+struct Candidate {
+    ChainView first, second;
+    Evidence evidence;
+};
+
+// ---- Which pairs are compared.
+
+bool share_atoms(const Chain& a, const Chain& b) {
+    return std::ranges::any_of(a.atoms, [&](int atom) { return std::ranges::find(b.atoms, atom) != b.atoms.end(); });
+}
+
+// Places on a chain at which a seam may begin or end: notches of strips, as on a waistband with an overlap.
+std::vector<double> stops_of(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const Chain& chain) {
+    std::vector<double> stops{0, 1};
+    const GarmentPart part = facts[as_size(boundary.atom(chain.atoms[0]).span.panel)].role.part;
+    const bool is_strip = part == GarmentPart::Waistband || part == GarmentPart::Cuff || part == GarmentPart::Collar ||
+                          part == GarmentPart::CollarStand;
+    if (!is_strip || chain.is_loop) return stops;
+    const std::vector<double> starts = boundary.starts(chain);
+    for (std::size_t i = 0; i < chain.atoms.size(); ++i) {
+        const OpenBoundary::Atom& atom = boundary.atom(chain.atoms[i]);
+        for (const Notch& notch : boundary.pattern().panels[as_size(atom.span.panel)].notches) {
+            if (notch.edge != atom.span.edge || notch.t < atom.span.from || notch.t > atom.span.to) continue;
+            const double t = (notch.t - atom.span.from) / (atom.span.to - atom.span.from);
+            const double at = starts[i] + t * atom.length / chain.length;
+            if (at > 0.01 && at < 0.99) stops.push_back(at);
+        }
+    }
+    std::ranges::sort(stops);
+    return stops;
+}
+
+// All ways in which a chain can be one side of a seam: a loop from each of its joints on, a strip also in part.
+std::vector<ChainView> views_of(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts,
+                                const Chain& chain) {
+    std::vector<ChainView> views;
+    if (chain.is_loop) {
+        for (std::size_t i = 0; i < chain.atoms.size(); ++i) views.push_back({chain, static_cast<int>(i), 0, 1});
+        return views;
+    }
+    const std::vector<double> stops = stops_of(boundary, facts, chain);
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        for (std::size_t j = i + 1; j < stops.size(); ++j) {
+            if (stops[j] - stops[i] > 0.5) views.push_back({chain, 0, stops[i], stops[j]});
+        }
+    }
+    return views;
+}
+
+class Search {
+ public:
+    Search(const Pattern& pattern, const ProposalOptions& options)
+        : boundary_(pattern), facts_(facts_of(pattern, options.hints)), options_(options) {}
+
+    std::vector<SeamProposal> run() {
+        constexpr int kMostSeams = 400;
+        for (int i = 0; i < kMostSeams; ++i) {
+            std::vector<Candidate> candidates = compare_all();
+            if (candidates.empty() || confidence_of(candidates[0].evidence.odds) < options_.accepted) {
+                add_unaccepted(candidates);
+                break;
+            }
+            accept(candidates[0]);
+        }
+        return std::move(out_);
+    }
+
+ private:
+    // For the reader to choose from.
+    void add_unaccepted(const std::vector<Candidate>& candidates) {
+        constexpr std::size_t kMost = 60;
+        for (std::size_t i = 0; i < std::min(kMost, candidates.size()); ++i) out_.push_back(proposal_of(candidates[i]));
+    }
+
+    // From the most to the least likely.
+    std::vector<Candidate> compare_all() const {
+        const std::vector<Chain> chains = boundary_.chains(kCorner);
+        std::vector<std::vector<ChainView>> views;
+        for (const Chain& chain : chains) views.push_back(views_of(boundary_, facts_, chain));
+        std::vector<Candidate> candidates;
+        for (std::size_t i = 0; i < chains.size(); ++i) {
+            for (std::size_t j = i + 1; j < chains.size(); ++j) {
+                if (share_atoms(chains[i], chains[j])) continue;
+                if (auto best = best_of(views[i], views[j])) candidates.push_back(std::move(*best));
+            }
+        }
+        std::ranges::stable_sort(candidates, std::greater<>(), [](const Candidate& one) { return one.evidence.odds; });
+        return candidates;
+    }
+
+    // The likeliest way to sew two chains; none if none is likely at all.
+    std::optional<Candidate> best_of(const std::vector<ChainView>& a, const std::vector<ChainView>& b) const {
+        std::optional<Candidate> best;
+        for (const ChainView& first : a) {
+            // One loop may begin anywhere if it is sewn to another loop: all that counts is how both lie together.
+            for (const ChainView& second : b) {
+                Evidence evidence = weigh(boundary_, facts_, first, second);
+                if (!evidence.is_possible || confidence_of(evidence.odds) < options_.least_confidence) continue;
+                if (!best || evidence.odds > best->evidence.odds + 1e-9) best = Candidate{first, second, evidence};
+            }
+        }
+        return best;
+    }
+
+    // Fractions of both sides at which the seam is divided into pairs of stretches. Joints of both sides that nearly
+    // meet are one.
+    struct Joint {
+        double first = 0;   // fraction of the first side
+        double second = 0;  // of the second, from its own start
+    };
+    std::vector<Joint> joints(const Candidate& candidate) const {
+        const double one = length_of(candidate.first), other = length_of(candidate.second);
+        const double ease = 1.5 * std::abs(one - other) / std::max(one, other);
+        const double snap = std::max({0.004 / one, 0.006, std::min(0.08, ease)});
+        std::vector<double> a = joints_of(boundary_, candidate.first);
+        std::vector<double> b;
+        for (const double t : joints_of(boundary_, candidate.second)) b.push_back(1 - t);
+        std::vector<Joint> joints;
+        for (const double t : a) {
+            const auto near = std::ranges::find_if(b, [&](double s) { return std::abs(s - t) < snap; });
+            joints.push_back({t, 1 - (near == b.end() ? t : *near)});
+            if (near != b.end()) b.erase(near);
+        }
+        for (const double t : b) joints.push_back({t, 1 - t});
+        std::ranges::sort(joints, {}, &Joint::first);
+        return joints;
+    }
+
+    // Divides the atoms so that each stretch between joints is one atom; returns them in order.
+    std::vector<int> divide(const ChainView& view, std::vector<double> stops) {
+        std::ranges::sort(stops);
+        stops.insert(stops.begin(), 0);
+        stops.push_back(1);
+        ChainView rest = view;
+        const std::vector<double> starts = boundary_.starts(view.chain);
+        std::vector<int> atoms;  // of the whole chain in order from view.first, as divided
+        for (std::size_t k = 0; k < view.chain.atoms.size(); ++k)
+            atoms.push_back(view.chain.atoms[(as_size(view.first) + k) % view.chain.atoms.size()]);
+        for (const double stop : stops) {
+            const double along = view.from + stop * (view.to - view.from);
+            double reached = 0;
+            for (std::size_t k = 0; k < atoms.size(); ++k) {
+                const double share = boundary_.atom(atoms[k]).length / view.chain.length;
+                const double t = (along - reached) / share;
+                if (t > 1e-6 && t < 1 - 1e-6) {
+                    atoms.insert(atoms.begin() + static_cast<std::ptrdiff_t>(k) + 1, boundary_.split(atoms[k], t));
+                    break;
+                }
+                reached += share;
+            }
+        }
+        std::vector<int> sewn;
+        double reached = 0;
+        for (const int a : atoms) {
+            const double middle = reached + boundary_.atom(a).length / view.chain.length / 2;
+            if (middle > view.from && middle < view.to) sewn.push_back(a);
+            reached += boundary_.atom(a).length / view.chain.length;
+        }
+        return sewn;
+    }
+
+    SeamProposal proposal_of(const Candidate& candidate) const {
+        SeamProposal proposal;
+        proposal.confidence = confidence_of(candidate.evidence.odds);
+        proposal.reason = candidate.evidence.reason;
+        proposal.is_eased = std::abs(length_of(candidate.first) - length_of(candidate.second)) > 0.001;
+        Search copy = *this;
+        proposal.parts = copy.sew(candidate);
+        return proposal;
+    }
+
+    std::vector<std::pair<EdgeSpan, EdgeSpan>> sew(const Candidate& candidate) {
+        std::vector<double> a, b;
+        for (const Joint& joint : joints(candidate)) {
+            a.push_back(joint.first);
+            b.push_back(joint.second);
+        }
+        const std::vector<int> first = divide(candidate.first, a);
+        std::vector<int> second = divide(candidate.second, b);
+        std::ranges::reverse(second);
+        std::vector<std::pair<EdgeSpan, EdgeSpan>> parts;
+        for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i) {
+            parts.emplace_back(boundary_.atom(first[i]).span, boundary_.atom(second[i]).span);
+            boundary_.sew(first[i], second[i]);
+        }
+        return parts;
+    }
+
+    void accept(const Candidate& candidate) {
+        out_.push_back(proposal_of(candidate));
+        sew(candidate);
+    }
+
+    OpenBoundary boundary_;
+    std::vector<PanelFacts> facts_;
+    ProposalOptions options_;
+    std::vector<SeamProposal> out_;
+};
+
+// The edges that a panel's proposals need, and where each stretch comes to lie.
+class SpanCutter {
+ public:
+    explicit SpanCutter(Pattern& pattern) : pattern_(pattern) {}
+
+    void add(const EdgeSpan& span) {
+        std::set<double>& stops = stops_[{span.panel, span.edge}];
+        for (const double t : {span.from, span.to}) {
+            if (t > 1e-9 && t < 1 - 1e-9) stops.insert(t);
+        }
+    }
+
+    // Edges of higher index are cut first, so that those of lower index keep theirs.
+    void cut() {
+        for (auto at = stops_.rbegin(); at != stops_.rend(); ++at) {
+            Panel& panel = pattern_.panels[as_size(at->first.first)];
+            double end = 1;
+            for (auto stop = at->second.rbegin(); stop != at->second.rend(); ++stop) {
+                split_edge(panel, at->first.second, *stop / end);
+                end = *stop;
+            }
+        }
+        for (Seam& seam : pattern_.seams) {
+            for (SeamSide* side : {&seam.first, &seam.second}) side->edge += shift(side->panel, side->edge);
+        }
+    }
+
+    SeamSide side(const EdgeSpan& span) const {
+        int before = 0;
+        if (const auto found = stops_.find({span.panel, span.edge}); found != stops_.end()) {
+            for (const double t : found->second) before += t <= span.from + 1e-9 ? 1 : 0;
+        }
+        return {span.panel, span.edge + shift(span.panel, span.edge) + before};
+    }
+
+ private:
+    // How many edges are new before this one.
+    int shift(int panel, int edge) const {
+        int count = 0;
+        for (const auto& [at, stops] : stops_) {
+            if (at.first == panel && at.second < edge) count += static_cast<int>(stops.size());
+        }
+        return count;
+    }
+
+    Pattern& pattern_;
+    std::map<std::pair<int, int>, std::set<double>> stops_;
+};
+
+}  // namespace
+
+std::vector<SeamProposal> propose_seams(const Pattern& pattern, const ProposalOptions& options) {
+    return Search(pattern, options).run();
+}
+
+void accept_proposals(Pattern& pattern, const std::vector<SeamProposal>& proposals) {
+    SpanCutter cutter(pattern);
+    for (const SeamProposal& proposal : proposals) {
+        for (const auto& [first, second] : proposal.parts) {
+            cutter.add(first);
+            cutter.add(second);
+        }
+    }
+    cutter.cut();
+    for (const SeamProposal& proposal : proposals) {
+        for (const auto& [first, second] : proposal.parts) {
+            Seam seam{cutter.side(first), cutter.side(second)};
+            seam.is_eased = proposal.is_eased;
+            pattern.seams.push_back(seam);
+        }
+    }
+}
+
+std::string describe(const Pattern& pattern, const SeamProposal& proposal) {
+    std::string sides;
+    for (const bool is_first : {true, false}) {
+        std::string side;
+        std::pair<int, int> last{-1, -1};
+        for (const auto& [first, second] : proposal.parts) {
+            const EdgeSpan& span = is_first ? first : second;
+            if (last == std::pair(span.panel, span.edge)) continue;
+            last = {span.panel, span.edge};
+            const std::string name = pattern.panels[as_size(span.panel)].name + "." + std::to_string(span.edge);
+            side += (side.empty() ? "" : ", ") + name;
+        }
+        sides += (is_first ? "" : " to ") + side;
+    }
+    std::array<char, 16> percent{};
+    std::snprintf(percent.data(), percent.size(), " (%.0f %%): ", 100 * proposal.confidence);
+    return sides + percent.data() + proposal.reason;
+}
+
+}  // namespace selvedge::sim

@@ -1,0 +1,115 @@
+// Seams that are proposed for patterns whose seams are known, and taken away first.
+#include "sim/proposals/seam_proposals.h"
+
+#include <gtest/gtest.h>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "sim/pattern/outline.h"
+#include "sim/pattern/pattern_file.h"
+#include "tests/support/checkout.h"
+
+namespace selvedge::sim {
+namespace {
+
+struct Score {
+    std::size_t right = 0;  // proposed pairs of edges that a seam joins
+    std::size_t wrong = 0;
+    std::size_t found = 0;  // seams
+    std::size_t seams = 0;
+
+    void operator+=(const Score& other) {
+        right += other.right;
+        wrong += other.wrong;
+        found += other.found;
+        seams += other.seams;
+    }
+};
+
+// Takes the seams of a pattern away, and compares those that are proposed with them.
+Score score_of(const Pattern& truth) {
+    std::map<std::pair<SeamSide, SeamSide>, std::size_t> seam_of;
+    for (std::size_t s = 0; s < truth.seams.size(); ++s) {
+        seam_of[{truth.seams[s].first, truth.seams[s].second}] = s;
+        seam_of[{truth.seams[s].second, truth.seams[s].first}] = s;
+    }
+    Pattern bare = truth;
+    bare.seams.clear();
+    Score score;
+    score.seams = truth.seams.size();
+    std::set<std::size_t> found;
+    const ProposalOptions options;
+    for (const SeamProposal& proposal : propose_seams(bare, options)) {
+        if (proposal.confidence < options.accepted) continue;
+        for (const auto& [first, second] : proposal.parts) {
+            const auto seam = seam_of.find({{first.panel, first.edge}, {second.panel, second.edge}});
+            ++(seam == seam_of.end() ? score.wrong : score.right);
+            if (seam != seam_of.end()) found.insert(seam->second);
+        }
+    }
+    score.found = found.size();
+    return score;
+}
+
+std::filesystem::path shipped(const std::string& name) {
+    return std::filesystem::path(source_folder()) / "patterns" / (name + ".json");
+}
+
+TEST(SeamProposals, find_the_seams_of_shipped_garments_and_no_others) {
+    Score all;
+    for (const char* name : {"tshirt", "dress", "vest", "skirt", "tshirt_thesis"})
+        all += score_of(load_pattern(shipped(name)).pattern);
+    EXPECT_EQ(all.seams, 30U);
+    EXPECT_GE(all.found, 28U);
+    EXPECT_EQ(all.wrong, 0U);
+}
+
+TEST(SeamProposals, find_most_seams_of_published_patterns) {
+    const char* data = std::getenv("SELVEDGE_TEST_DATA");
+    if (!data) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set";
+    const std::filesystem::path folder = std::filesystem::path(data) / "garmentcode";
+    Score all;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().string().ends_with("_specification.json")) all += score_of(load_pattern(entry.path()).pattern);
+    }
+    EXPECT_GE(10 * all.found, 7 * all.seams) << all.found << " of " << all.seams;
+    EXPECT_GE(all.right, 7 * all.wrong) << all.right << " right, " << all.wrong << " wrong";
+}
+
+TEST(SeamProposals, are_accepted_by_dividing_edges_where_they_end) {
+    Pattern pattern = load_pattern(shipped("tshirt")).pattern;
+    pattern.seams.clear();
+    const std::size_t edges = pattern.panels[0].edges.size();
+    const SeamProposal proposal{.parts = {{{0, 0, 0.25, 0.75}, {1, 0, 0, 0.5}}}};
+    accept_proposals(pattern, {proposal});
+    ASSERT_EQ(pattern.seams.size(), 1U);
+    EXPECT_EQ(pattern.panels[0].edges.size(), edges + 2);
+    EXPECT_EQ(pattern.seams[0].first, (SeamSide{0, 1}));
+    EXPECT_EQ(pattern.seams[0].second, (SeamSide{1, 0}));
+    const Pattern whole = load_pattern(shipped("tshirt")).pattern;
+    const Vec2d start = pattern.panels[0].vertices[static_cast<std::size_t>(pattern.panels[0].edges[1].start)];
+    EXPECT_LT((start - outline_point(whole.panels[0], whole.panels[0].edges[0], 0.25)).norm(), 1e-9);
+}
+
+TEST(SeamProposals, leave_sewn_edges_and_unworn_panels_alone) {
+    Pattern pattern = load_pattern(shipped("tshirt")).pattern;
+    EXPECT_TRUE(propose_seams(pattern, {.least_confidence = 0.5}).empty());
+    pattern.seams.clear();
+    for (Panel& panel : pattern.panels) panel.is_worn = false;
+    EXPECT_TRUE(propose_seams(pattern).empty());
+}
+
+TEST(SeamProposals, say_why_in_words) {
+    Pattern pattern = load_pattern(shipped("skirt")).pattern;
+    pattern.seams.clear();
+    const std::vector<SeamProposal> proposals = propose_seams(pattern);
+    ASSERT_FALSE(proposals.empty());
+    const std::string text = describe(pattern, proposals[0]);
+    EXPECT_NE(text.find("lengths 55.0 and 55.0 cm"), std::string::npos) << text;
+    EXPECT_NE(text.find("%"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace selvedge::sim
