@@ -7,9 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <set>
 
-#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
@@ -153,16 +151,17 @@ double bulge(const std::vector<Vec2d>& points) {
     return area / std::max(1e-12, length * length);
 }
 
-// Whether neither neighbour is curved, as the hem of a sleeve lies between its two straight seams.
+// Whether neither neighbour in its panel is curved, as the hem of a sleeve lies between its two straight seams.
 bool is_sleeve_hem(const OpenBoundary& boundary, const ChainView& view) {
     constexpr double kCurved = 0.012;
-    const auto is_curved = [&](int atom) {
-        std::vector<Vec2d> points;
-        for (int i = 0; i <= kSamples; ++i) points.push_back(boundary.point(atom, static_cast<double>(i) / kSamples));
-        return std::abs(bulge(points)) > kCurved;
+    const EdgeSpan& first = boundary.atom(view.chain.atoms.front()).span;
+    const EdgeSpan& last = boundary.atom(view.chain.atoms.back()).span;
+    const Panel& panel = boundary.pattern().panels[as_size(first.panel)];
+    const std::size_t count = panel.edges.size();
+    const auto is_curved = [&](std::size_t edge) {
+        return std::abs(bulge(outline_polyline(panel, panel.edges[edge], 1e-3))) > kCurved;
     };
-    return !is_curved(boundary.next(view.chain.atoms.back()).atom) &&
-           !is_curved(boundary.previous(view.chain.atoms.front()));
+    return !is_curved((as_size(first.edge) + count - 1) % count) && !is_curved((as_size(last.edge) + 1) % count);
 }
 
 // Two hems are not sewn to each other, nor two waists, nor two armholes or necklines.
@@ -309,15 +308,25 @@ void weigh_flanks(Evidence& evidence, Flank a, Flank b) {
 
 // ---- A panel with itself.
 
-bool are_neighbours(const OpenBoundary& boundary, const ChainView& a, const ChainView& b) {
-    return boundary.next(a.chain.atoms.back()).atom == b.chain.atoms.front();
-}
-
-// The legs of a dart: from the mouth inwards and out again.
+// The legs of a dart: neighbours in one panel, from the mouth inwards and out again.
 bool is_dart(const OpenBoundary& boundary, const ChainView& a, const ChainView& b) {
     constexpr double kApex = 2 * kPi - 0.6;  // rad, inside the cloth; a V-neck is wider
-    return (are_neighbours(boundary, a, b) && a.chain.angle_after > kApex) ||
-           (are_neighbours(boundary, b, a) && b.chain.angle_after > kApex);
+    const auto are_legs = [&](const ChainView& one, const ChainView& other) {
+        const OpenBoundary::Step step = boundary.next(one.chain.atoms.back());
+        return step.atom == other.chain.atoms.front() && step.seams == 0 && step.angle > kApex;
+    };
+    return are_legs(a, b) || are_legs(b, a);
+}
+
+// Whether a notch near an end of a strip says that it goes on beyond the seam, for a button.
+bool has_overlap(const OpenBoundary& boundary, int atom) {
+    constexpr double kNear = 0.15;
+    const Panel& panel = boundary.pattern().panels[as_size(boundary.atom(atom).span.panel)];
+    return std::ranges::any_of(panel.notches, [&](const Notch& notch) {
+        const double length = outline_length(panel, panel.edges[as_size(notch.edge)]);
+        const double to_end = std::min(notch.t, 1 - notch.t);
+        return to_end < kNear && to_end * length > 0.004;
+    });
 }
 
 void weigh_one_panel(Evidence& evidence, const OpenBoundary& boundary, const PanelFacts& facts, const ChainView& a,
@@ -326,11 +335,15 @@ void weigh_one_panel(Evidence& evidence, const OpenBoundary& boundary, const Pan
     if (is_dart(boundary, a, b)) return add(evidence, 4, "legs of a dart");
     const GarmentPart part = facts.role.part;
     const bool is_tube = is_one_of(part, {Sleeve, Leg, Skirt, Cuff, Binding, Waistband});
+    if (!is_tube || facts.has_other_face) return add(evidence, -3);
+    if (part == Waistband && has_overlap(boundary, a.chain.atoms[0])) return add(evidence, -3);
     const auto middle = [](const std::vector<Vec2d>& points) { return points[points.size() / 2]; };
-    const bool are_opposite = std::abs(middle(points_a).x() - middle(points_b).x()) > 0.5 * facts.width;
-    const bool are_ends = std::abs(rise(points_a)) < 0.5 && facts.height > 2.5 * facts.width;  // of an upright strip
-    if (is_tube && !facts.has_other_face && (are_opposite || are_ends))
-        return add(evidence, part == Waistband ? 0.5 : 1.5, "closes a tube");
+    const Vec2d apart = (middle(points_a) - middle(points_b)).cwiseAbs();
+    const double longer = std::max(facts.width, facts.height), shorter = std::min(facts.width, facts.height);
+    constexpr double kStrip = 2.5;  // longer than that: only its ends close it
+    const bool is_strip = longer > kStrip * shorter;
+    const bool are_opposite = is_strip ? apart.norm() > 0.8 * longer : apart.x() > 0.5 * facts.width;
+    if (are_opposite) return add(evidence, part == Waistband ? 0.5 : 1.5, "closes a tube");
     add(evidence, -3);
 }
 
@@ -360,6 +373,11 @@ std::vector<ChainNotch> notches_on(const OpenBoundary& boundary, const ChainView
     return found;
 }
 
+// Whether only a part of the chain is sewn: parts begin and end at notches.
+bool is_part(const ChainView& view) {
+    return view.from > 0 || view.to < 1;
+}
+
 // The part of the length by which a notch may lie elsewhere, for ease lies between notches.
 void weigh_notches(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b) {
     const std::vector<ChainNotch> on_a = notches_on(boundary, a), on_b = notches_on(boundary, b);
@@ -378,6 +396,7 @@ void weigh_notches(Evidence& evidence, const OpenBoundary& boundary, const Chain
         if (least > ease) continue;
         ++(count == notch.count ? met : wrong);
     }
+    if (is_part(a) || is_part(b)) add(evidence, 1.0, "ends at a notch");
     if (met > 0) add(evidence, std::min(3.0, 1.5 * met), met == 1 ? "a notch meets" : "notches meet");
     if (wrong > 0) add(evidence, -2.5 * wrong);
     if (met + wrong == 0) add(evidence, -0.8);
@@ -412,13 +431,15 @@ void weigh_lengths(Evidence& evidence, const ChainView& a, const ChainView& b, c
 }
 
 // Across a seam, the outline goes on without a corner.
-void weigh_ends(Evidence& evidence, const ChainView& a, const ChainView& b) {
+void weigh_ends(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b) {
     const auto of = [](double angle) {
         const double off = std::abs(angle - kPi) * 180 / kPi;
         return off < 8 ? 0.7 : off < 20 ? 0.3 : off < 45 ? -0.3 : -0.9;
     };
     if (a.chain.is_loop || b.chain.is_loop) return;
-    const bool has_start = a.from == 0 && b.to == 1, has_end = a.to == 1 && b.from == 0;
+    // Where both chains meet already, their angle says nothing.
+    const bool has_start = a.from == 0 && b.to == 1 && boundary.next(b.chain.atoms.back()).atom != a.chain.atoms[0];
+    const bool has_end = a.to == 1 && b.from == 0 && boundary.next(a.chain.atoms.back()).atom != b.chain.atoms[0];
     if (has_start) add(evidence, of(a.chain.angle_before + b.chain.angle_after));
     if (has_end) add(evidence, of(a.chain.angle_after + b.chain.angle_before));
 }
@@ -453,6 +474,30 @@ void weigh_faces(Evidence& evidence, const OpenBoundary& boundary, const std::ve
     add(evidence, kWorth * (faces + flanks) / kSamples);
 }
 
+// Bindings are named after the opening that they edge: necks lie on both sides of the body, armholes on one.
+void weigh_binding(Evidence& evidence, const OpenBoundary& boundary, const std::vector<PanelFacts>& facts,
+                   const ChainView& binding, const ChainView& opening) {
+    const Panel& panel = boundary.pattern().panels[as_size(boundary.atom(binding.chain.atoms[0]).span.panel)];
+    if (!boundary.joined_panels(boundary.atom(binding.chain.atoms[0]).span.panel).empty()) add(evidence, -4);
+    const std::vector<std::string> words = words_of_name(panel.name);
+    const auto has = [&](std::string_view start) {
+        return std::ranges::any_of(words, [&](const std::string& word) { return word.starts_with(start); });
+    };
+    int left = 0, right = 0;
+    for (int i = 0; i < kSamples; ++i) {
+        const ChainPlace at = place_on(boundary, opening, (i + 0.5) / kSamples);
+        const PanelFacts& own = facts[as_size(boundary.atom(at.atom).span.panel)];
+        const Flank flank = flank_of(own, {boundary.point(at.atom, at.t)});
+        left += flank == Flank::Left ? 1 : 0;
+        right += flank == Flank::Right ? 1 : 0;
+    }
+    const bool is_one_sided = std::min(left, right) == 0 && left + right > 0;
+    const bool is_low = facing_up(boundary, opening) < -0.5;
+    if (has("neck")) add(evidence, !is_one_sided && !is_low ? 3.5 : -4, "named after the neck");
+    if (has("arm")) add(evidence, is_one_sided ? 3.5 : -4, "named after the arm");
+    if (has("hem") || has("waist")) add(evidence, is_low ? 2.5 : -3);
+}
+
 // The lowest place of a closed chain is the lowest of the other: the underarm.
 void weigh_lowest(Evidence& evidence, const std::vector<Vec2d>& a, const std::vector<Vec2d>& b) {
     const auto share = [](const std::vector<Vec2d>& points) {
@@ -464,77 +509,6 @@ void weigh_lowest(Evidence& evidence, const std::vector<Vec2d>& a, const std::ve
 }
 
 }  // namespace
-
-double length_of(const ChainView& view) {
-    return (view.to - view.from) * view.chain.length;
-}
-
-ChainPlace place_on(const OpenBoundary& boundary, const ChainView& view, double t) {
-    const std::vector<double> starts = boundary.starts(view.chain);
-    const std::size_t count = view.chain.atoms.size();
-    const double along = view.from + t * (view.to - view.from);
-    double reached = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-        const int a = view.chain.atoms[(as_size(view.first) + k) % count];
-        const double share = boundary.atom(a).length / view.chain.length;
-        if (along <= reached + share || k + 1 == count)
-            return {a, std::clamp(share > 0 ? (along - reached) / share : 0.0, 0.0, 1.0)};
-        reached += share;
-    }
-    return {};
-}
-
-std::vector<double> joints_of(const OpenBoundary& boundary, const ChainView& view) {
-    std::vector<double> joints;
-    double reached = 0;
-    const std::size_t count = view.chain.atoms.size();
-    for (std::size_t k = 0; k + 1 < count; ++k) {
-        reached += boundary.atom(view.chain.atoms[(as_size(view.first) + k) % count]).length / view.chain.length;
-        const double t = (reached - view.from) / (view.to - view.from);
-        if (t > 1e-6 && t < 1 - 1e-6) joints.push_back(t);
-    }
-    return joints;
-}
-
-std::vector<PanelFacts> facts_of(const Pattern& pattern, std::string_view hints) {
-    const std::vector<PanelRole> roles = roles_of(pattern, hints);
-    std::vector<PanelFacts> all;
-    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-        const Panel& panel = pattern.panels[p];
-        PanelFacts facts{.role = roles[p]};
-        const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
-        facts.axis = box.center().x();
-        facts.width = box.sizes().x();
-        facts.height = box.sizes().y();
-        const double tolerance = 0.002 + 0.002 * facts.width;  // m
-        facts.is_symmetric = std::ranges::all_of(panel.edges, [&](const OutlineEdge& edge) {
-            const Vec2d v = panel.vertices[as_size(edge.start)];
-            return std::ranges::any_of(panel.edges, [&](const OutlineEdge& other) {
-                const Vec2d w = panel.vertices[as_size(other.start)];
-                return (Vec2d(2 * facts.axis - v.x(), v.y()) - w).norm() < tolerance;
-            });
-        });
-        for (std::size_t q = 0; q < pattern.panels.size(); ++q) {
-            const Panel& other = pattern.panels[q];
-            if (other.mirror_of == panel.name || (!panel.mirror_of.empty() && panel.mirror_of == other.name))
-                facts.twin = static_cast<int>(q);
-        }
-        all.push_back(facts);
-    }
-    const bool has_opening = std::ranges::any_of(pattern.panels, [](const Panel& panel) {
-        return std::ranges::any_of(words_of_name(panel.name), [](const std::string& word) {
-            return word.starts_with("placket") || word.starts_with("button") || word.starts_with("zip");
-        });
-    });
-    for (PanelFacts& facts : all) {
-        facts.has_opening = has_opening;
-        facts.has_other_face = std::ranges::any_of(all, [&](const PanelFacts& other) {
-            return other.role.part == facts.role.part && other.role.face != facts.role.face &&
-                   other.role.face != Face::None && facts.role.face != Face::None;
-        });
-    }
-    return all;
-}
 
 Evidence weigh(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const ChainView& first,
                const ChainView& second) {
@@ -563,26 +537,30 @@ Evidence weigh(const OpenBoundary& boundary, const std::vector<PanelFacts>& fact
         if (!are_twins(facts, panels_a[0], panels_b[0]))
             weigh_flanks(evidence, flank(a, panels_a, points_a), flank(b, panels_b, points_b));
     }
-    if (are_single) {
+    const bool are_alike =
+        a.role.part == b.role.part || a.role.part == GarmentPart::Unknown || b.role.part == GarmentPart::Unknown;
+    if (are_single && are_alike) {
         weigh_shape(evidence, points_a, points_b);
         const bool are_crotches_or_hoods =
             is_one_of(a.role.part, {GarmentPart::Leg, GarmentPart::Hood}) && are_twins(facts, panels_a[0], panels_b[0]);
         weigh_bulges(evidence, points_a, points_b, are_crotches_or_hoods);
         if (is_one_of(a.role.part, {GarmentPart::Torso, GarmentPart::Skirt}) && a.role.part == b.role.part)
             weigh_other_side(evidence, boundary, facts, panels_a[0], panels_b[0], points_a);
-        const bool are_upright =
-            a.role.part == b.role.part || a.role.part == GarmentPart::Unknown || b.role.part == GarmentPart::Unknown;
-        if (are_upright && !is_dart(boundary, first, second)) weigh_upright(evidence, points_a, points_b);
+        if (!is_dart(boundary, first, second)) weigh_upright(evidence, points_a, points_b);
     }
-    weigh_facing(evidence, boundary, first, second, a.role.part, b.role.part);
+    if (panels_a != panels_b) weigh_facing(evidence, boundary, first, second, a.role.part, b.role.part);
     const bool are_loops = first.chain.is_loop && second.chain.is_loop;
     if (are_loops && a.role.part == b.role.part && a.role.part != GarmentPart::Unknown) evidence.is_possible = false;
+    if (a.role.part == GarmentPart::Binding && b.role.part != GarmentPart::Binding)
+        weigh_binding(evidence, boundary, facts, first, second);
+    if (b.role.part == GarmentPart::Binding && a.role.part != GarmentPart::Binding)
+        weigh_binding(evidence, boundary, facts, second, first);
     if (!are_single) weigh_faces(evidence, boundary, facts, first, second);
     if (are_parts(a.role.part, b.role.part, GarmentPart::Torso, GarmentPart::Sleeve) && first.chain.is_loop &&
         second.chain.is_loop) {
         weigh_lowest(evidence, points_a, points_b);
     }
-    weigh_ends(evidence, first, second);
+    weigh_ends(evidence, boundary, first, second);
     weigh_joints(evidence, boundary, first, second);
     weigh_notches(evidence, boundary, first, second);
     return evidence;

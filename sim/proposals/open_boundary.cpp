@@ -80,19 +80,6 @@ OpenBoundary::Step OpenBoundary::next(int atom) const {
     return step;
 }
 
-int OpenBoundary::previous(int atom) const {
-    const std::vector<int>& all = of_panel_[as_size(this->atom(atom).span.panel)];
-    const auto at = std::ranges::find(all, atom);
-    int before = at == all.begin() ? all.back() : *(at - 1);
-    for (int seams = 0; this->atom(before).mate >= 0 && seams < atom_count(); ++seams) {
-        const int mate = this->atom(before).mate;
-        const std::vector<int>& others = of_panel_[as_size(this->atom(mate).span.panel)];
-        const auto found = std::ranges::find(others, mate);
-        before = found == others.begin() ? others.back() : *(found - 1);
-    }
-    return before;
-}
-
 std::vector<Chain> OpenBoundary::chains(double corner_angle) const {
     std::vector<Step> steps(atoms_.size());
     std::vector<bool> begins(atoms_.size(), false), is_used(atoms_.size(), false);

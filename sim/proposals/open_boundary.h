@@ -55,7 +55,6 @@ class OpenBoundary {
         int seams = 0;  // that are crossed on the way
     };
     Step next(int atom) const;
-    int previous(int atom) const;  // the atom whose next one it is
 
     // All chains. Corners are where the angle differs from a straight line by more than `corner_angle`, rad.
     std::vector<Chain> chains(double corner_angle) const;

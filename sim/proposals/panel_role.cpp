@@ -166,8 +166,13 @@ std::vector<PanelRole> roles_of(const Pattern& pattern, std::string_view hints) 
     return roles;
 }
 
-bool comes_in_pairs(const PanelRole& role) {
-    return role.part == GarmentPart::Sleeve || role.part == GarmentPart::Cuff || role.part == GarmentPart::Leg;
+bool comes_in_pairs(const PanelRole& role, std::string_view name) {
+    if (role.part == GarmentPart::Sleeve || role.part == GarmentPart::Cuff || role.part == GarmentPart::Leg)
+        return true;
+    const std::vector<std::string> words = words_of_name(name);
+    return role.part == GarmentPart::Binding && std::ranges::any_of(words, [](const std::string& word) {
+               return word.starts_with("arm") || word.starts_with("leg") || word.starts_with("sleeve");
+           });
 }
 
 }  // namespace selvedge::sim

@@ -51,7 +51,8 @@ std::vector<std::string> words_of_name(std::string_view name);
 // hints: further words about the whole garment, as a title.
 std::vector<PanelRole> roles_of(const Pattern& pattern, std::string_view hints = {});
 
-// Whether panels of this part come in pairs, one for each side of the body, when their drawing does not say.
-bool comes_in_pairs(const PanelRole& role);
+// Whether a panel comes in pairs, one for each side of the body, when its drawing does not say: sleeves, cuffs, legs,
+// and bindings of arms and legs.
+bool comes_in_pairs(const PanelRole& role, std::string_view name);
 
 }  // namespace selvedge::sim

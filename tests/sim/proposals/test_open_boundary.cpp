@@ -40,7 +40,6 @@ TEST(OpenBoundary, goes_on_across_a_seam_and_closes_to_a_tube) {
     EXPECT_EQ(step.atom, 4);
     EXPECT_EQ(step.seams, 1);
     EXPECT_NEAR(step.angle, std::numbers::pi, 1e-9);
-    EXPECT_EQ(boundary.previous(4), 0);
     EXPECT_EQ(boundary.chains(kCorner).size(), 4U);
     boundary.sew(5, 3);
     const std::vector<Chain> tube = boundary.chains(kCorner);

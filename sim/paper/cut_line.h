@@ -1,0 +1,42 @@
+#pragma once
+// The line along which cloth is cut: the outline of a panel moved outward by its seam allowance, with corners as
+// tailors cut them; and the other way, the sewing line of a drawing that has the cut line only.
+#include <utility>
+#include <vector>
+
+#include "sim/pattern/pattern.h"
+
+namespace selvedge::sim {
+
+// How a notch comes out to the cut line.
+struct NotchLine {
+    Vec2d on_outline = Vec2d::Zero();  // m, panel frame
+    Vec2d on_cut = Vec2d::Zero();      // m, square to the outline; equal to on_outline where there is no allowance
+    Vec2d outward = Vec2d::UnitY();    // unit
+    NotchKind kind = NotchKind::Slit;
+    int count = 1;
+};
+
+struct CutLine {
+    std::vector<Vec2d> outline;  // m, closed, counter-clockwise, without its first point at the end
+    std::vector<NotchLine> notches;
+};
+
+// The allowance of an edge: its own, else the panel's, else the pattern's, m.
+double allowance_of(const Panel& panel, const OutlineEdge& edge, double pattern_allowance);
+
+struct CutLineOptions {
+    double pattern_allowance = 0;  // m
+    double longest_mitre = 2.5;    // of the wider allowance: sharper corners are cut off square to their middle
+    double chord_error = 2e-5;     // m
+};
+
+// Within twice the chord error of the exact parallels.
+CutLine cut_line(const Panel& panel, const CutLineOptions& options = {});
+
+// The panel whose outline is moved inward by a constant width, m. Edges keep their order, and their number unless a
+// curve needs more than one cubic to stay within 0.05 mm. Throws InputError (place: the panel's name) if an edge
+// vanishes.
+Panel inset_panel(const Panel& cut, double width);
+
+}  // namespace selvedge::sim

@@ -1,0 +1,28 @@
+#include "sim/paper/drawing_file.h"
+
+#include "sim/core/error.h"
+#include "sim/core/file.h"
+#include "sim/core/json.h"
+#include "sim/paper/freesewing_json.h"
+#include "sim/paper/svg_drawing.h"
+
+namespace selvedge::sim {
+
+Drawing parse_drawing(std::string_view text, const std::string& file) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    if (first == std::string_view::npos) throw InputError(file, "", "the file is empty");
+    if (text[first] == '{') {
+        const Json root = parse_json(text, file);
+        if (!looks_like_freesewing(root)) throw InputError(file, "parts", "missing: no draft of FreeSewing");
+        return read_freesewing(root, file);
+    }
+    if (looks_like_svg(text)) return read_svg(text, file);
+    throw InputError(file, "", "neither SVG, DXF nor a draft of FreeSewing");
+}
+
+Drawing read_drawing(const std::filesystem::path& path) {
+    constexpr std::size_t kLargestFile = 64U << 20U;  // bytes
+    return parse_drawing(read_file(path, kLargestFile), path.string());
+}
+
+}  // namespace selvedge::sim

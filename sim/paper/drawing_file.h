@@ -1,0 +1,15 @@
+#pragma once
+// Reads a 2D pattern file of another program, whatever its format: told by content, not by extension.
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "sim/paper/drawing.h"
+
+namespace selvedge::sim {
+
+// SVG, FreeSewing's data or DXF. Throws InputError that says where the text is wrong, or that names the formats.
+Drawing parse_drawing(std::string_view text, const std::string& file);
+Drawing read_drawing(const std::filesystem::path& path);
+
+}  // namespace selvedge::sim

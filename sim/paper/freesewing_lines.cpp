@@ -1,0 +1,93 @@
+#include "sim/paper/freesewing_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <vector>
+
+namespace selvedge::sim {
+namespace {
+
+std::string lower(std::string_view text) {
+    std::string small(text);
+    for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return small;
+}
+
+std::vector<std::string> words_of(std::string_view text) {
+    std::vector<std::string> words;
+    bool is_inside = false;
+    for (const char c : text) {
+        const bool is_letter = std::isalnum(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80;
+        if (is_letter && !is_inside) words.emplace_back();
+        if (is_letter) words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        is_inside = is_letter;
+    }
+    return words;
+}
+
+constexpr std::array<std::string_view, 5> kMaterials{"fabric", "lining", "interfacing", "canvas", "various"};
+
+bool has(const std::vector<std::string>& words, std::string_view word) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+}  // namespace
+
+LineKind kind_of(const FreesewingLine& line) {
+    const std::vector<std::string> classes = words_of(line.classes);
+    const std::string name = lower(line.name);
+    const auto names = [&](std::string_view part) { return name.find(part) != std::string::npos; };
+    if (names("cutonfold") || names("cut on fold")) return LineKind::FoldEdge;
+    if (names("grainline")) return LineKind::Grain;
+    if (has(classes, "hidden") || has(classes, "scalebox") || names("scalebox")) return LineKind::Help;
+    if (names("fold") && !line.is_closed) return LineKind::FoldLine;
+    const bool is_material = std::ranges::any_of(kMaterials, [&](std::string_view one) { return has(classes, one); });
+    const bool is_broken = std::ranges::any_of(std::array<std::string_view, 4>{"dashed", "dotted", "lashed", "mark"},
+                                               [&](std::string_view one) { return has(classes, one); });
+    if (has(classes, "sa")) return line.is_closed ? LineKind::Cut : LineKind::Help;
+    if (has(classes, "help") || has(classes, "contrast")) return LineKind::Help;
+    if (is_broken) return LineKind::Internal;
+    if (is_material) return line.is_closed ? LineKind::Sew : LineKind::Internal;
+    return LineKind::Help;
+}
+
+void read_cut_instructions(std::string_view text, CutInstructions& cut) {
+    const std::vector<std::string> words = words_of(text);
+    const auto at = std::ranges::find(words, "cut");
+    if (at == words.end() || at + 1 == words.end() || cut.pieces) return;
+    const std::string& count = *(at + 1);
+    const bool is_number = count.size() <= 3 && std::ranges::all_of(count, [](char c) {
+                               return std::isdigit(static_cast<unsigned char>(c)) != 0;
+                           });
+    if (!is_number) return;
+    cut.pieces = std::stoi(count);
+    cut.are_mirrored = has(words, "mirrored");
+    cut.is_on_fold = has(words, "onfold") || has(words, "fold");
+    const auto from = std::ranges::find(at, words.end(), "from");
+    for (auto word = from; word != words.end(); ++word) {
+        if (*word != "from" && *word != "plugin" && *word != "annotations" && *word != "main") {
+            cut.material = *word;
+            break;
+        }
+    }
+}
+
+bool read_snippet(std::string_view name, DrawnMark& mark) {
+    if (name == "notch" || name == "bnotch") {
+        mark.kind = MarkKind::Notch;
+        mark.count = name == "bnotch" ? 2 : 1;
+        return true;
+    }
+    if (name.starts_with("buttonhole")) {
+        mark.kind = MarkKind::Buttonhole;
+        return true;
+    }
+    if (name == "button" || name.starts_with("snap")) {
+        mark.kind = MarkKind::Button;
+        return true;
+    }
+    return false;
+}
+
+}  // namespace selvedge::sim

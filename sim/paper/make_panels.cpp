@@ -1,0 +1,516 @@
+#include "sim/paper/make_panels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+#include <set>
+
+#include "sim/core/error.h"
+#include "sim/paper/cut_line.h"
+#include "sim/pattern/edge_shape.h"
+#include "sim/pattern/outline.h"
+#include "sim/proposals/panel_role.h"
+
+namespace selvedge::sim {
+namespace {
+
+constexpr double kChordError = 1e-4;  // m, for distances to curves
+
+std::size_t as_size(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+std::string in_cm(double metres) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g cm", 100 * metres);
+    return text.data();
+}
+
+Vec2d point_of(const DrawnPath& path, int vertex) {
+    return path.vertices[as_size(vertex)];
+}
+
+Eigen::AlignedBox2d box_of(const DrawnPath& path) {
+    Eigen::AlignedBox2d box;
+    for (const Vec2d& v : path.vertices) box.extend(v);
+    for (const OutlineEdge& edge : path.edges) {
+        if (edge.kind == CurveKind::Quadratic || edge.kind == CurveKind::Cubic) box.extend(edge.control[0]);
+        if (edge.kind == CurveKind::Cubic) box.extend(edge.control[1]);
+    }
+    return box;
+}
+
+double extent(const DrawnPath& path) {
+    const Eigen::AlignedBox2d box = box_of(path);
+    return box.isEmpty() ? 0 : box.sizes().maxCoeff();
+}
+
+// ---- The unit of a file that names none.
+
+struct Unit {
+    const char* name;
+    double metres;
+};
+constexpr std::array kUnits = std::to_array<Unit>({{"mm", 0.001},
+                                                   {"cm", 0.01},
+                                                   {"inch", 0.0254},
+                                                   {"px (96 to the inch)", 0.0254 / 96},
+                                                   {"pt (72 to the inch)", 0.0254 / 72},
+                                                   {"m", 1}});
+
+// The first unit in which the largest part is as large as panels of a garment are.
+Unit guess_unit(const Drawing& drawing) {
+    constexpr double kSmallest = 0.25, kLargest = 1.8;  // m, of a garment's largest panel
+    double largest = 0;
+    for (const DrawnPart& part : drawing.parts) {
+        for (const DrawnPath& path : part.paths) {
+            if (path.is_closed && path.kind != LineKind::Help) largest = std::max(largest, extent(path));
+        }
+    }
+    for (const Unit& unit : kUnits) {
+        if (largest * unit.metres >= kSmallest && largest * unit.metres <= kLargest) return unit;
+    }
+    return kUnits[0];
+}
+
+// ---- Sizes.
+
+std::vector<std::string> sizes_of(const Drawing& drawing) {
+    std::vector<std::string> sizes;
+    for (const DrawnPart& part : drawing.parts) {
+        if (!part.size.empty() && std::ranges::find(sizes, part.size) == sizes.end()) sizes.push_back(part.size);
+    }
+    return sizes;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+// ---- From a drawn path to an outline.
+
+DrawnPath scaled(DrawnPath path, double scale) {
+    for (Vec2d& v : path.vertices) v *= scale;
+    for (OutlineEdge& edge : path.edges) {
+        for (Vec2d& control : edge.control) control *= scale;
+        edge.arc_radius *= scale;
+    }
+    return path;
+}
+
+Panel reversed_outline(const Panel& panel) {
+    Panel reversed = panel;
+    std::ranges::reverse(reversed.edges);
+    for (OutlineEdge& edge : reversed.edges) edge = reversed_edge(edge);
+    return reversed;
+}
+
+// Without edges that are too short; the next edge starts where the removed one did.
+void drop_short_edges(Panel& panel) {
+    std::vector<OutlineEdge> kept;
+    for (const OutlineEdge& edge : panel.edges) {
+        if (outline_length(panel, edge) >= kShortestEdge) {
+            kept.push_back(edge);
+        } else if (!kept.empty()) {
+            kept.back().end = edge.end;
+        }
+    }
+    for (std::size_t e = 0; e < kept.size(); ++e) kept[e].end = kept[(e + 1) % kept.size()].start;
+    panel.edges = std::move(kept);
+}
+
+void drop_unused_vertices(Panel& panel) {
+    std::vector<int> image(panel.vertices.size(), -1);
+    std::vector<Vec2d> kept;
+    for (OutlineEdge& edge : panel.edges) {
+        image[as_size(edge.start)] = static_cast<int>(kept.size());
+        kept.push_back(panel.vertices[as_size(edge.start)]);
+    }
+    for (OutlineEdge& edge : panel.edges) {
+        edge.start = image[as_size(edge.start)];
+        edge.end = image[as_size(edge.end)];
+    }
+    panel.vertices = std::move(kept);
+}
+
+// Pre: the path is closed. Counter-clockwise, as panels are.
+Panel outline_of(const DrawnPath& path) {
+    Panel panel;
+    panel.vertices = path.vertices;
+    panel.edges = path.edges;
+    drop_short_edges(panel);
+    if (panel.edges.size() < 2) return panel;
+    if (outline_area(panel) < 0) panel = reversed_outline(panel);
+    drop_unused_vertices(panel);
+    return panel;
+}
+
+// ---- Parts.
+
+class PartReader {
+ public:
+    PartReader(const DrawnPart& part, double scale, const std::optional<double>& allowance, const std::string& file)
+        : part_(part), scale_(scale), allowance_(allowance), file_(file) {}
+
+    // None: the part has no closed outline.
+    std::optional<Panel> read() {
+        std::optional<Panel> panel = read_outline();
+        if (!panel) return std::nullopt;
+        panel->name = part_.name;
+        panel_ = std::move(*panel);
+        check_outline();
+        add_marks();
+        add_grain();
+        add_lines();
+        unfold();
+        panel_.name = part_.name;
+        if (part_.cut.pieces) panel_.pieces = std::clamp(*part_.cut.pieces, 1, kMostPieces);
+        return panel_;
+    }
+
+    std::vector<std::string> notes;
+
+ private:
+    void note(const std::string& text) { notes.push_back(part_.name + ": " + text); }
+
+    const DrawnPath* largest(LineKind kind) const {
+        const DrawnPath* found = nullptr;
+        for (const DrawnPath& path : part_.paths) {
+            if (path.kind != kind || !path.is_closed || path.edges.size() < 2) continue;
+            if (!found || extent(path) > extent(*found)) found = &path;
+        }
+        return found;
+    }
+
+    std::optional<Panel> read_outline() {
+        if (const DrawnPath* sewn = largest(LineKind::Sew)) return outline_of(scaled(*sewn, scale_));
+        const DrawnPath* path = largest(LineKind::Cut);
+        const bool is_cut = path != nullptr;
+        if (!path) path = largest(LineKind::Unknown);
+        if (!path) return std::nullopt;
+        Panel panel = outline_of(scaled(*path, scale_));
+        if (panel.edges.size() < 2) return std::nullopt;
+        panel.name = part_.name;
+        if (!allowance_) {
+            if (is_cut) note("only the cut line is drawn: taken as the sewing line; --allowance takes it off");
+            return panel;
+        }
+        if (*allowance_ == 0) return panel;
+        note("seam allowance of " + in_cm(*allowance_) + " taken off the cut line");
+        Panel sewn = inset_panel(panel, *allowance_);
+        sewn.allowance = *allowance_;
+        return sewn;
+    }
+
+    void check_outline() {
+        if (panel_.edges.size() < 2 || std::abs(outline_area(panel_)) < kSmallestArea)
+            throw InputError(file_, part_.name, "the outline encloses no area");
+        if (panel_.edges.size() > kMaxEdges)
+            throw InputError(file_, part_.name, std::to_string(panel_.edges.size()) + " edges: at most 5000");
+        const auto crossings = find_outline_crossings(panel_, {.most = 1});
+        if (crossings.empty()) return;
+        const Vec2d at = crossings[0].place / scale_;
+        std::array<char, 96> text{};
+        std::snprintf(text.data(), text.size(), "the outline crosses or touches itself near (%.6g, %.6g)", at.x(),
+                      at.y());
+        throw InputError(file_, part_.name, text.data());
+    }
+
+    struct OutlinePlace {
+        int edge = 0;
+        double t = 0;
+        double distance = std::numeric_limits<double>::infinity();  // m
+    };
+
+    OutlinePlace nearest_on_outline(const Vec2d& p) const {
+        OutlinePlace best;
+        for (std::size_t e = 0; e < panel_.edges.size(); ++e) {
+            const std::vector<Vec2d> line = outline_polyline(panel_, panel_.edges[e], kChordError);
+            double total = 0, at = 0;
+            double least = std::numeric_limits<double>::infinity();
+            for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+                const Vec2d along = line[i + 1] - line[i];
+                const double length = along.norm();
+                const double s = length > 0 ? std::clamp((p - line[i]).dot(along) / (length * length), 0.0, 1.0) : 0;
+                const double distance = (line[i] + s * along - p).norm();
+                if (distance < least) least = distance, at = total + s * length;
+                total += length;
+            }
+            if (least < best.distance)
+                best = {static_cast<int>(e), total > 0 ? std::clamp(at / total, 0.0, 1.0) : 0, least};
+        }
+        return best;
+    }
+
+    void add_marks() {
+        constexpr double kReach = 0.03;  // m, from the sewing line to a notch at the cut line
+        for (const DrawnMark& mark : part_.marks) {
+            const Vec2d at = scale_ * mark.at;
+            if (mark.kind == MarkKind::Drill || mark.kind == MarkKind::Button) panel_.drill_points.push_back(at);
+            if (mark.kind != MarkKind::Notch) continue;
+            const OutlinePlace place = nearest_on_outline(at);
+            if (place.distance > kReach) continue;
+            panel_.notches.push_back({place.edge, place.t, mark.notch, mark.count});
+        }
+    }
+
+    void add_grain() {
+        for (const DrawnPath& path : part_.paths) {
+            if (path.kind != LineKind::Grain || path.vertices.size() < 2) continue;
+            Vec2d along = path.vertices.back() - path.vertices.front();
+            if (along.norm() == 0) continue;
+            if (along.y() < 0 || (along.y() == 0 && along.x() > 0)) along = -along;
+            panel_.grain_angle = std::atan2(-along.x(), along.y());
+            return;
+        }
+    }
+
+    void add_lines() {
+        for (const DrawnPath& path : part_.paths) {
+            const bool is_fold = path.kind == LineKind::FoldLine;
+            const bool is_mark = path.kind == LineKind::Internal || path.kind == LineKind::Cutout;
+            if ((!is_fold && !is_mark) || path.edges.empty()) continue;
+            InternalLine line{path.name, {}, is_fold ? LineUse::Fold : LineUse::Mark};
+            Panel curve;
+            curve.vertices = scaled(path, scale_).vertices;
+            curve.edges = scaled(path, scale_).edges;
+            for (const OutlineEdge& edge : curve.edges) {
+                std::vector<Vec2d> points = outline_polyline(curve, edge, kChordError);
+                if (!line.points.empty()) points.erase(points.begin());
+                line.points.insert(line.points.end(), points.begin(), points.end());
+            }
+            panel_.internal_lines.push_back(std::move(line));
+        }
+    }
+
+    // The straight edge that both ends of a fold's line lie on.
+    std::optional<int> edge_under(const DrawnPath& fold) const {
+        constexpr double kOffLine = 0.002;  // m
+        const Vec2d from = scale_ * fold.vertices.front(), to = scale_ * fold.vertices.back();
+        std::optional<int> best;
+        double least = kOffLine;
+        for (std::size_t e = 0; e < panel_.edges.size(); ++e) {
+            const OutlineEdge& edge = panel_.edges[e];
+            if (edge.kind != CurveKind::Line) continue;
+            const Vec2d start = panel_.vertices[as_size(edge.start)];
+            const Vec2d along = (panel_.vertices[as_size(edge.end)] - start).normalized();
+            const double off = std::max(std::abs(cross2(along, from - start)), std::abs(cross2(along, to - start)));
+            const double length = outline_length(panel_, edge), middle = along.dot((from + to) / 2 - start);
+            if (off >= least || middle < 0 || middle > length) continue;
+            least = off;
+            best = static_cast<int>(e);
+        }
+        return best;
+    }
+
+    void unfold() {
+        for (const DrawnPath& path : part_.paths) {
+            if (path.kind != LineKind::FoldEdge || path.vertices.size() < 2) continue;
+            const std::optional<int> edge = edge_under(path);
+            if (!edge) {
+                note("a fold is drawn, but no straight edge lies on it: not unfolded");
+                continue;
+            }
+            const Vec2d start = panel_.vertices[as_size(panel_.edges[as_size(*edge)].start)];
+            const Vec2d end = panel_.vertices[as_size(panel_.edges[as_size(*edge)].end)];
+            if (!has_grain_line()) panel_.grain_angle = upright_angle(end - start);
+            panel_ = unfolded(panel_, *edge);
+            return;
+        }
+    }
+
+    bool has_grain_line() const {
+        return std::ranges::any_of(part_.paths, [](const DrawnPath& path) { return path.kind == LineKind::Grain; });
+    }
+
+    static double upright_angle(Vec2d along) {
+        if (along.y() < 0) along = -along;
+        return std::atan2(-along.x(), along.y());
+    }
+
+    const DrawnPart& part_;
+    double scale_;
+    std::optional<double> allowance_;
+    const std::string& file_;
+    Panel panel_;
+};
+
+// ---- The pattern.
+
+class PanelMaker {
+ public:
+    PanelMaker(const Drawing& drawing, const std::string& file, const MakePanelsOptions& options)
+        : drawing_(drawing), file_(file), options_(options) {}
+
+    PanelsOfDrawing make() {
+        out_.notes = drawing_.notes;
+        out_.pattern.name = drawing_.title;
+        out_.sizes = sizes_of(drawing_);
+        choose_size();
+        choose_scale();
+        std::vector<int> first_panel;
+        for (const DrawnPart& part : drawing_.parts) {
+            first_panel.push_back(static_cast<int>(out_.pattern.panels.size()));
+            if (!part.size.empty() && part.size != out_.pattern.size) continue;
+            add_part(part);
+        }
+        if (out_.pattern.panels.empty())
+            throw InputError(file_, "", "no closed outline: nothing that could be a panel");
+        add_seams(first_panel);
+        finish_pairs();
+        if (drawing_.allowance) out_.pattern.allowance = std::clamp(*drawing_.allowance, 0.0, kWidestAllowance);
+        return std::move(out_);
+    }
+
+ private:
+    void choose_size() {
+        if (!options_.size.empty()) {
+            if (std::ranges::find(out_.sizes, options_.size) == out_.sizes.end()) {
+                throw InputError(file_, "",
+                                 out_.sizes.empty() ? "the file names no sizes"
+                                                    : "no size '" + options_.size + "': " + joined(out_.sizes));
+            }
+            out_.pattern.size = options_.size;
+            return;
+        }
+        if (out_.sizes.empty()) return;
+        out_.pattern.size = out_.sizes[(out_.sizes.size() - 1) / 2];
+        if (out_.sizes.size() > 1) {
+            out_.notes.push_back("sizes " + joined(out_.sizes) + ": took " + out_.pattern.size +
+                                 "; --size takes another");
+        }
+    }
+
+    void choose_scale() {
+        if (options_.metres_per_unit || drawing_.metres_per_unit) {
+            scale_ = options_.metres_per_unit ? *options_.metres_per_unit : *drawing_.metres_per_unit;
+            return;
+        }
+        const Unit unit = guess_unit(drawing_);
+        scale_ = unit.metres;
+        out_.is_unit_guessed = true;
+        out_.notes.push_back(std::string("the file names no unit: 1 unit taken as 1 ") + unit.name +
+                             " from the size of the parts; --unit sets another");
+    }
+
+    static bool is_other_material(const std::string& material) {
+        const PanelRole role = role_of_name(material);
+        return role.part == GarmentPart::Accessory;
+    }
+
+    void add_part(const DrawnPart& part) {
+        for (const DrawnText& text : part.texts) out_.hints += text.text + " ";
+        const std::optional<double> allowance = options_.allowance ? options_.allowance : drawing_.allowance;
+        PartReader reader(part, scale_, allowance, file_);
+        std::optional<Panel> panel = reader.read();
+        out_.notes.insert(out_.notes.end(), reader.notes.begin(), reader.notes.end());
+        if (!panel) {
+            out_.notes.push_back(part.name + ": no closed outline, left out");
+            return;
+        }
+        panel->name = free_name(panel->name.empty() ? "panel" : panel->name);
+        if (is_other_material(part.cut.material)) {
+            panel->is_worn = false;
+            out_.notes.push_back(panel->name + ": cut from " + part.cut.material + ", not worn");
+        }
+        is_pair_.push_back(is_pair(part));
+        out_.pattern.panels.push_back(std::move(*panel));
+    }
+
+    // Whether the part is cut twice, once mirrored; none: the drawing does not say.
+    static std::optional<bool> is_pair(const DrawnPart& part) {
+        const CutInstructions& cut = part.cut;
+        if (cut.is_on_fold.value_or(false)) return false;
+        if (cut.pieces && *cut.pieces % 2 != 0) return false;
+        if (cut.are_mirrored) return *cut.are_mirrored && cut.pieces.value_or(2) >= 2;
+        return std::nullopt;
+    }
+
+    std::string free_name(const std::string& wanted) const {
+        const auto is_taken = [&](const std::string& name) {
+            return std::ranges::any_of(out_.pattern.panels, [&](const Panel& panel) { return panel.name == name; });
+        };
+        std::string name = wanted;
+        for (int number = 2; is_taken(name); ++number) name = wanted + "_" + std::to_string(number);
+        return name;
+    }
+
+    // Seams that the file states. A part that was unfolded or left out has none.
+    void add_seams(const std::vector<int>& first_panel) {
+        for (const DrawnSeam& drawn : drawing_.seams) {
+            Seam seam{drawn.first, drawn.second, drawn.is_reversed, drawn.name, drawn.is_eased};
+            bool is_whole = true;
+            for (SeamSide* side : {&seam.first, &seam.second}) {
+                if (side->panel < 0 || as_size(side->panel) >= first_panel.size()) {
+                    is_whole = false;
+                    continue;
+                }
+                side->panel = first_panel[as_size(side->panel)];
+                is_whole = is_whole && as_size(side->panel) < out_.pattern.panels.size() && side->edge >= 0 &&
+                           as_size(side->edge) < out_.pattern.panels[as_size(side->panel)].edges.size();
+            }
+            if (is_whole) out_.pattern.seams.push_back(std::move(seam));
+            if (!is_whole) out_.notes.push_back("a seam names an edge that is not there: left out");
+        }
+        has_seams_ = !drawing_.seams.empty();
+    }
+
+    // Adds the second panel of each mirrored pair. The drawing's own seams tell that all panels are drawn.
+    void finish_pairs() {
+        if (has_seams_) return;
+        const std::vector<PanelRole> roles = roles_of(out_.pattern, out_.hints);
+        const std::size_t count = out_.pattern.panels.size();
+        for (std::size_t p = 0; p < count; ++p) {
+            const bool is_told = is_pair_[p].has_value();
+            const bool is_lone = roles[p].flank == Flank::None && !has_twin(p, count);
+            const bool is_wanted =
+                is_told ? *is_pair_[p] : is_lone && comes_in_pairs(roles[p], out_.pattern.panels[p].name);
+            if (!is_wanted) continue;
+            if (!is_told) out_.notes.push_back(out_.pattern.panels[p].name + ": taken for one of a pair, by its name");
+            add_mirror_image(p);
+        }
+    }
+
+    // Whether the file draws the mirror image itself.
+    bool has_twin(std::size_t p, std::size_t count) const {
+        const Panel& panel = out_.pattern.panels[p];
+        for (std::size_t q = 0; q < count; ++q) {
+            const Panel& other = out_.pattern.panels[q];
+            if (q == p || other.edges.size() != panel.edges.size()) continue;
+            const double area = outline_area(panel);
+            if (std::abs(outline_area(other) - area) < 1e-6 * area) return true;
+        }
+        return false;
+    }
+
+    void add_mirror_image(std::size_t p) {
+        Panel image = mapped_panel(out_.pattern.panels[p], Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
+        Panel& panel = out_.pattern.panels[p];
+        panel.pieces = std::max(1, panel.pieces / 2);
+        image.pieces = panel.pieces;
+        image.mirror_of = panel.name;
+        image.name = free_name(panel.name + "_mirrored");
+        out_.pattern.panels.push_back(std::move(image));
+    }
+
+    const Drawing& drawing_;
+    const std::string& file_;
+    const MakePanelsOptions& options_;
+    double scale_ = 1;
+    bool has_seams_ = false;
+    std::vector<std::optional<bool>> is_pair_;  // per panel of the drawing
+    PanelsOfDrawing out_;
+};
+
+}  // namespace
+
+PanelsOfDrawing make_panels(const Drawing& drawing, const std::string& file, const MakePanelsOptions& options) {
+    return PanelMaker(drawing, file, options).make();
+}
+
+}  // namespace selvedge::sim

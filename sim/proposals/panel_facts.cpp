@@ -1,0 +1,49 @@
+#include "sim/proposals/panel_facts.h"
+
+#include <algorithm>
+
+#include "sim/pattern/edge_shape.h"
+
+namespace selvedge::sim {
+
+std::vector<PanelFacts> facts_of(const Pattern& pattern, std::string_view hints) {
+    const std::vector<PanelRole> roles = roles_of(pattern, hints);
+    std::vector<PanelFacts> all;
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+        const Panel& panel = pattern.panels[p];
+        PanelFacts facts{.role = roles[p]};
+        const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
+        facts.axis = box.center().x();
+        facts.width = box.sizes().x();
+        facts.height = box.sizes().y();
+        const double tolerance = 0.002 + 0.002 * facts.width;  // m
+        facts.is_symmetric = std::ranges::all_of(panel.edges, [&](const OutlineEdge& edge) {
+            const Vec2d v = panel.vertices[static_cast<std::size_t>(edge.start)];
+            return std::ranges::any_of(panel.edges, [&](const OutlineEdge& other) {
+                const Vec2d w = panel.vertices[static_cast<std::size_t>(other.start)];
+                return (Vec2d(2 * facts.axis - v.x(), v.y()) - w).norm() < tolerance;
+            });
+        });
+        for (std::size_t q = 0; q < pattern.panels.size(); ++q) {
+            const Panel& other = pattern.panels[q];
+            if (other.mirror_of == panel.name || (!panel.mirror_of.empty() && panel.mirror_of == other.name))
+                facts.twin = static_cast<int>(q);
+        }
+        all.push_back(facts);
+    }
+    const bool has_opening = std::ranges::any_of(pattern.panels, [](const Panel& panel) {
+        return std::ranges::any_of(words_of_name(panel.name), [](const std::string& word) {
+            return word.starts_with("placket") || word.starts_with("button") || word.starts_with("zip");
+        });
+    });
+    for (PanelFacts& facts : all) {
+        facts.has_opening = has_opening;
+        facts.has_other_face = std::ranges::any_of(all, [&](const PanelFacts& other) {
+            return other.role.part == facts.role.part && other.role.face != facts.role.face &&
+                   other.role.face != Face::None && facts.role.face != Face::None;
+        });
+    }
+    return all;
+}
+
+}  // namespace selvedge::sim

@@ -1,0 +1,22 @@
+#pragma once
+// What the evidence for seams needs to know of each panel: its role, its size, its symmetry, its mirror image.
+#include <string_view>
+#include <vector>
+
+#include "sim/proposals/panel_role.h"
+
+namespace selvedge::sim {
+
+struct PanelFacts {
+    PanelRole role;
+    double axis = 0;               // x of the panel's middle, m
+    double width = 0, height = 0;  // m
+    bool is_symmetric = false;     // its right half mirrors its left one
+    int twin = -1;                 // the panel that is its mirror image; -1: none
+    bool has_other_face = false;   // another panel is the back of this front, or the front of this back
+    bool has_opening = false;      // the garment is closed by buttons or a zip
+};
+
+std::vector<PanelFacts> facts_of(const Pattern& pattern, std::string_view hints);
+
+}  // namespace selvedge::sim
