@@ -16,6 +16,7 @@ void add_diff_command(CLI::App& app, int& exit_code);
 void add_dress_command(CLI::App& app, int& exit_code);
 void add_edit_command(CLI::App& app, int& exit_code);
 void add_mannequin_command(CLI::App& app, int& exit_code);
+void add_import_command(CLI::App& app, int& exit_code);
 void add_match_command(CLI::App& app, int& exit_code);
 void add_render_command(CLI::App& app, int& exit_code);
 

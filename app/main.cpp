@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
     selvedge::app::add_edit_command(app, exit_code);
     selvedge::app::add_check_command(app, exit_code);
     selvedge::app::add_mannequin_command(app, exit_code);
+    selvedge::app::add_import_command(app, exit_code);
     selvedge::app::add_match_command(app, exit_code);
     selvedge::app::add_render_command(app, exit_code);
     selvedge::app::add_diff_command(app, exit_code);

@@ -3,6 +3,8 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
+#include "sim/paper/dxf_drawing.h"
+#include "sim/paper/dxf_text.h"
 #include "sim/paper/freesewing_json.h"
 #include "sim/paper/svg_drawing.h"
 
@@ -16,6 +18,7 @@ Drawing parse_drawing(std::string_view text, const std::string& file) {
         if (!looks_like_freesewing(root)) throw InputError(file, "parts", "missing: no draft of FreeSewing");
         return read_freesewing(root, file);
     }
+    if (looks_like_dxf(text)) return read_dxf(text, file);
     if (looks_like_svg(text)) return read_svg(text, file);
     throw InputError(file, "", "neither SVG, DXF nor a draft of FreeSewing");
 }

@@ -29,10 +29,6 @@ std::string in_cm(double metres) {
     return text.data();
 }
 
-Vec2d point_of(const DrawnPath& path, int vertex) {
-    return path.vertices[as_size(vertex)];
-}
-
 Eigen::AlignedBox2d box_of(const DrawnPath& path) {
     Eigen::AlignedBox2d box;
     for (const Vec2d& v : path.vertices) box.extend(v);
@@ -150,6 +146,32 @@ Panel outline_of(const DrawnPath& path) {
     return panel;
 }
 
+struct OutlinePlace {
+    int edge = 0;
+    double t = 0;
+    double distance = std::numeric_limits<double>::infinity();  // m
+};
+
+OutlinePlace nearest_place(const Panel& panel, const Vec2d& p) {
+    OutlinePlace best;
+    for (std::size_t e = 0; e < panel.edges.size(); ++e) {
+        const std::vector<Vec2d> line = outline_polyline(panel, panel.edges[e], kChordError);
+        double total = 0, at = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+            const Vec2d along = line[i + 1] - line[i];
+            const double length = along.norm();
+            const double s = length > 0 ? std::clamp((p - line[i]).dot(along) / (length * length), 0.0, 1.0) : 0;
+            const double distance = (line[i] + s * along - p).norm();
+            if (distance < least) least = distance, at = total + s * length;
+            total += length;
+        }
+        if (least < best.distance)
+            best = {static_cast<int>(e), total > 0 ? std::clamp(at / total, 0.0, 1.0) : 0, least};
+    }
+    return best;
+}
+
 // ---- Parts.
 
 class PartReader {
@@ -188,8 +210,14 @@ class PartReader {
     }
 
     std::optional<Panel> read_outline() {
-        if (const DrawnPath* sewn = largest(LineKind::Sew)) return outline_of(scaled(*sewn, scale_));
         const DrawnPath* path = largest(LineKind::Cut);
+        if (const DrawnPath* sewn = largest(LineKind::Sew)) {
+            Panel panel = outline_of(scaled(*sewn, scale_));
+            if (!path || panel.edges.size() < 2 || find_outline_crossings(panel, {.most = 1}).empty()) return panel;
+            const double width = distance_between(panel, outline_of(scaled(*path, scale_)));
+            note("the sewing line crosses itself: taken from the cut line instead, " + in_cm(width) + " inside it");
+            return inset_panel(outline_of(scaled(*path, scale_)), width);
+        }
         const bool is_cut = path != nullptr;
         if (!path) path = largest(LineKind::Unknown);
         if (!path) return std::nullopt;
@@ -207,6 +235,18 @@ class PartReader {
         return sewn;
     }
 
+    // The median distance of a line from another, m.
+    static double distance_between(const Panel& inner, const Panel& outer) {
+        std::vector<double> distances;
+        for (const OutlineEdge& edge : inner.edges) {
+            for (const double t : {0.25, 0.5, 0.75})
+                distances.push_back(nearest_place(outer, outline_point(inner, edge, t)).distance);
+        }
+        const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+        std::ranges::nth_element(distances, middle);
+        return *middle;
+    }
+
     void check_outline() {
         if (panel_.edges.size() < 2 || std::abs(outline_area(panel_)) < kSmallestArea)
             throw InputError(file_, part_.name, "the outline encloses no area");
@@ -221,39 +261,13 @@ class PartReader {
         throw InputError(file_, part_.name, text.data());
     }
 
-    struct OutlinePlace {
-        int edge = 0;
-        double t = 0;
-        double distance = std::numeric_limits<double>::infinity();  // m
-    };
-
-    OutlinePlace nearest_on_outline(const Vec2d& p) const {
-        OutlinePlace best;
-        for (std::size_t e = 0; e < panel_.edges.size(); ++e) {
-            const std::vector<Vec2d> line = outline_polyline(panel_, panel_.edges[e], kChordError);
-            double total = 0, at = 0;
-            double least = std::numeric_limits<double>::infinity();
-            for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-                const Vec2d along = line[i + 1] - line[i];
-                const double length = along.norm();
-                const double s = length > 0 ? std::clamp((p - line[i]).dot(along) / (length * length), 0.0, 1.0) : 0;
-                const double distance = (line[i] + s * along - p).norm();
-                if (distance < least) least = distance, at = total + s * length;
-                total += length;
-            }
-            if (least < best.distance)
-                best = {static_cast<int>(e), total > 0 ? std::clamp(at / total, 0.0, 1.0) : 0, least};
-        }
-        return best;
-    }
-
     void add_marks() {
         constexpr double kReach = 0.03;  // m, from the sewing line to a notch at the cut line
         for (const DrawnMark& mark : part_.marks) {
             const Vec2d at = scale_ * mark.at;
             if (mark.kind == MarkKind::Drill || mark.kind == MarkKind::Button) panel_.drill_points.push_back(at);
             if (mark.kind != MarkKind::Notch) continue;
-            const OutlinePlace place = nearest_on_outline(at);
+            const OutlinePlace place = nearest_place(panel_, at);
             if (place.distance > kReach) continue;
             panel_.notches.push_back({place.edge, place.t, mark.notch, mark.count});
         }
@@ -361,6 +375,7 @@ class PanelMaker {
         }
         if (out_.pattern.panels.empty())
             throw InputError(file_, "", "no closed outline: nothing that could be a panel");
+        if (!drawing_.is_upright && drawing_.seams.empty()) set_upright();
         add_seams(first_panel);
         finish_pairs();
         if (drawing_.allowance) out_.pattern.allowance = std::clamp(*drawing_.allowance, 0.0, kWidestAllowance);
@@ -407,7 +422,14 @@ class PanelMaker {
         for (const DrawnText& text : part.texts) out_.hints += text.text + " ";
         const std::optional<double> allowance = options_.allowance ? options_.allowance : drawing_.allowance;
         PartReader reader(part, scale_, allowance, file_);
-        std::optional<Panel> panel = reader.read();
+        std::optional<Panel> panel;
+        try {
+            panel = reader.read();
+        } catch (const InputError& error) {
+            if (drawing_.parts.size() == 1 || !drawing_.seams.empty()) throw;
+            out_.notes.push_back(part.name + ": " + error.problem() + ": left out");
+            return;
+        }
         out_.notes.insert(out_.notes.end(), reader.notes.begin(), reader.notes.end());
         if (!panel) {
             out_.notes.push_back(part.name + ": no closed outline, left out");
@@ -440,6 +462,64 @@ class PanelMaker {
         return name;
     }
 
+    // ---- Which way is up. Pieces are laid out along the cloth, which runs across the table.
+
+    static Eigen::Affine2d turn(double angle) { return Eigen::Affine2d(Eigen::Rotation2Dd(angle)); }
+
+    static bool is_strip(const Panel& panel) {
+        constexpr double kStrip = 2.5;
+        const Vec2d size = outline_box(panel, 1e-3).sizes();
+        return size.maxCoeff() > kStrip * size.minCoeff();
+    }
+
+    // Whether the outline is its own image in the vertical or the horizontal through its middle.
+    static bool is_symmetric(const Panel& panel, Eigen::Index axis) {
+        constexpr double kNear = 0.004;  // m
+        const Vec2d middle = outline_box(panel, 1e-3).center();
+        return std::ranges::all_of(panel.edges, [&](const OutlineEdge& edge) {
+            Vec2d image = outline_point(panel, edge, 0.3);
+            image[axis] = 2 * middle[axis] - image[axis];
+            return nearest_place(panel, image).distance < kNear;
+        });
+    }
+
+    // How much wider the cloth is at the lower end of the panel than at the upper one, m.
+    static double widening(const Panel& panel) {
+        const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
+        const double band = 0.1 * box.sizes().y();
+        Eigen::AlignedBox2d low, high;
+        for (const OutlineEdge& edge : panel.edges) {
+            for (const Vec2d& p : outline_polyline(panel, edge, 1e-3)) {
+                if (p.y() < box.min().y() + band) low.extend(p);
+                if (p.y() > box.max().y() - band) high.extend(p);
+            }
+        }
+        return low.sizes().x() - high.sizes().x();
+    }
+
+    void set_upright() {
+        for (std::size_t p = 0; p < out_.pattern.panels.size(); ++p) {
+            Panel& panel = out_.pattern.panels[p];
+            if (std::abs(panel.grain_angle) > 0.01 && !is_strip(panel))
+                panel = mapped_panel(panel, turn(-panel.grain_angle));
+        }
+        // Without grain lines, symmetric pieces tell: their axis is upright, and the hem is their wider end.
+        double sideways = 0, upright = 0, up = 0;
+        for (const Panel& panel : out_.pattern.panels) {
+            const bool across = is_symmetric(panel, 0), along = is_symmetric(panel, 1);
+            if (is_strip(panel) || across == along || panel.grain_angle != 0) continue;
+            const double area = outline_area(panel);
+            (along ? sideways : upright) += area;
+            if (along) up += area * widening(mapped_panel(panel, turn(std::numbers::pi / 2)));
+        }
+        if (sideways <= upright) return;
+        for (Panel& panel : out_.pattern.panels) {
+            panel = mapped_panel(panel, turn((up > 0 ? 1 : -1) * std::numbers::pi / 2));
+            panel.grain_angle = 0;
+        }
+        out_.notes.emplace_back("the parts lie on their sides: turned upright");
+    }
+
     // Seams that the file states. A part that was unfolded or left out has none.
     void add_seams(const std::vector<int>& first_panel) {
         for (const DrawnSeam& drawn : drawing_.seams) {
@@ -468,12 +548,21 @@ class PanelMaker {
         for (std::size_t p = 0; p < count; ++p) {
             const bool is_told = is_pair_[p].has_value();
             const bool is_lone = roles[p].flank == Flank::None && !has_twin(p, count);
-            const bool is_wanted =
-                is_told ? *is_pair_[p] : is_lone && comes_in_pairs(roles[p], out_.pattern.panels[p].name);
+            const bool is_wanted = is_told ? *is_pair_[p] : is_lone && is_one_of_a_pair(p, roles[p]);
             if (!is_wanted) continue;
-            if (!is_told) out_.notes.push_back(out_.pattern.panels[p].name + ": taken for one of a pair, by its name");
+            if (!is_told)
+                out_.notes.push_back(out_.pattern.panels[p].name + ": taken for one of a pair, by its name or shape");
             add_mirror_image(p);
         }
+    }
+
+    // By its name, or because it is the front or the back of one half of the body.
+    bool is_one_of_a_pair(std::size_t p, const PanelRole& role) const {
+        const Panel& panel = out_.pattern.panels[p];
+        if (comes_in_pairs(role, panel.name)) return true;
+        const bool is_face =
+            (role.face != Face::None && role.part == GarmentPart::Torso) || role.part == GarmentPart::Yoke;
+        return is_face && !is_symmetric(panel, 0) && !is_symmetric(panel, 1);
     }
 
     // Whether the file draws the mirror image itself.

@@ -166,7 +166,7 @@ bool is_sleeve_hem(const OpenBoundary& boundary, const ChainView& view) {
 
 // Two hems are not sewn to each other, nor two waists, nor two armholes or necklines.
 void weigh_facing(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b,
-                  GarmentPart part_a, GarmentPart part_b) {
+                  GarmentPart part_a, GarmentPart part_b, bool are_twins) {
     using enum GarmentPart;
     if (part_a == Sleeve && part_b == Sleeve) {  // may be drawn along the arm
         if (is_sleeve_hem(boundary, a) && is_sleeve_hem(boundary, b)) add(evidence, -5);
@@ -177,7 +177,7 @@ void weigh_facing(Evidence& evidence, const OpenBoundary& boundary, const ChainV
     if (up_a < -kLevel && up_b < -kLevel) return add(evidence, -5);
     if (std::min(up_a, up_b) < -kLevel && std::max(up_a, up_b) > kLevel) return add(evidence, 0.8);
     const bool has_shoulder = is_one_of(part_a, {Torso, Yoke, Hood, Unknown}) || is_one_of(part_b, {Torso, Yoke, Hood});
-    if (up_a > kLevel && up_b > kLevel && !has_shoulder) add(evidence, -5);
+    if (up_a > kLevel && up_b > kLevel && (!has_shoulder || (are_twins && part_a != Hood))) add(evidence, -5);
 }
 
 void weigh_bulges(Evidence& evidence, const std::vector<Vec2d>& a, const std::vector<Vec2d>& b, bool may_be_hollow) {
@@ -213,7 +213,8 @@ double odds_of_parts(const PanelRole& a, const PanelRole& b) {
     if (a.part == Unknown || b.part == Unknown) return 0;
     if (a.part == b.part) {
         const bool are_opposite = a.face != b.face && a.face != Face::None && b.face != Face::None;
-        return are_opposite ? 1.5 : 0.3;
+        const bool are_choices = a.part == Sleeve && a.face == Face::None && b.face == Face::None;  // long or short
+        return are_opposite ? 1.5 : are_choices ? -4 : 0.3;
     }
     struct Row {
         GarmentPart one, other;
@@ -258,6 +259,12 @@ bool are_twins(const std::vector<PanelFacts>& facts, int a, int b) {
 }
 
 // Mirror images are sewn to each other in the middle of the body, when their other sides have found their seams.
+// Whether one chain runs over the mirror image of what the other runs over, as left and right armholes do.
+bool have_twins(const std::vector<PanelFacts>& facts, const std::vector<int>& a, const std::vector<int>& b) {
+    return std::ranges::any_of(
+        a, [&](int one) { return std::ranges::any_of(b, [&](int other) { return are_twins(facts, one, other); }); });
+}
+
 constexpr double kNever = -100;  // odds
 double odds_of_twins(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, int a, int b,
                      bool are_chains) {
@@ -406,8 +413,9 @@ void weigh_notches(Evidence& evidence, const OpenBoundary& boundary, const Chain
 
 bool may_be_gathered(const PanelRole& a, const PanelRole& b) {
     using enum GarmentPart;
-    return are_parts(a.part, b.part, Skirt, Waistband) || are_parts(a.part, b.part, Skirt, Torso) ||
-           are_parts(a.part, b.part, Sleeve, Cuff) || are_parts(a.part, b.part, Leg, Cuff);
+    return are_parts(a.part, b.part, Torso, Yoke) || are_parts(a.part, b.part, Skirt, Waistband) ||
+           are_parts(a.part, b.part, Skirt, Torso) || are_parts(a.part, b.part, Sleeve, Cuff) ||
+           are_parts(a.part, b.part, Leg, Cuff);
 }
 
 void weigh_lengths(Evidence& evidence, const ChainView& a, const ChainView& b, const PanelRole& role_a,
@@ -533,6 +541,8 @@ Evidence weigh(const OpenBoundary& boundary, const std::vector<PanelFacts>& fact
         add(evidence, 0,
             text_of(a.role, pattern.panels[as_size(panels_a[0])]) + " to " +
                 text_of(b.role, pattern.panels[as_size(panels_b[0])]));
+        if (!are_single && a.role.part != GarmentPart::Leg && have_twins(facts, panels_a, panels_b))
+            evidence.is_possible = false;
         weigh_two_panels(evidence, boundary, facts, panels_a[0], panels_b[0], !are_single);
         if (!are_twins(facts, panels_a[0], panels_b[0]))
             weigh_flanks(evidence, flank(a, panels_a, points_a), flank(b, panels_b, points_b));
@@ -548,7 +558,9 @@ Evidence weigh(const OpenBoundary& boundary, const std::vector<PanelFacts>& fact
             weigh_other_side(evidence, boundary, facts, panels_a[0], panels_b[0], points_a);
         if (!is_dart(boundary, first, second)) weigh_upright(evidence, points_a, points_b);
     }
-    if (panels_a != panels_b) weigh_facing(evidence, boundary, first, second, a.role.part, b.role.part);
+    if (panels_a != panels_b)
+        weigh_facing(evidence, boundary, first, second, a.role.part, b.role.part,
+                     are_twins(facts, panels_a[0], panels_b[0]));
     const bool are_loops = first.chain.is_loop && second.chain.is_loop;
     if (are_loops && a.role.part == b.role.part && a.role.part != GarmentPart::Unknown) evidence.is_possible = false;
     if (a.role.part == GarmentPart::Binding && b.role.part != GarmentPart::Binding)

@@ -52,12 +52,12 @@ bool has_word(const std::vector<std::string>& words, const std::array<std::strin
 }
 
 GarmentPart part_of_words(const std::vector<std::string>& words) {
-    constexpr std::size_t kCompound = 8;  // letters: words as long as this may be written in parts, as collar stand
+    constexpr std::size_t kCompound = 5;  // letters: words as long as this may be in a longer one, as FULLSLEEVE
     std::string together;
     for (const std::string& word : words) together += word;
     for (const PartWords& row : kPartWords) {
         for (const std::string& known : words_of_name(row.words)) {
-            if (known.size() > kCompound && together.find(known) != std::string::npos) return row.part;
+            if (known.size() >= kCompound && together.find(known) != std::string::npos) return row.part;
             if (std::ranges::any_of(words, [&](const std::string& word) { return begins(word, known); }))
                 return row.part;
         }
@@ -145,6 +145,11 @@ PanelRole role_of_name(std::string_view name) {
     role.part = part_of_words(words);
     if (has_word(words, kFrontWords)) role.face = Face::Front;
     if (has_word(words, kBackWords)) role.face = role.face == Face::None ? Face::Back : Face::None;
+    // The two halves of a sleeve.
+    if (role.part == GarmentPart::Sleeve && has_word(words, std::array<std::string_view, 2>{"top", "upper"}))
+        role.face = Face::Front;
+    if (role.part == GarmentPart::Sleeve && has_word(words, std::array<std::string_view, 1>{"under"}))
+        role.face = Face::Back;
     if (has_word(words, kLeftWords)) role.flank = Flank::Left;
     if (has_word(words, kRightWords)) role.flank = role.flank == Flank::None ? Flank::Right : Flank::None;
     return role;

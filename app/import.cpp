@@ -1,0 +1,104 @@
+// selvedge import FILE... -o garment.json: makes a garment of patterns that other programs drew.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/import_garment.h"
+#include "app/options.h"
+#include "sim/core/error.h"
+#include "sim/pattern/pattern_file.h"
+
+namespace selvedge::app {
+namespace {
+
+struct ImportArguments {
+    std::vector<std::filesystem::path> files;
+    std::filesystem::path output;
+    std::string unit;
+    std::optional<double> allowance_mm;
+    BodyOptions body;
+    ImportOptions options;
+    bool lists_all = false;
+};
+
+double metres_of_unit(const std::string& unit) {
+    if (unit == "mm") return 0.001;
+    if (unit == "cm") return 0.01;
+    if (unit == "m") return 1;
+    if (unit == "in") return 0.0254;
+    if (unit == "pt") return 0.0254 / 72;
+    if (unit == "px") return 0.0254 / 96;
+    throw sim::InputError("", "--unit", "'" + unit + "' is none of mm, cm, m, in, pt, px");
+}
+
+void print_list(const char* title, const std::vector<std::string>& lines) {
+    if (lines.empty()) return;
+    std::printf("%s\n", title);
+    for (const std::string& line : lines) std::printf("  %s\n", line.c_str());
+}
+
+int run(ImportArguments& arguments) {
+    ImportOptions options = arguments.options;
+    if (!arguments.unit.empty()) options.panels.metres_per_unit = metres_of_unit(arguments.unit);
+    if (arguments.allowance_mm) options.panels.allowance = *arguments.allowance_mm / 1000;
+    if (!arguments.body.source.empty()) options.body = arguments.body.source;
+    const ImportedGarment garment = import_garment(arguments.files, options);
+    print_list("Read:", garment.notes);
+    print_list("Panels:", garment.panels);
+    print_list("Seams:", garment.sewn);
+    std::vector<std::string> possible = garment.possible;
+    constexpr std::size_t kMostListed = 12;
+    if (!arguments.lists_all && possible.size() > kMostListed) possible.resize(kMostListed);
+    print_list("Possible, not sewn:", possible);
+    if (possible.size() < garment.possible.size()) {
+        std::printf("  and %zu less likely ones (--list-all)\n", garment.possible.size() - possible.size());
+    }
+    sim::save_pattern({.pattern = garment.pattern, .json = {}}, arguments.output);
+    std::printf("wrote %s: %zu panels, %zu seams\n", arguments.output.string().c_str(), garment.pattern.panels.size(),
+                garment.pattern.seams.size());
+    return 0;
+}
+
+}  // namespace
+
+void add_import_command(CLI::App& app, int& exit_code) {
+    auto arguments = std::make_shared<ImportArguments>();
+    CLI::App* command = app.add_subcommand("import", "Make a garment of patterns that other programs drew");
+    command->add_option("FILES", arguments->files, "SVG, or a draft of FreeSewing as JSON; several make one garment")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("-o,--output", arguments->output, "Garment file to write")->required()->type_name("FILE");
+    command->add_option("--unit", arguments->unit, "Unit of the files: mm, cm, m, in, pt or px (default: the file's)")
+        ->type_name("UNIT");
+    command
+        ->add_option(
+            "--allowance", arguments->allowance_mm,
+            "Seam allowance in mm that outlines include where only the cut line is drawn (default: the file's)")
+        ->type_name("MM")
+        ->check(CLI::Range(0.0, 100.0));
+    command->add_option("--size", arguments->options.panels.size, "Which size to take from a file with several")
+        ->type_name("SIZE");
+    command
+        ->add_option("--confidence", arguments->options.least_confidence,
+                     "Least confidence of the seams that are sewn, 0.05 to 1 (default 0.5)")
+        ->type_name("P")
+        ->check(CLI::Range(0.05, 1.0));
+    command->add_flag("--list-all", arguments->lists_all, "List all seams that are possible, likely or not");
+    add_body_options(*command, arguments->body,
+                     "Body round which the panels are placed (default mannequin:sex=female)");
+    command->footer(
+        "Files of these programs have no seams and no placement. Seams are proposed from lengths, shapes, notches and\n"
+        "names, each with a confidence and a reason; those above --confidence are sewn. Panels are placed by their "
+        "names\n"
+        "and seams. Correct both in the editor.\n"
+        "Exit code: 0 written; 2 wrong input.\n"
+        "Examples:\n"
+        "  selvedge import teagan.svg -o teagan.json && selvedge dress teagan.json --render teagan.png\n"
+        "  selvedge import drawing.svg -o skirt.json --unit mm --allowance 10");
+    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace selvedge::app

@@ -1,0 +1,142 @@
+#include "app/import_garment.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <numeric>
+
+#include "app/options.h"
+#include "sim/core/disjoint_sets.h"
+#include "sim/core/error.h"
+#include "sim/paper/drawing_file.h"
+#include "sim/pattern/edge_shape.h"
+#include "sim/pattern/outline.h"
+#include "sim/place/arrange_pattern.h"
+#include "sim/proposals/panel_role.h"
+
+namespace selvedge::app {
+namespace {
+
+// The drawings of several files as one: parts whose names are taken get a number when they become panels.
+sim::Drawing read_drawings(const std::vector<std::filesystem::path>& files, std::vector<std::string>& notes) {
+    sim::Drawing all;
+    for (const std::filesystem::path& file : files) {
+        sim::Drawing one = sim::read_drawing(file);
+        notes.push_back(file.string() + ": " + one.format + ", " + std::to_string(one.parts.size()) +
+                        (one.parts.size() == 1 ? " part" : " parts"));
+        if (&file == &files.front()) {
+            all = std::move(one);
+            continue;
+        }
+        if (one.metres_per_unit != all.metres_per_unit)
+            throw sim::InputError(file.string(), "", "its unit differs from that of " + files.front().string());
+        const int first = static_cast<int>(all.parts.size());
+        for (sim::DrawnSeam& seam : one.seams) {
+            seam.first.panel += first;
+            seam.second.panel += first;
+            all.seams.push_back(seam);
+        }
+        std::ranges::move(one.parts, std::back_inserter(all.parts));
+        std::ranges::move(one.notes, std::back_inserter(all.notes));
+    }
+    return all;
+}
+
+// Bindings are folded in layers, which a flat strip of cloth is not.
+void lay_aside_folded(sim::Pattern& pattern, const std::vector<sim::PanelRole>& roles,
+                      std::vector<std::string>& notes) {
+    for (std::size_t p = 0; p < roles.size(); ++p) {
+        sim::Panel& panel = pattern.panels[p];
+        if (roles[p].part != sim::GarmentPart::Binding || !panel.is_worn) continue;
+        panel.is_worn = false;
+        notes.push_back(panel.name + ": a binding, folded in layers: cut and sewn, but not draped");
+    }
+}
+
+// Panels that no seam joins to the garment would fall off the body.
+void lay_aside_loose(sim::Pattern& pattern, std::vector<std::string>& notes) {
+    constexpr double kSmall = 0.4;  // of the largest part's area: less is no garment of its own
+    sim::DisjointSets sets(pattern.panels.size());
+    const auto is_worn = [&](int p) { return pattern.panels[static_cast<std::size_t>(p)].is_worn; };
+    for (const sim::Seam& seam : pattern.seams) {
+        if (is_worn(seam.first.panel) && is_worn(seam.second.panel)) sets.join(seam.first.panel, seam.second.panel);
+    }
+    std::vector<double> area(pattern.panels.size(), 0);
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+        if (pattern.panels[p].is_worn)
+            area[static_cast<std::size_t>(sets.find(static_cast<int>(p)))] += outline_area(pattern.panels[p]);
+    }
+    const double largest = *std::ranges::max_element(area);
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+        sim::Panel& panel = pattern.panels[p];
+        if (!panel.is_worn || area[static_cast<std::size_t>(sets.find(static_cast<int>(p)))] >= kSmall * largest)
+            continue;
+        panel.is_worn = false;
+        notes.push_back(panel.name + ": no seam joins it to the garment: on the sheet, but not worn");
+    }
+}
+
+std::string without_suffix(const std::string& name, const std::string& suffix) {
+    return name.ends_with(suffix) ? name.substr(0, name.size() - suffix.size()) : name;
+}
+
+// sleeve and sleeve_mirrored become left_sleeve and right_sleeve, whichever they are.
+void name_sides(sim::Pattern& pattern, const std::vector<sim::PanelRole>& roles) {
+    for (std::size_t p = 0; p < roles.size(); ++p) {
+        sim::Panel& panel = pattern.panels[p];
+        const std::string old = panel.name;
+        const bool has_twin =
+            std::ranges::any_of(pattern.panels, [&](const sim::Panel& other) { return other.mirror_of == old; });
+        if ((panel.mirror_of.empty() && !has_twin) || roles[p].flank == sim::Flank::None) continue;
+        const std::string side = roles[p].flank == sim::Flank::Left ? "left_" : "right_";
+        const std::string name = side + without_suffix(old, "_mirrored");
+        if (std::ranges::any_of(pattern.panels, [&](const sim::Panel& other) { return other.name == name; })) continue;
+        panel.name = name;
+        for (sim::Panel& other : pattern.panels) {
+            if (other.mirror_of == old) other.mirror_of = name;
+        }
+    }
+}
+
+std::string describe_panel(const sim::Panel& panel, const sim::PanelRole& role) {
+    const Eigen::AlignedBox2d box = outline_box(panel);
+    std::array<char, 96> size{};
+    std::snprintf(size.data(), size.size(), ", %.1f x %.1f cm", 100 * box.sizes().x(), 100 * box.sizes().y());
+    std::string text = panel.name + ": " + std::string(name_of(role.part));
+    if (role.face != sim::Face::None) text += role.face == sim::Face::Front ? ", front" : ", back";
+    if (!panel.is_worn) text += ", not worn";
+    return text + size.data();
+}
+
+}  // namespace
+
+ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, const ImportOptions& options) {
+    ImportedGarment out;
+    const sim::Drawing drawing = read_drawings(files, out.notes);
+    sim::PanelsOfDrawing made = make_panels(drawing, files.front().string(), options.panels);
+    std::ranges::move(made.notes, std::back_inserter(out.notes));
+    out.pattern = std::move(made.pattern);
+    if (out.pattern.seams.empty()) {
+        const std::string hints = made.hints;
+        std::vector<sim::SeamProposal> accepted;
+        for (sim::SeamProposal& proposal :
+             propose_seams(out.pattern, {.accepted = options.least_confidence, .hints = hints})) {
+            const bool is_sewn = proposal.confidence >= options.least_confidence;
+            (is_sewn ? out.sewn : out.possible).push_back(describe(out.pattern, proposal));
+            if (is_sewn) accepted.push_back(std::move(proposal));
+        }
+        accept_proposals(out.pattern, accepted);
+    }
+    lay_aside_folded(out.pattern, roles_of(out.pattern, made.hints), out.notes);
+    if (!out.pattern.seams.empty()) lay_aside_loose(out.pattern, out.notes);
+    out.pattern.body = options.body;
+    const BodyWithNotes body = make_body({.source = options.body, .load = {}});
+    sim::Arrangement arrangement = arrange_pattern(out.pattern, body.body, made.hints);
+    std::ranges::move(arrangement.notes, std::back_inserter(out.notes));
+    name_sides(out.pattern, arrangement.roles);
+    for (std::size_t p = 0; p < out.pattern.panels.size(); ++p)
+        out.panels.push_back(describe_panel(out.pattern.panels[p], arrangement.roles[p]));
+    return out;
+}
+
+}  // namespace selvedge::app

@@ -1,0 +1,31 @@
+#pragma once
+// From files of other programs to a garment that can be dressed: panels, seams, placement. For the command and the
+// editor.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/paper/make_panels.h"
+#include "sim/pattern/pattern.h"
+#include "sim/proposals/seam_proposals.h"
+
+namespace selvedge::app {
+
+struct ImportOptions {
+    sim::MakePanelsOptions panels;
+    double least_confidence = 0.5;              // of the seams that are sewn
+    std::string body = "mannequin:sex=female";  // round which the panels are placed
+};
+
+struct ImportedGarment {
+    sim::Pattern pattern;
+    std::vector<std::string> notes;     // what was read, guessed, repaired and left out, one line each
+    std::vector<std::string> panels;    // "left_sleeve: sleeve, 8 edges, 45.3 x 17.9 cm"
+    std::vector<std::string> sewn;      // the proposals that became seams, as describe() tells them
+    std::vector<std::string> possible;  // those that did not
+};
+
+// Several files make one garment. Throws InputError; the place is in the file that is at fault.
+ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, const ImportOptions& options);
+
+}  // namespace selvedge::app

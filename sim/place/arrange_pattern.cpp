@@ -1,0 +1,376 @@
+#include "sim/place/arrange_pattern.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "sim/body/landmarks.h"
+#include "sim/pattern/edge_shape.h"
+#include "sim/pattern/outline.h"
+#include "sim/place/limbs.h"
+#include "sim/place/placement.h"
+
+namespace selvedge::sim {
+namespace {
+
+constexpr double kBefore = 0.12, kBehind = 0.08;  // m, from the trunk to a flat front and to a flat back
+constexpr double kApart = 0.01;                   // m, between halves in the middle
+
+std::size_t as_size(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+// Heights and depths of the body at which panels are placed, m.
+struct Anchors {
+    double shoulder = 0;  // of the neck's side, where a shoulder seam begins
+    double waist = 0;
+    double crotch = 0;
+    Vec3d centre = Vec3d::Zero();  // of the trunk at the waist
+    double front = 0, back = 0;    // z of the trunk's outermost points
+};
+
+Anchors anchors_of(const Body& body, const Stature& stature) {
+    constexpr double kNeckSide = 0.845, kCrotch = 0.47;  // of the stature (the mannequin's proportions)
+    Anchors anchors;
+    const TorsoHeights heights = torso_heights(body, stature);
+    const LandmarkHeights landmarks = find_landmarks(body);
+    anchors.shoulder = stature.floor + kNeckSide * stature.height();
+    anchors.waist = heights.waist;
+    anchors.crotch = landmarks.crotch.value_or(stature.floor + kCrotch * stature.height());
+    Eigen::AlignedBox3d box;
+    for (const double y : {heights.chest, heights.waist, heights.hip}) {
+        for (const Vec3d& p : trunk_points(body, y, stature.height())) box.extend(p);
+    }
+    if (box.isEmpty()) box.extend(Vec3d(0, heights.waist, 0));
+    anchors.centre = Vec3d(box.center().x(), heights.waist, box.center().z());
+    anchors.front = box.max().z();
+    anchors.back = box.min().z();
+    return anchors;
+}
+
+struct Sewn {
+    int panel = 0;  // the other one
+    SeamSide own;
+    SeamSide other;
+    bool is_reversed = true;
+};
+
+class Arranger {
+ public:
+    Arranger(Pattern& pattern, const Body& body, std::string_view hints)
+        : pattern_(pattern),
+          body_(body),
+          stature_(find_stature(body)),
+          anchors_(anchors_of(body, stature_)),
+          points_(arrangement_points(body)) {
+        out_.roles = roles_of(pattern, hints);
+        sewn_.resize(pattern.panels.size());
+        is_placed_.resize(pattern.panels.size(), false);
+        for (const Panel& panel : pattern.panels) boxes_.push_back(outline_box(panel, 1e-3));
+        for (const Seam& seam : pattern.seams) {
+            sewn_[as_size(seam.first.panel)].push_back({seam.second.panel, seam.first, seam.second, seam.is_reversed});
+            sewn_[as_size(seam.second.panel)].push_back({seam.first.panel, seam.second, seam.first, seam.is_reversed});
+        }
+    }
+
+    Arrangement run() {
+        find_flanks();
+        for (const auto part : {GarmentPart::Torso, GarmentPart::Leg, GarmentPart::Skirt}) {
+            for (const Face face : {Face::Front, Face::Back, Face::None}) place_all(part, face);
+        }
+        for (std::size_t p = 0; p < out_.roles.size(); ++p) {
+            const GarmentPart part = out_.roles[p].part;
+            if (part == GarmentPart::Sleeve) place_sleeve(p);
+            if (part == GarmentPart::Waistband) place_round(p, "waist", anchors_.waist);
+        }
+        continue_seams();
+        place_rest();
+        label_panels();
+        pattern_.body_height = stature_.height();
+        return std::move(out_);
+    }
+
+ private:
+    Panel& panel(std::size_t p) { return pattern_.panels[p]; }
+    bool is_part(int p, GarmentPart part) const { return out_.roles[as_size(p)].part == part; }
+
+    Vec2d middle_of(const SeamSide& side) const {
+        const Panel& own = pattern_.panels[as_size(side.panel)];
+        return outline_point(own, own.edges[as_size(side.edge)], 0.5);
+    }
+
+    // ---- Which side of the body.
+
+    // Whether the panel lies on one side of the body: it has a mirror image, or its name says so.
+    bool is_half(std::size_t p) const {
+        if (out_.roles[p].flank != Flank::None) return true;
+        const Panel& own = pattern_.panels[p];
+        return !own.mirror_of.empty() ||
+               std::ranges::any_of(pattern_.panels, [&](const Panel& other) { return other.mirror_of == own.name; });
+    }
+
+    // Where the middle of the body lies, as seen on the panel: -1 on its left, 1 on its right, 0 not known.
+    double middle_side(std::size_t p) const {
+        double to_twin = 0, to_other_face = 0;
+        const double axis = boxes_[p].center().x();
+        for (const Sewn& sewn : sewn_[p]) {
+            const PanelRole& other = out_.roles[as_size(sewn.panel)];
+            const Panel& own = pattern_.panels[p];
+            const Panel& partner = pattern_.panels[as_size(sewn.panel)];
+            const double x = middle_of(sewn.own).x() - axis;
+            const bool is_twin =
+                partner.mirror_of == own.name || (!own.mirror_of.empty() && own.mirror_of == partner.name);
+            if (is_twin) to_twin += x;
+            if (other.part == out_.roles[p].part && other.face != out_.roles[p].face) to_other_face += x;
+        }
+        if (to_twin != 0) return to_twin < 0 ? -1 : 1;
+        if (out_.roles[p].part != GarmentPart::Leg && to_other_face != 0) return to_other_face < 0 ? 1 : -1;
+        return 0;
+    }
+
+    void find_flanks() {
+        for (std::size_t p = 0; p < out_.roles.size(); ++p) {
+            PanelRole& role = out_.roles[p];
+            if (role.flank != Flank::None || !is_half(p) || role.face == Face::None) continue;
+            const double side = middle_side(p);
+            if (side == 0) continue;
+            // Seen from outside, a front's right is the wearer's left.
+            role.flank = (side < 0) == (role.face == Face::Front) ? Flank::Left : Flank::Right;
+        }
+        // Others take the side of what they are sewn to, in as many steps as it needs.
+        for (int step = 0; step < 4; ++step) {
+            for (std::size_t p = 0; p < out_.roles.size(); ++p) {
+                if (out_.roles[p].flank == Flank::None && is_half(p)) out_.roles[p].flank = flank_of_partners(p);
+            }
+        }
+    }
+
+    Flank flank_of_partners(std::size_t p) const {
+        double left = 0;
+        for (const Sewn& sewn : sewn_[p]) {
+            const PanelRole& other = out_.roles[as_size(sewn.panel)];
+            if (as_size(sewn.panel) == p) continue;
+            if (other.flank != Flank::None) {
+                left += other.flank == Flank::Left ? 1 : -1;
+            } else if (other.face != Face::None && !is_half(as_size(sewn.panel))) {
+                const double x = middle_of(sewn.other).x() - boxes_[as_size(sewn.panel)].center().x();
+                if (x != 0) left += (x > 0) == (other.face == Face::Front) ? 1 : -1;
+            }
+        }
+        return left > 0 ? Flank::Left : left < 0 ? Flank::Right : Flank::None;
+    }
+
+    // ---- Flat panels before and behind the body.
+
+    void place_all(GarmentPart part, Face face) {
+        for (std::size_t p = 0; p < out_.roles.size(); ++p) {
+            if (out_.roles[p].part == part && out_.roles[p].face == face && panel(p).is_worn && !is_placed_[p])
+                place_flat(p);
+        }
+    }
+
+    bool closes_round(std::size_t p) const {
+        return std::ranges::any_of(
+            sewn_[p], [&](const Sewn& sewn) { return as_size(sewn.panel) == p && sewn.own != sewn.other; });
+    }
+
+    void place_flat(std::size_t p) {
+        const PanelRole& role = out_.roles[p];
+        if (role.face == Face::None && role.part == GarmentPart::Skirt && place_round_skirt(p)) return;
+        const bool is_back = role.face == Face::Back;
+        Panel& own = panel(p);
+        const Eigen::AlignedBox2d& box = boxes_[p];
+        own.wrap_radius = 0;
+        own.rotation = is_back ? Eigen::AngleAxisd(std::numbers::pi, Vec3d::UnitY()).toRotationMatrix()
+                               : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+        const double flip = is_back ? -1 : 1;
+        double x = anchors_.centre.x() - flip * box.center().x();
+        if (role.flank != Flank::None) {
+            // The edge in the middle of the body stands beside the middle.
+            const double way = role.flank == Flank::Left ? 1 : -1;
+            const double inner = flip * way > 0 ? box.min().x() : box.max().x();
+            x = anchors_.centre.x() + way * kApart / 2 - flip * inner;
+        }
+        const double z = is_back ? anchors_.back - kBehind : anchors_.front + kBefore;
+        own.translation = {x, height_of(p), z};
+        is_placed_[p] = true;
+    }
+
+    // The panel's origin: so that it meets what it is sewn to and is placed already; else by what it is.
+    double height_of(std::size_t p) const {
+        double sum = 0;
+        int count = 0;
+        for (const Sewn& sewn : sewn_[p]) {
+            const auto other = as_size(sewn.panel);
+            if (other == p || !is_placed_[other] || pattern_.panels[other].wrap_radius != 0) continue;
+            sum += pattern_.panels[other].place(middle_of(sewn.other)).y() - middle_of(sewn.own).y();
+            ++count;
+        }
+        if (count > 0) return sum / count;
+        const Eigen::AlignedBox2d& box = boxes_[p];
+        const GarmentPart part = out_.roles[p].part;
+        if (part == GarmentPart::Skirt) return anchors_.waist - box.max().y();
+        if (part != GarmentPart::Leg) return anchors_.shoulder - box.max().y();
+        const Panel& own = pattern_.panels[p];
+        // The crotch is the outermost point towards the middle.
+        const double side = middle_side(p);
+        const auto outmost = std::ranges::max_element(own.vertices, {}, [&](const Vec2d& v) { return side * v.x(); });
+        constexpr double kBelowCrotch = 0.015;  // m
+        if (side == 0 || outmost == own.vertices.end()) return anchors_.waist - box.max().y();
+        return anchors_.crotch - kBelowCrotch - outmost->y();
+    }
+
+    // A skirt of one piece whose waist is an arc lies flat round the body, like a disc.
+    bool place_round_skirt(std::size_t p) {
+        if (!closes_round(p)) return false;
+        Panel& own = panel(p);
+        double best = 0;
+        Vec2d centre = Vec2d::Zero();
+        for (const OutlineEdge& edge : own.edges) {
+            const Vec2d a = outline_point(own, edge, 0), b = outline_point(own, edge, 0.5),
+                        c = outline_point(own, edge, 1);
+            const double area = cross2(b - a, c - a);
+            const double length = outline_length(own, edge);
+            if (area > -0.02 * length * length || -area / length < best) continue;  // not hollow
+            const Vec2d ab = b - a, ac = c - a;
+            const Vec2d off = Vec2d(ac.y() * ab.squaredNorm() - ab.y() * ac.squaredNorm(),
+                                    ab.x() * ac.squaredNorm() - ac.x() * ab.squaredNorm()) /
+                              (2 * area);
+            best = -area / length;
+            centre = a + off;
+        }
+        if (best == 0) return false;
+        own.wrap_radius = 0;
+        own.rotation = Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3d::UnitX()).toRotationMatrix();
+        own.translation.setZero();
+        own.translation = anchors_.centre - own.place(centre);
+        is_placed_[p] = true;
+        return true;
+    }
+
+    // ---- Wrapped panels.
+
+    const ArrangementPoint* point_named(const std::string& name) const {
+        const auto found = std::ranges::find(points_, name, &ArrangementPoint::name);
+        return found == points_.end() ? nullptr : &*found;
+    }
+
+    void place_sleeve(std::size_t p) {
+        if (!panel(p).is_worn || is_placed_[p]) return;
+        const bool is_left = out_.roles[p].flank != Flank::Right;
+        const std::string arm = is_left ? "left" : "right";
+        const ArrangementPoint* outside = point_named(arm + " upper arm outside");
+        const BodyLimbs limbs = find_limbs(body_);
+        const Limb& limb = limbs[is_left ? LimbKind::LeftArm : LimbKind::RightArm];
+        if (!outside || !limb.is_found) return note(p, "the body has no " + arm + " arm to place it round");
+        ArrangementPoint point = *outside;
+        const Eigen::AlignedBox2d& box = boxes_[p];
+        constexpr double kOpen = 1.04;  // of a full turn, so that the edges do not lie on each other
+        point.radius = std::max(point.radius, kOpen * box.sizes().x() / (2 * std::numbers::pi));
+        constexpr double kAboveJoint = 0.02;  // m, from the shoulder's joint up to the top of a sleeve's cap
+        const double now = (point.position - limb.joints[0].centre).dot(point.upward);
+        point.position += (kAboveJoint - box.sizes().y() / 2 - now) * point.upward;
+        sim::arrange(panel(p), point);
+        is_placed_[p] = true;
+    }
+
+    void place_round(std::size_t p, const std::string& where, double height) {
+        if (!panel(p).is_worn || is_placed_[p]) return;
+        const ArrangementPoint* front = point_named(where + " front");
+        if (!front) return;
+        ArrangementPoint point = *front;
+        const bool is_back = out_.roles[p].face == Face::Back;
+        if (is_back) {
+            if (const ArrangementPoint* back = point_named(where + " back")) point = *back;
+        }
+        constexpr double kOpen = 1.03;
+        point.radius = std::max(point.radius, kOpen * boxes_[p].sizes().x() / (2 * std::numbers::pi));
+        point.position.y() = height + boxes_[p].sizes().y() / 2;
+        sim::arrange(panel(p), point);
+        is_placed_[p] = true;
+    }
+
+    // ---- Panels that continue others.
+
+    // In the plane of its neighbour, turned so that both sides of the seam are parallel, and beside it.
+    void continue_seams() {
+        for (bool has_changed = true; has_changed;) {
+            has_changed = false;
+            for (std::size_t p = 0; p < pattern_.panels.size(); ++p) {
+                if (is_placed_[p] || !panel(p).is_worn) continue;
+                const Sewn* best = nullptr;
+                double longest = 0;
+                for (const Sewn& sewn : sewn_[p]) {
+                    const Panel& own = panel(p);
+                    const double length = outline_length(own, own.edges[as_size(sewn.own.edge)]);
+                    if (!is_placed_[as_size(sewn.panel)] || length <= longest) continue;
+                    best = &sewn;
+                    longest = length;
+                }
+                if (!best) continue;
+                continue_over(p, *best);
+                has_changed = true;
+            }
+        }
+    }
+
+    void continue_over(std::size_t p, const Sewn& sewn) {
+        Panel& own = panel(p);
+        const Panel& other = pattern_.panels[as_size(sewn.panel)];
+        const OutlineEdge& edge = own.edges[as_size(sewn.own.edge)];
+        const OutlineEdge& partner = other.edges[as_size(sewn.other.edge)];
+        const Vec2d along = outline_point(own, edge, 1) - outline_point(own, edge, 0);
+        Vec2d wanted = outline_point(other, partner, 0) - outline_point(other, partner, 1);
+        if (!sewn.is_reversed) wanted = -wanted;
+        const double turn = std::atan2(cross2(along, wanted), along.dot(wanted));
+        own.wrap_radius = 0;
+        own.rotation = other.rotation * Eigen::AngleAxisd(turn, Vec3d::UnitZ()).toRotationMatrix();
+        own.translation.setZero();
+        own.translation = other.place(middle_of(sewn.other)) - own.place(middle_of(sewn.own));
+        is_placed_[p] = true;
+    }
+
+    // What nothing tells of stands before the body, or behind it, by turns.
+    void place_rest() {
+        bool is_back = false;
+        for (std::size_t p = 0; p < pattern_.panels.size(); ++p) {
+            if (is_placed_[p] || !panel(p).is_worn) continue;
+            out_.roles[p].face = is_back ? Face::Back : Face::Front;
+            place_flat(p);
+            note(p, std::string("placed ") + (is_back ? "behind" : "before") + " the body by guess");
+            is_back = !is_back;
+        }
+    }
+
+    void note(std::size_t p, const std::string& text) { out_.notes.push_back(pattern_.panels[p].name + ": " + text); }
+
+    // Sleeves belong to arms; legs never close round one.
+    void label_panels() {
+        for (std::size_t p = 0; p < pattern_.panels.size(); ++p) {
+            const GarmentPart part = out_.roles[p].part;
+            if (part == GarmentPart::Sleeve || part == GarmentPart::Cuff) panel(p).label = "arm";
+            if (part == GarmentPart::Leg || part == GarmentPart::Skirt) panel(p).label = "leg";
+            if (part == GarmentPart::Torso) panel(p).label = "body";
+        }
+    }
+
+    Pattern& pattern_;
+    const Body& body_;
+    Stature stature_;
+    Anchors anchors_;
+    std::vector<ArrangementPoint> points_;
+    std::vector<std::vector<Sewn>> sewn_;  // per panel
+    std::vector<Eigen::AlignedBox2d> boxes_;
+    std::vector<bool> is_placed_;
+    Arrangement out_;
+};
+
+}  // namespace
+
+Arrangement arrange_pattern(Pattern& pattern, const Body& body, std::string_view hints) {
+    return Arranger(pattern, body, hints).run();
+}
+
+}  // namespace selvedge::sim
