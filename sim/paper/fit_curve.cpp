@@ -73,21 +73,28 @@ Worst worst_of(Points points, const CubicPoints& c, const std::vector<double>& s
     return worst;
 }
 
+// The tangent of the parabola through the first point and two others, which are not so near that rounding counts.
 Vec2d tangent_at_start(Points points) {
-    // The tangent of the parabola through the first three points.
-    const Vec2d a = points[1] - points[0];
-    if (points.size() < 3) return a.normalized();
-    const Vec2d b = points[2] - points[1];
+    constexpr double kNear = 0.01;  // of the length
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+    const auto beyond = [&](const Vec2d& from, std::size_t first) {
+        while (first + 1 < points.size() && (points[first] - from).norm() < kNear * length) ++first;
+        return first;
+    };
+    const std::size_t second = beyond(points[0], 1);
+    const Vec2d a = points[second] - points[0];
+    if (second + 1 >= points.size()) return a.normalized();
+    const Vec2d b = points[beyond(points[second], second + 1)] - points[second];
     const double one = a.norm(), other = b.norm();
     const Vec2d slope = (1 + one / (one + other)) * a / one - one / (one + other) * b / other;
     return slope.norm() > 1e-9 ? slope.normalized() : a.normalized();
 }
 
 Vec2d reversed_tangent(Points points) {
-    std::vector<Vec2d> last(points.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(3, points.size())),
-                            points.end());
-    std::ranges::reverse(last);
-    return tangent_at_start(last);
+    std::vector<Vec2d> backwards(points.begin(), points.end());
+    std::ranges::reverse(backwards);
+    return tangent_at_start(backwards);
 }
 
 void fit(Points points, const Vec2d& at_start, const Vec2d& at_end, double tolerance, std::vector<CubicPoints>& out) {
@@ -122,7 +129,7 @@ Vec2d point_on(const CubicPoints& c, double s) {
     return r * r * r * c[0] + 3 * r * r * s * c[1] + 3 * r * s * s * c[2] + s * s * s * c[3];
 }
 
-std::vector<CubicPoints> fit_curve(std::span<const Vec2d> points, const FitOptions& options) {
+std::vector<CubicPoints> fit_curve(std::span<const Vec2d> points, const CurveFitOptions& options) {
     std::vector<Vec2d> different;
     for (const Vec2d& p : points) {
         if (different.empty() || p != different.back()) different.push_back(p);

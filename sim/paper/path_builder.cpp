@@ -73,7 +73,7 @@ void drop_short(DrawnPath& path, double shortest) {
     kept.edges.clear();
     kept.vertices = {path.vertices.front()};
     for (OutlineEdge edge : path.edges) {
-        if (control_length(path, edge) < shortest) continue;
+        if (control_length(path, edge) <= shortest) continue;
         const Vec2d end = path.vertices[static_cast<std::size_t>(edge.end)];
         edge.start = static_cast<int>(kept.vertices.size()) - 1;
         edge.end = edge.start + 1;

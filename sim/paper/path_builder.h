@@ -17,7 +17,7 @@ class PathBuilder {
     void arc(double radius, bool is_large, bool turns_right, const Vec2d& to);
     void close();  // with a line if there is a gap
 
-    // All paths with an edge, each of at least `shortest` length; the builder is empty then. Shorter edges are dropped.
+    // All paths with an edge, the builder is empty then. Edges that are not longer than `shortest` are dropped.
     // Ends that are at most `gap` apart are one point, and the path is closed.
     std::vector<DrawnPath> take(double shortest, double gap);
 

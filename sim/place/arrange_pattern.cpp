@@ -27,8 +27,9 @@ struct Anchors {
     double shoulder = 0;  // of the neck's side, where a shoulder seam begins
     double waist = 0;
     double crotch = 0;
-    Vec3d centre = Vec3d::Zero();  // of the trunk at the waist
-    double front = 0, back = 0;    // z of the trunk's outermost points
+    Vec3d centre = Vec3d::Zero();            // of the trunk at the waist
+    double front = 0, back = 0;              // z of the trunk's outermost points
+    double waist_front = 0, waist_back = 0;  // of those at the waist
 };
 
 Anchors anchors_of(const Body& body, const Stature& stature) {
@@ -44,6 +45,11 @@ Anchors anchors_of(const Body& body, const Stature& stature) {
         for (const Vec3d& p : trunk_points(body, y, stature.height())) box.extend(p);
     }
     if (box.isEmpty()) box.extend(Vec3d(0, heights.waist, 0));
+    Eigen::AlignedBox3d waist;
+    for (const Vec3d& p : trunk_points(body, heights.waist, stature.height())) waist.extend(p);
+    if (waist.isEmpty()) waist = box;
+    anchors.waist_front = waist.max().z();
+    anchors.waist_back = waist.min().z();
     anchors.centre = Vec3d(box.center().x(), heights.waist, box.center().z());
     anchors.front = box.max().z();
     anchors.back = box.min().z();
@@ -222,30 +228,54 @@ class Arranger {
         return anchors_.crotch - kBelowCrotch - outmost->y();
     }
 
-    // A skirt of one piece whose waist is an arc lies flat round the body, like a disc.
-    bool place_round_skirt(std::size_t p) {
-        if (!closes_round(p)) return false;
-        Panel& own = panel(p);
-        double best = 0;
+    // The circle of the most hollow edge: the waist of a skirt that is a sector of a disc.
+    struct WaistArc {
         Vec2d centre = Vec2d::Zero();
+        double radius = 0;  // m; 0: there is none
+        double angle = 0;   // rad, of all edges on the circle
+    };
+    WaistArc waist_arc(const Panel& own) const {
+        WaistArc arc;
+        double best = 0;
         for (const OutlineEdge& edge : own.edges) {
-            const Vec2d a = outline_point(own, edge, 0), b = outline_point(own, edge, 0.5),
-                        c = outline_point(own, edge, 1);
-            const double area = cross2(b - a, c - a);
-            const double length = outline_length(own, edge);
+            const Vec2d a = outline_point(own, edge, 0);
+            const Vec2d ab = outline_point(own, edge, 0.5) - a, ac = outline_point(own, edge, 1) - a;
+            const double area = cross2(ab, ac), length = outline_length(own, edge);
             if (area > -0.02 * length * length || -area / length < best) continue;  // not hollow
-            const Vec2d ab = b - a, ac = c - a;
-            const Vec2d off = Vec2d(ac.y() * ab.squaredNorm() - ab.y() * ac.squaredNorm(),
-                                    ab.x() * ac.squaredNorm() - ac.x() * ab.squaredNorm()) /
-                              (2 * area);
             best = -area / length;
-            centre = a + off;
+            const Vec2d off(ac.y() * ab.squaredNorm() - ab.y() * ac.squaredNorm(),
+                            ab.x() * ac.squaredNorm() - ac.x() * ab.squaredNorm());
+            arc.centre = a + off / (2 * area);
+            arc.radius = off.norm() / (2 * -area);
         }
-        if (best == 0) return false;
+        constexpr double kOnCircle = 0.02;
+        for (const OutlineEdge& edge : own.edges) {
+            const double distance = (outline_point(own, edge, 0.3) - arc.centre).norm();
+            if (best > 0 && std::abs(distance - arc.radius) < kOnCircle * arc.radius)
+                arc.angle += outline_length(own, edge) / arc.radius;
+        }
+        return arc;
+    }
+
+    // A skirt of one piece whose waist is an arc lies flat round the body, like a disc, open at the back. It stands so
+    // far back that its straight edges meet behind the body.
+    bool place_round_skirt(std::size_t p) {
+        Panel& own = panel(p);
+        const WaistArc arc = waist_arc(own);
+        if (!closes_round(p) || arc.radius == 0) return false;
+        const Vec2d middle = boxes_[p].center() - arc.centre;  // the way to the front
+        const double turn = std::atan2(middle.x(), -middle.y());
         own.wrap_radius = 0;
-        own.rotation = Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3d::UnitX()).toRotationMatrix();
+        own.rotation =
+            (Eigen::AngleAxisd(-turn, Vec3d::UnitY()) * Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3d::UnitX()))
+                .toRotationMatrix();
         own.translation.setZero();
-        own.translation = anchors_.centre - own.place(centre);
+        constexpr double kClear = 0.02;  // m
+        const double seam = arc.radius * std::cos(std::min(std::numbers::pi, arc.angle / 2));
+        Vec3d centre = anchors_.centre;
+        centre.z() = std::min(centre.z(), anchors_.waist_back - kClear - seam);
+        centre.z() = std::max(centre.z(), anchors_.waist_front + kClear - arc.radius);
+        own.translation = centre - own.place(arc.centre);
         is_placed_[p] = true;
         return true;
     }

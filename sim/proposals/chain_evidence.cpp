@@ -387,6 +387,7 @@ bool is_part(const ChainView& view) {
 
 // The part of the length by which a notch may lie elsewhere, for ease lies between notches.
 void weigh_notches(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b) {
+    if (is_part(a) || is_part(b)) add(evidence, 1.0, "ends at a notch");
     const std::vector<ChainNotch> on_a = notches_on(boundary, a), on_b = notches_on(boundary, b);
     if (on_a.empty() && on_b.empty()) return;
     if (on_a.empty() || on_b.empty()) return add(evidence, -0.3);
@@ -403,7 +404,7 @@ void weigh_notches(Evidence& evidence, const OpenBoundary& boundary, const Chain
         if (least > ease) continue;
         ++(count == notch.count ? met : wrong);
     }
-    if (is_part(a) || is_part(b)) add(evidence, 1.0, "ends at a notch");
+
     if (met > 0) add(evidence, std::min(3.0, 1.5 * met), met == 1 ? "a notch meets" : "notches meet");
     if (wrong > 0) add(evidence, -2.5 * wrong);
     if (met + wrong == 0) add(evidence, -0.8);

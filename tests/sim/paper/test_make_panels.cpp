@@ -1,0 +1,283 @@
+// Drawings become panels.
+#include "sim/paper/make_panels.h"
+
+#include <map>
+
+#include "sim/paper/cut_line.h"
+#include "sim/paper/drawing_file.h"
+#include "sim/pattern/edge_shape.h"
+#include "sim/pattern/outline.h"
+#include "sim/proposals/seam_proposals.h"
+#include "tests/sim/paper/drawings.h"
+
+namespace selvedge::sim {
+namespace {
+
+DrawnPath rectangle(LineKind kind, const Vec2d& low, const Vec2d& high) {
+    DrawnPath path{.kind = kind, .vertices = {low, {high.x(), low.y()}, high, {low.x(), high.y()}}, .edges = {}};
+    for (int i = 0; i < 4; ++i) path.edges.push_back({.start = i, .end = (i + 1) % 4});
+    path.is_closed = true;
+    return path;
+}
+
+Drawing one_part(DrawnPart part) {
+    Drawing drawing;
+    drawing.parts.push_back(std::move(part));
+    drawing.metres_per_unit = 0.001;
+    return drawing;
+}
+
+TEST(MakePanels, unfolds_a_half_that_is_cut_on_the_fold) {
+    const PanelsOfDrawing made = make_panels(parse_drawing(half_front_json(), ""), "");
+    ASSERT_EQ(made.pattern.panels.size(), 1U);
+    const Panel& front = made.pattern.panels[0];
+    EXPECT_EQ(front.edges.size(), 10U);
+    EXPECT_NEAR(outline_box(front).sizes().x(), 0.52, 1e-6);
+    EXPECT_NEAR(front.grain_angle, 0, 1e-12);
+    ASSERT_EQ(front.notches.size(), 2U);
+    EXPECT_EQ(front.notches[0].count, 2);
+    EXPECT_EQ(made.pattern.allowance, 0.01);
+    EXPECT_FALSE(made.is_unit_guessed);
+}
+
+TEST(MakePanels, take_the_allowance_off_where_only_the_cut_line_is_drawn) {
+    DrawnPart part{.name = "front", .paths = {rectangle(LineKind::Cut, {0, 0}, {300, 400})}};
+    const PanelsOfDrawing made = make_panels(one_part(part), "", {.allowance = 0.01});
+    const Eigen::AlignedBox2d box = outline_box(made.pattern.panels[0]);
+    EXPECT_NEAR(box.sizes().x(), 0.28, 1e-9);
+    EXPECT_NEAR(box.sizes().y(), 0.38, 1e-9);
+    EXPECT_EQ(made.pattern.panels[0].allowance, 0.01);
+    const PanelsOfDrawing whole = make_panels(one_part(part), "");
+    EXPECT_NEAR(outline_box(whole.pattern.panels[0]).sizes().x(), 0.3, 1e-9);
+    EXPECT_FALSE(whole.notes.empty());
+}
+
+TEST(MakePanels, guess_a_unit_from_the_size_and_say_so) {
+    Drawing drawing = one_part({.name = "a", .paths = {rectangle(LineKind::Unknown, {0, 0}, {20, 28})}});
+    drawing.metres_per_unit.reset();
+    const PanelsOfDrawing made = make_panels(drawing, "");
+    EXPECT_TRUE(made.is_unit_guessed);
+    EXPECT_NEAR(outline_box(made.pattern.panels[0]).sizes().y(), 0.28, 1e-9);  // cm
+    const PanelsOfDrawing told = make_panels(drawing, "", {.metres_per_unit = 0.0254});
+    EXPECT_NEAR(outline_box(told.pattern.panels[0]).sizes().y(), 28 * 0.0254, 1e-9);
+    EXPECT_FALSE(told.is_unit_guessed);
+}
+
+TEST(MakePanels, add_the_second_of_a_mirrored_pair) {
+    DrawnPart part{.name = "pocket", .paths = {rectangle(LineKind::Sew, {0, 0}, {300, 400})}};
+    part.paths[0].vertices[2] = {250, 420};
+    part.cut = {.pieces = 2, .are_mirrored = true, .is_on_fold = {}, .material = {}};
+    const PanelsOfDrawing made = make_panels(one_part(part), "");
+    ASSERT_EQ(made.pattern.panels.size(), 2U);
+    EXPECT_EQ(made.pattern.panels[1].mirror_of, "pocket");
+    EXPECT_NEAR(outline_area(made.pattern.panels[0]), outline_area(made.pattern.panels[1]), 1e-12);
+    part.cut.is_on_fold = true;
+    EXPECT_EQ(make_panels(one_part(part), "").pattern.panels.size(), 1U);
+}
+
+TEST(MakePanels, take_one_size_of_several) {
+    Drawing drawing = one_part({.name = "front", .paths = {rectangle(LineKind::Sew, {0, 0}, {300, 400})}, .size = "S"});
+    drawing.parts.push_back({.name = "front", .paths = {rectangle(LineKind::Sew, {0, 0}, {320, 420})}, .size = "M"});
+    EXPECT_EQ(make_panels(drawing, "").pattern.size, "S");
+    const PanelsOfDrawing medium = make_panels(drawing, "", {.size = "M"});
+    ASSERT_EQ(medium.pattern.panels.size(), 1U);
+    EXPECT_NEAR(outline_box(medium.pattern.panels[0]).sizes().x(), 0.32, 1e-9);
+    EXPECT_THROW(make_panels(drawing, "", {.size = "XL"}), InputError);
+}
+
+TEST(MakePanels, refuse_an_outline_that_crosses_itself_and_name_the_place) {
+    DrawnPart part{.name = "bow", .paths = {rectangle(LineKind::Sew, {0, 0}, {300, 400})}};
+    std::swap(part.paths[0].vertices[2], part.paths[0].vertices[3]);
+    part.paths[0].vertices[2].x() = 10;
+    try {
+        make_panels(one_part(part), "a.svg");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("a.svg: bow: the outline crosses or touches itself near ("),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
+TEST(MakePanels, turn_pieces_upright_that_lie_on_their_sides) {
+    Drawing drawing = one_part({.name = "back", .paths = {rectangle(LineKind::Sew, {0, 0}, {600, 400})}});
+    drawing.parts[0].paths[0].vertices = {{0, 100}, {600, 0}, {600, 400}, {0, 300}};  // narrow on the left: the top
+    drawing.is_upright = false;
+    const Panel back = make_panels(drawing, "").pattern.panels[0];
+    const Eigen::AlignedBox2d box = outline_box(back);
+    EXPECT_NEAR(box.sizes().y(), 0.6, 1e-9);
+    double top = 0, hem = 0;
+    for (const Vec2d& v : back.vertices) {
+        if (v.y() > box.center().y()) top = std::max(top, std::abs(v.x() - box.center().x()));
+        if (v.y() < box.center().y()) hem = std::max(hem, std::abs(v.x() - box.center().x()));
+    }
+    EXPECT_LT(top, hem);
+}
+
+// ---- Cut lines.
+
+Panel sample_panel() {
+    Panel panel;
+    panel.vertices = {{0, 0}, {0.4, 0}, {0.42, 0.5}, {0.3, 0.62}, {0.1, 0.6}, {-0.02, 0.3}};
+    for (int i = 0; i < 6; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % 6});
+    panel.edges[0].kind = CurveKind::Quadratic;
+    panel.edges[0].control[0] = {0.2, -0.03};
+    panel.edges[2].kind = CurveKind::Cubic;
+    panel.edges[2].control = {Vec2d(0.34, 0.5), Vec2d(0.31, 0.56)};
+    panel.edges[4].kind = CurveKind::Arc;
+    panel.edges[4].arc_radius = 0.5;
+    return panel;
+}
+
+TEST(CutLine, is_everywhere_as_far_from_the_outline_as_the_allowance) {
+    const Panel panel = sample_panel();
+    const CutLine cut = cut_line(panel, {.pattern_allowance = 0.01});
+    Panel ring;
+    ring.vertices = cut.outline;
+    for (std::size_t i = 0; i < cut.outline.size(); ++i) {
+        ring.edges.push_back({.start = static_cast<int>(i), .end = static_cast<int>((i + 1) % cut.outline.size())});
+    }
+    EXPECT_GT(outline_area(ring), outline_area(panel));
+    for (const OutlineEdge& edge : panel.edges) {
+        for (const double t : {0.2, 0.5, 0.8}) {
+            const Vec2d p = outline_point(panel, edge, t);
+            double least = 1;
+            for (const OutlineEdge& other : ring.edges) {
+                const Vec2d a = ring.vertices[static_cast<std::size_t>(other.start)];
+                const Vec2d d = ring.vertices[static_cast<std::size_t>(other.end)] - a;
+                const double s = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
+                least = std::min(least, (a + s * d - p).norm());
+            }
+            EXPECT_NEAR(least, 0.01, 5e-5);
+        }
+    }
+}
+
+TEST(CutLine, taken_off_again_gives_the_panel_back) {
+    Panel panel = sample_panel();
+    const CutLine cut = cut_line(panel, {.pattern_allowance = 0.01});
+    // The cut line's own edges, as a drawing has them: the outline moved outward is moved inward.
+    const Panel outer = inset_panel(panel, -0.01);
+    const Panel inner = inset_panel(outer, 0.01);
+    ASSERT_EQ(inner.edges.size(), panel.edges.size());
+    for (std::size_t e = 0; e < panel.edges.size(); ++e) {
+        for (const double t : {0.0, 0.25, 0.5, 0.75})
+            EXPECT_LT((outline_point(inner, inner.edges[e], t) - outline_point(panel, panel.edges[e], t)).norm(), 2e-4)
+                << e << " " << t;
+    }
+    EXPECT_GT(cut.outline.size(), 6U);
+}
+
+TEST(CutLine, carries_notches_out_square_to_the_outline) {
+    Panel panel = sample_panel();
+    panel.notches = {{.edge = 1, .t = 0.5, .kind = NotchKind::T, .count = 2}};
+    panel.edges[1].allowance = 0.02;
+    const CutLine cut = cut_line(panel, {.pattern_allowance = 0.01});
+    ASSERT_EQ(cut.notches.size(), 1U);
+    EXPECT_NEAR((cut.notches[0].on_cut - cut.notches[0].on_outline).norm(), 0.02, 1e-9);
+    EXPECT_EQ(cut.notches[0].kind, NotchKind::T);
+    EXPECT_EQ(cut.notches[0].count, 2);
+}
+
+TEST(CutLine, refuses_an_allowance_that_leaves_nothing) {
+    Panel strip;
+    strip.name = "strip";
+    strip.vertices = {{0, 0}, {0.3, 0}, {0.3, 0.01}, {0, 0.01}};
+    for (int i = 0; i < 4; ++i) strip.edges.push_back({.start = i, .end = (i + 1) % 4});
+    EXPECT_THROW(inset_panel(strip, 0.02), InputError);
+}
+
+// ---- Seams of FreeSewing's drafts, against what a tailor sews.
+
+// Edges are those of the panels as imported: "front.1" is the second edge of the front.
+struct Draft {
+    const char* name;
+    std::vector<std::pair<const char*, const char*>> truth;  // pairs of edges that are sewn to each other
+};
+
+// The seams were found by hand, from the drafts' instructions. A sleeve's cap is sewn to both armholes; each edge of it
+// is listed with each edge of the armhole that it meets over more than 6 mm.
+const std::vector<Draft>& drafts() {
+    static const std::vector<Draft> all{
+        {"teagan",
+         {{"front.1", "back.10"},
+          {"front.10", "back.1"},
+          {"front.4", "back.7"},
+          {"front.7", "back.4"},
+          {"sleeve.1", "sleeve.7"},
+          {"sleeve_mirrored.1", "sleeve_mirrored.7"},
+          // The right side of the front is the wearer's left. The single notch of the sleeve is at its front.
+          {"front.2", "sleeve_mirrored.6"},
+          {"front.3", "sleeve_mirrored.5"},
+          {"front.3", "sleeve_mirrored.4"},
+          {"back.8", "sleeve_mirrored.4"},
+          {"back.8", "sleeve_mirrored.3"},
+          {"back.9", "sleeve_mirrored.2"},
+          {"back.2", "sleeve.6"},
+          {"back.3", "sleeve.5"},
+          {"back.3", "sleeve.4"},
+          {"front.8", "sleeve.4"},
+          {"front.8", "sleeve.3"},
+          {"front.9", "sleeve.2"}}},
+        {"aaron",
+         {{"front.3", "back.6"},
+          {"front.6", "back.3"},
+          {"front.1", "back.8"},
+          {"front.8", "back.1"},
+          {"armBinding.1", "armBinding.3"},
+          {"armBinding_mirrored.1", "armBinding_mirrored.3"},
+          {"neckBinding.1", "neckBinding.3"},
+          {"front.7", "armBinding.0"},
+          {"back.2", "armBinding.0"},
+          {"back.7", "armBinding_mirrored.0"},
+          {"front.2", "armBinding_mirrored.0"},
+          {"front.0", "neckBinding.0"},
+          {"front.9", "neckBinding.0"},
+          {"back.0", "neckBinding.0"},
+          {"back.9", "neckBinding.0"}}},
+        {"sandy",
+         {{"skirt.2", "skirt.7"},
+          {"waistband.1", "skirt.3"},
+          {"waistband.1", "skirt.4"},
+          {"waistband.1", "skirt.5"},
+          {"waistband.1", "skirt.6"}}}};
+    return all;
+}
+
+std::string name_of(const Pattern& pattern, const EdgeSpan& span) {
+    return pattern.panels[static_cast<std::size_t>(span.panel)].name + "." + std::to_string(span.edge);
+}
+
+TEST(SeamProposals, of_freesewings_drafts_are_right_and_complete) {
+    const std::filesystem::path folder = real_patterns("freesewing");
+    if (folder.empty()) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set";
+    double right = 0, accepted = 0, found = 0, all = 0;  // weighed by the length of cloth that is sewn, m
+    for (const Draft& draft : drafts()) {
+        const auto made = make_panels(read_drawing(folder / (std::string(draft.name) + ".svg")), draft.name);
+        std::map<std::pair<std::string, std::string>, bool> truth;
+        for (const auto& [a, b] : draft.truth) truth[std::minmax(std::string(a), std::string(b))] = false;
+        for (const SeamProposal& proposal : propose_seams(made.pattern, {.hints = made.hints})) {
+            if (proposal.confidence < 0.5) continue;
+            for (const auto& [a, b] : proposal.parts) {
+                const Panel& panel = made.pattern.panels[static_cast<std::size_t>(a.panel)];
+                const double length =
+                    (a.to - a.from) * outline_length(panel, panel.edges[static_cast<std::size_t>(a.edge)]);
+                const auto known = truth.find(std::minmax(name_of(made.pattern, a), name_of(made.pattern, b)));
+                accepted += length;
+                if (known == truth.end()) continue;
+                right += length;
+                known->second = true;
+            }
+        }
+        for (const auto& [pair, is_found] : truth) {
+            all += 1;
+            found += is_found ? 1 : 0;
+            if (!is_found) std::printf("%s: missed %s to %s\n", draft.name, pair.first.c_str(), pair.second.c_str());
+        }
+    }
+    EXPECT_GE(right, 0.97 * accepted) << right << " of " << accepted << " m";
+    EXPECT_GE(found, 0.9 * all) << found << " of " << all;
+}
+
+}  // namespace
+}  // namespace selvedge::sim
