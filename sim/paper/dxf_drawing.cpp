@@ -479,8 +479,9 @@ class DxfReader {
         if (line.is_closed && points.front() == points.back()) points.pop_back();
         const bool is_outline = kind == LineKind::Sew || kind == LineKind::Cut || kind == LineKind::Unknown;
         const double reach = kOnLine * extent(line);
-        for (const auto& [layer, at] : piece.points) {
-            if (layer != 2 || !is_outline) continue;
+        for (const std::pair<int, Vec2d>& point : piece.points) {
+            const Vec2d& at = point.second;
+            if (point.first != 2 || !is_outline) continue;
             const auto nearest = std::ranges::min_element(points, {}, [&](const Vec2d& p) { return (p - at).norm(); });
             if ((*nearest - at).norm() < reach) options.corners.push_back(static_cast<int>(nearest - points.begin()));
         }

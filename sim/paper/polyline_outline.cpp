@@ -88,7 +88,7 @@ DrawnPath outline_of_points(std::vector<Vec2d> points, bool is_closed, const Pol
         if (corner >= 0 && as_size(corner) < image.size()) corners.push_back(image[as_size(corner)] % count);
     }
     std::ranges::sort(corners);
-    corners.erase(std::ranges::unique(corners).begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     if (corners.empty()) corners = find_corners(different, is_closed);
     if (corners.empty()) corners = {0, count / 2};  // a smooth loop begins anywhere
     if (corners.size() == 1 && is_closed) corners.push_back((corners[0] + count / 2) % count);
