@@ -14,6 +14,4 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui>=1.86)  # editor, app/ui_draw
 pkg_check_modules(pugixml REQUIRED IMPORTED_TARGET pugixml>=1.13)  # sim/paper
 pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)  # sim/paper
-pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo>=1.16)  # sim/paper
-pkg_check_modules(yaml-cpp REQUIRED IMPORTED_TARGET yaml-cpp>=0.7)  # sim/paper
 pkg_check_modules(glfw REQUIRED IMPORTED_TARGET glfw3>=3.3)    # app/window

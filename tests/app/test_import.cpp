@@ -1,0 +1,55 @@
+// selvedge import: the garment that it writes can be checked, and wrong files are refused on one line.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "sim/core/file.h"
+#include "sim/pattern/pattern_file.h"
+#include "tests/app/selvedge_program.h"
+#include "tests/sim/paper/drawings.h"
+
+namespace selvedge::app {
+namespace {
+
+// The half front of the tests of drawings, and a back of the same shape.
+std::string half_shirt() {
+    std::string front = sim::half_front_json();
+    const std::size_t begin = front.find("\"test.front\""), end = front.rfind("}}");
+    std::string back = front.substr(begin, end - begin);
+    back.replace(back.find("test.front"), 10, "test.back");
+    return front.substr(0, end) + ", " + back + front.substr(end);
+}
+
+TEST(ImportCommand, writes_a_garment_with_seams_that_check_accepts) {
+    const ScratchFolder folder;
+    const std::string drawn = folder / "shirt.json", garment = folder / "garment.json";
+    sim::write_file_atomically(drawn, half_shirt());
+    const ProgramResult result = run_selvedge("import '" + drawn + "' -o '" + garment + "'");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("front: torso, front"), std::string::npos) << result.out;
+    const sim::Pattern pattern = sim::load_pattern(garment).pattern;
+    ASSERT_EQ(pattern.panels.size(), 2U);
+    EXPECT_EQ(pattern.seams.size(), 4U);  // two sides, two shoulders
+    EXPECT_GT(pattern.panels[0].translation.z(), pattern.panels[1].translation.z());
+    EXPECT_EQ(pattern.body, "mannequin:sex=female");
+    EXPECT_EQ(run_selvedge("check '" + garment + "'").exit_code, 0);
+}
+
+TEST(ImportCommand, refuses_wrong_input_on_one_line_and_writes_nothing) {
+    const ScratchFolder folder;
+    const std::string drawn = folder / "a.svg", garment = folder / "garment.json";
+    const auto refused = [&](const std::string& text, const std::string& options = "") {
+        sim::write_file_atomically(drawn, text);
+        const ProgramResult result = run_selvedge("import '" + drawn + "' -o '" + garment + "' " + options);
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_FALSE(std::filesystem::exists(garment));
+        return result.err;
+    };
+    EXPECT_NE(refused("").find("the file is empty"), std::string::npos);
+    EXPECT_NE(refused("hello").find("neither SVG, DXF nor a draft of FreeSewing"), std::string::npos);
+    EXPECT_NE(refused(half_shirt(), "--unit ell").find("'ell' is none of mm, cm, m, in, pt, px"), std::string::npos);
+    EXPECT_NE(refused(half_shirt(), "--size 40").find("the file names no sizes"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace selvedge::app
