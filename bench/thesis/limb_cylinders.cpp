@@ -9,6 +9,7 @@
 #include "bench/support/cloth_run.h"
 #include "sim/collide/surface_bvh.h"
 #include "sim/core/assert.h"
+#include "sim/pattern/segment_distance.h"
 
 namespace selvedge::bench {
 namespace {
@@ -54,12 +55,6 @@ Polygon clipped(const Polygon& polygon, double at, double side) {
     return kept;
 }
 
-double distance_to_segment(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
-    const double squared = (b - a).squaredNorm();
-    const double share = squared > 0 ? std::clamp((p - a).dot(b - a) / squared, 0.0, 1.0) : 0.0;
-    return (a + share * (b - a) - p).norm();
-}
-
 // The directions in which a convex polygon is seen from a point: `width` rad from `start` on.
 struct Directions {
     double start = 0, width = 2 * std::numbers::pi;
@@ -74,7 +69,7 @@ Directions directions_of(const Polygon& polygon, const Vec2d& from, double margi
         return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
     };
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        nearest = std::min(nearest, distance_to_segment(Vec2d::Zero(), at(i), at(i + 1)));
+        nearest = std::min(nearest, sim::distance_to_segment(Vec2d::Zero(), at(i), at(i + 1)));
         turns += angle_between(at(i), at(i + 1));
         const double angle = angle_between(at(0), at(i));
         low = std::min(low, angle);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/mesh/sample_outline.h"
+#include "sim/pattern/segment_distance.h"
 
 namespace selvedge::editor {
 namespace {

@@ -10,6 +10,7 @@
 #include "sim/core/disjoint_sets.h"
 #include "sim/core/error.h"
 #include "sim/pattern/outline.h"
+#include "sim/pattern/segment_distance.h"
 
 namespace selvedge::sim {
 namespace {
@@ -273,21 +274,6 @@ bool is_crossing(const Segment& a, const Segment& b) {
 }
 
 }  // namespace
-
-double distance_to_segment(const Vec2d& point, const Vec2d& start, const Vec2d& end) {
-    const Vec2d along = end - start;
-    const double squared = along.squaredNorm();
-    const double t = squared > 0 ? std::clamp((point - start).dot(along) / squared, 0.0, 1.0) : 0.0;
-    return (point - start - t * along).norm();
-}
-
-double distance_to_outline(const Vec2d& point, std::span<const Vec2d> outline) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        nearest = std::min(nearest, distance_to_segment(point, outline[i], outline[(i + 1) % outline.size()]));
-    }
-    return nearest;
-}
 
 double smallest_angle(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
     const auto angle = [](const Vec2d& at, const Vec2d& p, const Vec2d& q) {

@@ -38,8 +38,6 @@ SampledOutline sample_outline(const Panel& panel, const std::vector<int>& segmen
 // Outline samples closer than this are treated as one point (on the two sides of a slit), m.
 constexpr double kWeldDistance = 1e-6;
 
-double distance_to_segment(const Vec2d& point, const Vec2d& start, const Vec2d& end);
-double distance_to_outline(const Vec2d& point, std::span<const Vec2d> outline);
 // The smallest angle of a triangle (opposite the shortest side), rad; zero if two corners coincide.
 double smallest_angle(const Vec2d& a, const Vec2d& b, const Vec2d& c);
 

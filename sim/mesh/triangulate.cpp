@@ -14,6 +14,7 @@
 #include "sim/core/error.h"
 #include "sim/mesh/sample_outline.h"
 #include "sim/pattern/outline.h"
+#include "sim/pattern/segment_distance.h"
 
 namespace selvedge::sim {
 namespace {

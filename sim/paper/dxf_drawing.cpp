@@ -11,6 +11,7 @@
 #include "sim/core/error.h"
 #include "sim/paper/dxf_text.h"
 #include "sim/paper/polyline_outline.h"
+#include "sim/pattern/segment_distance.h"
 
 namespace selvedge::sim {
 namespace {
@@ -460,12 +461,8 @@ class DxfReader {
 
     static double distance(const Vec2d& p, const DxfLine& line) {
         double least = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
-            const Vec2d d = line.points[i + 1] - line.points[i];
-            const double s =
-                d.squaredNorm() > 0 ? std::clamp((p - line.points[i]).dot(d) / d.squaredNorm(), 0.0, 1.0) : 0;
-            least = std::min(least, (line.points[i] + s * d - p).norm());
-        }
+        for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
+            least = std::min(least, distance_to_segment(p, line.points[i], line.points[i + 1]));
         return least;
     }
 

@@ -6,12 +6,13 @@
 #include <cstdio>
 #include <limits>
 #include <numbers>
-#include <set>
 
 #include "sim/core/error.h"
 #include "sim/paper/cut_line.h"
+#include "sim/paper/path_builder.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
+#include "sim/pattern/segment_distance.h"
 #include "sim/proposals/panel_role.h"
 
 namespace selvedge::sim {
@@ -91,11 +92,7 @@ std::string joined(const std::vector<std::string>& words) {
 // ---- From a drawn path to an outline.
 
 DrawnPath scaled(DrawnPath path, double scale) {
-    for (Vec2d& v : path.vertices) v *= scale;
-    for (OutlineEdge& edge : path.edges) {
-        for (Vec2d& control : edge.control) control *= scale;
-        edge.arc_radius *= scale;
-    }
+    transform(path, Eigen::Affine2d(Eigen::Scaling(scale)));
     return path;
 }
 
@@ -136,9 +133,7 @@ void drop_unused_vertices(Panel& panel) {
 
 // Pre: the path is closed. Counter-clockwise, as panels are.
 Panel outline_of(const DrawnPath& path) {
-    Panel panel;
-    panel.vertices = path.vertices;
-    panel.edges = path.edges;
+    Panel panel = as_panel(path);
     drop_short_edges(panel);
     if (panel.edges.size() < 2) return panel;
     if (outline_area(panel) < 0) panel = reversed_outline(panel);
@@ -160,8 +155,7 @@ OutlinePlace nearest_place(const Panel& panel, const Vec2d& p) {
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i + 1 < line.size(); ++i) {
             const Vec2d along = line[i + 1] - line[i];
-            const double length = along.norm();
-            const double s = length > 0 ? std::clamp((p - line[i]).dot(along) / (length * length), 0.0, 1.0) : 0;
+            const double length = along.norm(), s = nearest_fraction(p, line[i], line[i + 1]);
             const double distance = (line[i] + s * along - p).norm();
             if (distance < least) least = distance, at = total + s * length;
             total += length;
@@ -183,14 +177,13 @@ class PartReader {
     std::optional<Panel> read() {
         std::optional<Panel> panel = read_outline();
         if (!panel) return std::nullopt;
-        panel->name = part_.name;
         panel_ = std::move(*panel);
+        panel_.name = part_.name;
         check_outline();
         add_marks();
         add_grain();
         add_lines();
         unfold();
-        panel_.name = part_.name;
         if (part_.cut.pieces) panel_.pieces = std::clamp(*part_.cut.pieces, 1, kMostPieces);
         return panel_;
     }
@@ -290,9 +283,7 @@ class PartReader {
             const bool is_mark = path.kind == LineKind::Internal || path.kind == LineKind::Cutout;
             if ((!is_fold && !is_mark) || path.edges.empty()) continue;
             InternalLine line{path.name, {}, is_fold ? LineUse::Fold : LineUse::Mark};
-            Panel curve;
-            curve.vertices = scaled(path, scale_).vertices;
-            curve.edges = scaled(path, scale_).edges;
+            const Panel curve = as_panel(scaled(path, scale_));
             for (const OutlineEdge& edge : curve.edges) {
                 std::vector<Vec2d> points = outline_polyline(curve, edge, kChordError);
                 if (!line.points.empty()) points.erase(points.begin());

@@ -110,11 +110,7 @@ std::vector<DrawnPath> PathBuilder::take(double shortest, double gap) {
 }
 
 void flip(DrawnPath& path) {
-    for (Vec2d& v : path.vertices) v.y() = -v.y();
-    for (OutlineEdge& edge : path.edges) {
-        for (Vec2d& control : edge.control) control.y() = -control.y();
-        edge.turns_right = edge.kind == CurveKind::Arc && !edge.turns_right;
-    }
+    transform(path, Eigen::Affine2d(Eigen::Scaling(1.0, -1.0)));
 }
 
 void transform(DrawnPath& path, const Eigen::Affine2d& map) {
@@ -126,6 +122,13 @@ void transform(DrawnPath& path, const Eigen::Affine2d& map) {
         edge.arc_radius *= scale;
         if (is_mirror) edge.turns_right = edge.kind == CurveKind::Arc && !edge.turns_right;
     }
+}
+
+Panel as_panel(const DrawnPath& path) {
+    Panel panel;
+    panel.vertices = path.vertices;
+    panel.edges = path.edges;
+    return panel;
 }
 
 }  // namespace selvedge::sim

@@ -36,4 +36,7 @@ void flip(DrawnPath& path);
 // The path under a map of the plane. Pre: the map is a similarity if the path has arcs.
 void transform(DrawnPath& path, const Eigen::Affine2d& map);
 
+// The path as an outline, for the functions of sim/pattern/outline.h. It may be open.
+Panel as_panel(const DrawnPath& path);
+
 }  // namespace selvedge::sim

@@ -4,16 +4,16 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <set>
 
 #include "sim/core/error.h"
 #include "sim/paper/freesewing_lines.h"
+#include "sim/paper/path_builder.h"
 #include "sim/paper/svg_path.h"
 #include "sim/paper/svg_shapes.h"
 #include "sim/pattern/enum_names.h"
 #include "sim/pattern/outline.h"
+#include "sim/pattern/segment_distance.h"
 
 namespace selvedge::sim {
 namespace {
@@ -217,13 +217,6 @@ class OwnReader {
 
 // ---- Plain drawings.
 
-Panel as_panel(const DrawnPath& path) {
-    Panel panel;
-    panel.vertices = path.vertices;
-    panel.edges = path.edges;
-    return panel;
-}
-
 // A closed path, seen as an area.
 struct Area {
     std::size_t shape = 0;
@@ -340,19 +333,11 @@ class PlainReader {
     // Whether one closed path runs inside another at a nearly constant distance: the sewing line in the cut line.
     bool is_inset(const Area& inner, const Area& outer) const {
         constexpr double kSpread = 0.35;
-        double least = std::numeric_limits<double>::infinity(), sum = 0;
+        double sum = 0;
         std::vector<double> distances;
-        for (std::size_t i = 0; i < inner.points.size(); ++i) {
-            double nearest = std::numeric_limits<double>::infinity();
-            for (std::size_t k = 0; k < outer.points.size(); ++k) {
-                const Vec2d a = outer.points[k], d = outer.points[(k + 1) % outer.points.size()] - a;
-                const double s =
-                    d.squaredNorm() > 0 ? std::clamp((inner.points[i] - a).dot(d) / d.squaredNorm(), 0.0, 1.0) : 0;
-                nearest = std::min(nearest, (a + s * d - inner.points[i]).norm());
-            }
-            distances.push_back(nearest);
-            least = std::min(least, nearest);
-            sum += nearest;
+        for (const Vec2d& p : inner.points) {
+            distances.push_back(distance_to_outline(p, outer.points));
+            sum += distances.back();
         }
         const double mean = sum / static_cast<double>(distances.size());
         std::ranges::sort(distances);

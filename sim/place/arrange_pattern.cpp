@@ -113,8 +113,7 @@ class Arranger {
     bool is_half(std::size_t p) const {
         if (out_.roles[p].flank != Flank::None) return true;
         const Panel& own = pattern_.panels[p];
-        return !own.mirror_of.empty() ||
-               std::ranges::any_of(pattern_.panels, [&](const Panel& other) { return other.mirror_of == own.name; });
+        return std::ranges::any_of(pattern_.panels, [&](const Panel& other) { return are_mirror_images(own, other); });
     }
 
     // Where the middle of the body lies, as seen on the panel: -1 on its left, 1 on its right, 0 not known.
@@ -126,8 +125,7 @@ class Arranger {
             const Panel& own = pattern_.panels[p];
             const Panel& partner = pattern_.panels[as_size(sewn.panel)];
             const double x = middle_of(sewn.own).x() - axis;
-            const bool is_twin =
-                partner.mirror_of == own.name || (!own.mirror_of.empty() && own.mirror_of == partner.name);
+            const bool is_twin = are_mirror_images(own, partner);
             if (is_twin) to_twin += x;
             if (other.part == out_.roles[p].part && other.face != out_.roles[p].face) to_other_face += x;
         }
@@ -292,8 +290,8 @@ class Arranger {
         const bool is_left = out_.roles[p].flank != Flank::Right;
         const std::string arm = is_left ? "left" : "right";
         const ArrangementPoint* outside = point_named(arm + " upper arm outside");
-        const BodyLimbs limbs = find_limbs(body_);
-        const Limb& limb = limbs[is_left ? LimbKind::LeftArm : LimbKind::RightArm];
+        if (!limbs_) limbs_ = find_limbs(body_);
+        const Limb& limb = (*limbs_)[is_left ? LimbKind::LeftArm : LimbKind::RightArm];
         if (!outside || !limb.is_found) return note(p, "the body has no " + arm + " arm to place it round");
         ArrangementPoint point = *outside;
         const Eigen::AlignedBox2d& box = boxes_[p];
@@ -391,6 +389,7 @@ class Arranger {
     Stature stature_;
     Anchors anchors_;
     std::vector<ArrangementPoint> points_;
+    std::optional<BodyLimbs> limbs_;       // found for the first sleeve
     std::vector<std::vector<Sewn>> sewn_;  // per panel
     std::vector<Eigen::AlignedBox2d> boxes_;
     std::vector<bool> is_placed_;

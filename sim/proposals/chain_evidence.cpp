@@ -67,14 +67,19 @@ std::vector<Vec2d> sampled(const OpenBoundary& boundary, const ChainView& view) 
     return points;
 }
 
+double length_of(const std::vector<Vec2d>& points) {
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+    return length;
+}
+
 // Root mean square distance of two curves over their length, after the best rotation. (Kabsch 1976)
 double shape_difference(std::vector<Vec2d> a, std::vector<Vec2d> b, bool is_mirrored) {
     const auto centre = [](std::vector<Vec2d>& points) {
         Vec2d mean = Vec2d::Zero();
         for (const Vec2d& p : points) mean += p;
         mean /= static_cast<double>(points.size());
-        double length = 0;
-        for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+        const double length = length_of(points);
         for (Vec2d& p : points) p = (p - mean) / std::max(length, 1e-12);
     };
     centre(a);
@@ -92,9 +97,7 @@ double shape_difference(std::vector<Vec2d> a, std::vector<Vec2d> b, bool is_mirr
 }
 
 double straightness(const std::vector<Vec2d>& points) {
-    double length = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-    return (points.back() - points.front()).norm() / std::max(length, 1e-12);
+    return (points.back() - points.front()).norm() / std::max(length_of(points), 1e-12);
 }
 
 void weigh_shape(Evidence& evidence, const std::vector<Vec2d>& a, std::vector<Vec2d> b) {
@@ -114,9 +117,7 @@ constexpr double kUpright = 0.75;  // least rise of an upright stretch
 
 // The rise of a stretch over its length, -1..1: of an upright one about 1 or -1.
 double rise(const std::vector<Vec2d>& points) {
-    double length = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-    return (points.back().y() - points.front().y()) / std::max(length, 1e-12);
+    return (points.back().y() - points.front().y()) / std::max(length_of(points), 1e-12);
 }
 
 // The parts of a view that lie on one atom each.
@@ -143,11 +144,10 @@ double facing_up(const OpenBoundary& boundary, const ChainView& view) {
 
 // How far the stretch bulges out of its panel, as an area over the square of its length: negative for an armhole.
 double bulge(const std::vector<Vec2d>& points) {
-    double area = 0, length = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) {
+    double area = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
         area += cross2(points[i - 1] - points[0], points[i] - points[0]) / 2;
-        length += (points[i] - points[i - 1]).norm();
-    }
+    const double length = length_of(points);
     return area / std::max(1e-12, length * length);
 }
 
@@ -258,7 +258,6 @@ bool are_twins(const std::vector<PanelFacts>& facts, int a, int b) {
            other.flank != Flank::None;
 }
 
-// Mirror images are sewn to each other in the middle of the body, when their other sides have found their seams.
 // Whether one chain runs over the mirror image of what the other runs over, as left and right armholes do.
 bool have_twins(const std::vector<PanelFacts>& facts, const std::vector<int>& a, const std::vector<int>& b) {
     return std::ranges::any_of(
@@ -266,6 +265,8 @@ bool have_twins(const std::vector<PanelFacts>& facts, const std::vector<int>& a,
 }
 
 constexpr double kNever = -100;  // odds
+
+// Mirror images are sewn to each other in the middle of the body, when their other sides have found their seams.
 double odds_of_twins(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, int a, int b,
                      bool are_chains) {
     const PanelFacts& one = facts[as_size(a)];
@@ -365,17 +366,13 @@ std::vector<ChainNotch> notches_on(const OpenBoundary& boundary, const ChainView
     const std::vector<double> starts = boundary.starts(view.chain);
     const double shift = starts[as_size(view.first)];
     std::vector<ChainNotch> found;
-    for (std::size_t i = 0; i < view.chain.atoms.size(); ++i) {
-        const OpenBoundary::Atom& atom = boundary.atom(view.chain.atoms[i]);
-        for (const Notch& notch : boundary.pattern().panels[as_size(atom.span.panel)].notches) {
-            if (notch.edge != atom.span.edge || notch.t < atom.span.from || notch.t > atom.span.to) continue;
-            const double t = (notch.t - atom.span.from) / (atom.span.to - atom.span.from);
-            const double at = std::fmod(starts[i] - shift + 1, 1.0) + t * atom.length / view.chain.length;
-            const double in_view = (at - view.from) * view.chain.length;
-            constexpr double kAtEnd = 0.003;  // m: a notch at an end marks the end
-            if (in_view < kAtEnd || in_view > length_of(view) - kAtEnd) continue;
-            found.push_back({in_view, notch.count});
-        }
+    for (const AtomNotch& notch : notches_of(boundary, view.chain)) {
+        const double share = boundary.atom(view.chain.atoms[notch.atom]).length / view.chain.length;
+        const double at = std::fmod(starts[notch.atom] - shift + 1, 1.0) + notch.t * share;
+        const double in_view = (at - view.from) * view.chain.length;
+        constexpr double kAtEnd = 0.003;  // m: a notch at an end marks the end
+        if (in_view < kAtEnd || in_view > length_of(view) - kAtEnd) continue;
+        found.push_back({in_view, notch.count});
     }
     return found;
 }

@@ -16,7 +16,6 @@ double length_of(const ChainView& view) {
 }
 
 ChainPlace place_on(const OpenBoundary& boundary, const ChainView& view, double t) {
-    const std::vector<double> starts = boundary.starts(view.chain);
     const std::size_t count = view.chain.atoms.size();
     const double along = view.from + t * (view.to - view.from);
     double reached = 0;
@@ -28,6 +27,18 @@ ChainPlace place_on(const OpenBoundary& boundary, const ChainView& view, double 
         reached += share;
     }
     return {};
+}
+
+std::vector<AtomNotch> notches_of(const OpenBoundary& boundary, const Chain& chain) {
+    std::vector<AtomNotch> found;
+    for (std::size_t i = 0; i < chain.atoms.size(); ++i) {
+        const EdgeSpan& span = boundary.atom(chain.atoms[i]).span;
+        for (const Notch& notch : boundary.pattern().panels[as_size(span.panel)].notches) {
+            if (notch.edge != span.edge || notch.t < span.from || notch.t > span.to) continue;
+            found.push_back({i, (notch.t - span.from) / (span.to - span.from), notch.count});
+        }
+    }
+    return found;
 }
 
 std::vector<double> joints_of(const OpenBoundary& boundary, const ChainView& view) {

@@ -22,6 +22,14 @@ struct ChainPlace {
 };
 ChainPlace place_on(const OpenBoundary& boundary, const ChainView& view, double t);
 
+// A notch on a chain: on which of its atoms, and at which fraction of that.
+struct AtomNotch {
+    std::size_t atom = 0;  // index into Chain::atoms
+    double t = 0;
+    int count = 1;  // see Notch::count
+};
+std::vector<AtomNotch> notches_of(const OpenBoundary& boundary, const Chain& chain);
+
 // The fractions of a view at which its atoms begin and end, without 0 and 1, ascending.
 std::vector<double> joints_of(const OpenBoundary& boundary, const ChainView& view);
 

@@ -26,8 +26,7 @@ std::vector<PanelFacts> facts_of(const Pattern& pattern, std::string_view hints)
         });
         for (std::size_t q = 0; q < pattern.panels.size(); ++q) {
             const Panel& other = pattern.panels[q];
-            if (other.mirror_of == panel.name || (!panel.mirror_of.empty() && panel.mirror_of == other.name))
-                facts.twin = static_cast<int>(q);
+            if (are_mirror_images(panel, other)) facts.twin = static_cast<int>(q);
         }
         all.push_back(facts);
     }

@@ -171,6 +171,10 @@ std::vector<PanelRole> roles_of(const Pattern& pattern, std::string_view hints) 
     return roles;
 }
 
+bool are_mirror_images(const Panel& a, const Panel& b) {
+    return (!a.mirror_of.empty() && a.mirror_of == b.name) || (!b.mirror_of.empty() && b.mirror_of == a.name);
+}
+
 bool comes_in_pairs(const PanelRole& role, std::string_view name) {
     if (role.part == GarmentPart::Sleeve || role.part == GarmentPart::Cuff || role.part == GarmentPart::Leg)
         return true;

@@ -51,6 +51,9 @@ std::vector<std::string> words_of_name(std::string_view name);
 // hints: further words about the whole garment, as a title.
 std::vector<PanelRole> roles_of(const Pattern& pattern, std::string_view hints = {});
 
+// Whether one of the panels is kept a mirror image of the other.
+bool are_mirror_images(const Panel& a, const Panel& b);
+
 // Whether a panel comes in pairs, one for each side of the body, when its drawing does not say: sleeves, cuffs, legs,
 // and bindings of arms and legs.
 bool comes_in_pairs(const PanelRole& role, std::string_view name);

@@ -45,14 +45,9 @@ std::vector<double> stops_of(const OpenBoundary& boundary, const std::vector<Pan
                           part == GarmentPart::CollarStand;
     if (!is_strip || chain.is_loop) return stops;
     const std::vector<double> starts = boundary.starts(chain);
-    for (std::size_t i = 0; i < chain.atoms.size(); ++i) {
-        const OpenBoundary::Atom& atom = boundary.atom(chain.atoms[i]);
-        for (const Notch& notch : boundary.pattern().panels[as_size(atom.span.panel)].notches) {
-            if (notch.edge != atom.span.edge || notch.t < atom.span.from || notch.t > atom.span.to) continue;
-            const double t = (notch.t - atom.span.from) / (atom.span.to - atom.span.from);
-            const double at = starts[i] + t * atom.length / chain.length;
-            if (at > 0.01 && at < 0.99) stops.push_back(at);
-        }
+    for (const AtomNotch& notch : notches_of(boundary, chain)) {
+        const double at = starts[notch.atom] + notch.t * boundary.atom(chain.atoms[notch.atom]).length / chain.length;
+        if (at > 0.01 && at < 0.99) stops.push_back(at);
     }
     std::ranges::sort(stops);
     return stops;
@@ -88,7 +83,7 @@ class Search {
                 add_unaccepted(candidates);
                 break;
             }
-            accept(candidates[0]);
+            out_.push_back(take(candidates[0]));
         }
         return std::move(out_);
     }
@@ -97,7 +92,11 @@ class Search {
     // For the reader to choose from.
     void add_unaccepted(const std::vector<Candidate>& candidates) {
         constexpr std::size_t kMost = 60;
-        for (std::size_t i = 0; i < std::min(kMost, candidates.size()); ++i) out_.push_back(proposal_of(candidates[i]));
+        const OpenBoundary as_found = boundary_;
+        for (std::size_t i = 0; i < std::min(kMost, candidates.size()); ++i) {
+            out_.push_back(take(candidates[i]));
+            boundary_ = as_found;  // each by itself: they exclude each other
+        }
     }
 
     // From the most to the least likely.
@@ -159,8 +158,6 @@ class Search {
         std::ranges::sort(stops);
         stops.insert(stops.begin(), 0);
         stops.push_back(1);
-        ChainView rest = view;
-        const std::vector<double> starts = boundary_.starts(view.chain);
         std::vector<int> atoms;  // of the whole chain in order from view.first, as divided
         for (std::size_t k = 0; k < view.chain.atoms.size(); ++k)
             atoms.push_back(view.chain.atoms[(as_size(view.first) + k) % view.chain.atoms.size()]);
@@ -187,13 +184,13 @@ class Search {
         return sewn;
     }
 
-    SeamProposal proposal_of(const Candidate& candidate) const {
+    // What sewing the candidate joins is its parts.
+    SeamProposal take(const Candidate& candidate) {
         SeamProposal proposal;
         proposal.confidence = confidence_of(candidate.evidence.odds);
         proposal.reason = candidate.evidence.reason;
         proposal.is_eased = std::abs(length_of(candidate.first) - length_of(candidate.second)) > 0.001;
-        Search copy = *this;
-        proposal.parts = copy.sew(candidate);
+        proposal.parts = sew(candidate);
         return proposal;
     }
 
@@ -212,11 +209,6 @@ class Search {
             boundary_.sew(first[i], second[i]);
         }
         return parts;
-    }
-
-    void accept(const Candidate& candidate) {
-        out_.push_back(proposal_of(candidate));
-        sew(candidate);
     }
 
     OpenBoundary boundary_;

@@ -3,6 +3,7 @@
 #include "sim/core/error.h"
 #include "sim/mesh/sample_outline.h"
 #include "sim/pattern/outline.h"
+#include "sim/pattern/segment_distance.h"
 #include "tests/sim/mesh/shapes.h"
 
 namespace selvedge::sim {

@@ -10,6 +10,7 @@
 #include "sim/mesh/sew.h"
 #include "sim/mesh/triangulate.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/pattern/segment_distance.h"
 #include "tests/sim/mesh/shapes.h"
 
 namespace selvedge::sim {

@@ -86,6 +86,17 @@ int read_mutants(const std::string& text, int count, Read read) {
     return refused;
 }
 
+// The one line with which a reader refuses a text; "nothing" if it takes it.
+template <class Read>
+std::string problem_of(const std::string& text, Read read) {
+    try {
+        read(text);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "nothing";
+}
+
 // The folder of real patterns; empty: there is none here.
 inline std::filesystem::path real_patterns(const char* folder) {
     const char* data = std::getenv("SELVEDGE_TEST_DATA");

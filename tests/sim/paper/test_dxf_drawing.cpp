@@ -83,20 +83,15 @@ TEST(Dxf, reads_a_piece_with_its_lines_marks_and_texts) {
 }
 
 TEST(Dxf, names_the_line_of_what_is_wrong) {
-    const auto problem_of = [](const std::string& text) {
-        try {
-            read_dxf(text, "a.dxf");
-        } catch (const InputError& error) {
-            return std::string(error.what());
-        }
-        return std::string("nothing");
+    const auto problem = [](const std::string& wrong) {
+        return problem_of(wrong, [](const std::string& text) { return read_dxf(text, "a.dxf"); });
     };
-    EXPECT_EQ(problem_of("0\nSECTION\nzwei\nBLOCKS\n"), "a.dxf: line 3: 'zwei' where a group code should be");
-    EXPECT_EQ(problem_of("AutoCAD Binary DXF\r\n"), "a.dxf: a binary DXF: save it as text (ASCII)");
-    EXPECT_EQ(problem_of("0\nSECTION\n2\nBLOCKS\n0\nENDSEC\n"), "a.dxf: no closed line: nothing that could be a panel");
+    EXPECT_EQ(problem("0\nSECTION\nzwei\nBLOCKS\n"), "a.dxf: line 3: 'zwei' where a group code should be");
+    EXPECT_EQ(problem("AutoCAD Binary DXF\r\n"), "a.dxf: a binary DXF: save it as text (ASCII)");
+    EXPECT_EQ(problem("0\nSECTION\n2\nBLOCKS\n0\nENDSEC\n"), "a.dxf: no closed line: nothing that could be a panel");
     std::string open = one_piece();
     open.replace(open.find("70\n1\n"), 5, "70\n0\n");
-    EXPECT_EQ(problem_of(open), "a.dxf: line 11: the outline of 'FRONT' is open");
+    EXPECT_EQ(problem(open), "a.dxf: line 11: the outline of 'FRONT' is open");
 }
 
 TEST(Dxf, reads_damaged_files_or_refuses_them) {

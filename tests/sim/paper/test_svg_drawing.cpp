@@ -110,18 +110,13 @@ TEST(Svg, closes_gaps_of_a_tenth_of_a_millimetre_and_says_so) {
 }
 
 TEST(Svg, says_what_is_wrong_and_where) {
-    const auto problem_of = [](const std::string& text) {
-        try {
-            read_svg(text, "a.svg");
-        } catch (const InputError& error) {
-            return std::string(error.what());
-        }
-        return std::string("nothing");
+    const auto problem = [](const std::string& wrong) {
+        return problem_of(wrong, [](const std::string& text) { return read_svg(text, "a.svg"); });
     };
-    EXPECT_EQ(problem_of(svg("<path id='hem' d='M0,0L5,x'/>")),
+    EXPECT_EQ(problem(svg("<path id='hem' d='M0,0L5,x'/>")),
               "a.svg: <path> 'hem': the path data are wrong at character 5");
-    EXPECT_NE(problem_of("<svg>\n<g>\n</svg>").find("a.svg: line 3: not XML"), std::string::npos);
-    EXPECT_EQ(problem_of(svg("")), "a.svg: no closed path: nothing that could be a panel");
+    EXPECT_NE(problem("<svg>\n<g>\n</svg>").find("a.svg: line 3: not XML"), std::string::npos);
+    EXPECT_EQ(problem(svg("")), "a.svg: no closed path: nothing that could be a panel");
 }
 
 TEST(Svg, reads_damaged_files_or_refuses_them) {

@@ -1,0 +1,17 @@
+#pragma once
+// Distances of points from segments and closed polylines of the plane.
+#include <span>
+
+#include "sim/core/math.h"
+
+namespace selvedge::sim {
+
+// The fraction of the segment, 0..1, that is nearest to a point; 0 if it has no length.
+double nearest_fraction(const Vec2d& point, const Vec2d& start, const Vec2d& end);
+
+double distance_to_segment(const Vec2d& point, const Vec2d& start, const Vec2d& end);
+
+// Infinite for a polyline without points.
+double distance_to_outline(const Vec2d& point, std::span<const Vec2d> outline);
+
+}  // namespace selvedge::sim
