@@ -18,6 +18,7 @@ void add_edit_command(CLI::App& app, int& exit_code);
 void add_mannequin_command(CLI::App& app, int& exit_code);
 void add_import_command(CLI::App& app, int& exit_code);
 void add_match_command(CLI::App& app, int& exit_code);
+void add_print_command(CLI::App& app, int& exit_code);
 void add_render_command(CLI::App& app, int& exit_code);
 
 }  // namespace selvedge::app

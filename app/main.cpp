@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
     selvedge::app::add_mannequin_command(app, exit_code);
     selvedge::app::add_import_command(app, exit_code);
     selvedge::app::add_match_command(app, exit_code);
+    selvedge::app::add_print_command(app, exit_code);
     selvedge::app::add_render_command(app, exit_code);
     selvedge::app::add_diff_command(app, exit_code);
     selvedge::app::add_bench_command(app, exit_code);

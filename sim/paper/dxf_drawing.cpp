@@ -9,8 +9,11 @@
 #include <numbers>
 
 #include "sim/core/error.h"
+#include "sim/paper/dxf_records.h"
 #include "sim/paper/dxf_text.h"
+#include "sim/paper/path_builder.h"
 #include "sim/paper/polyline_outline.h"
+#include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
 
 namespace selvedge::sim {
@@ -85,6 +88,7 @@ struct DxfPiece {
     std::vector<DxfLine> lines = {};
     std::vector<std::pair<int, Vec2d>> points = {};       // with their layers
     std::vector<std::pair<int, std::string>> texts = {};  // with their layers
+    DxfRecords records = {};                              // of files of Selvedge
 };
 
 class EntityReader {
@@ -398,10 +402,9 @@ class DxfReader {
     // Ends that nearly meet are one; returns false if the line stays open.
     bool close(DxfLine& line) {
         if (line.is_closed) return true;
-        const double unit = drawing_.metres_per_unit.value_or(0.001);
         const double gap = (line.points.front() - line.points.back()).norm();
         constexpr double kGap = 0.2e-3;  // m
-        if (line.points.size() < 4 || gap * unit > kGap) return false;
+        if (line.points.size() < 4 || gap * unit() > kGap) return false;
         line.points.back() = line.points.front();
         line.is_closed = true;
         if (gap > 0)
@@ -410,7 +413,33 @@ class DxfReader {
         return true;
     }
 
+    double unit() const { return drawing_.metres_per_unit.value_or(0.001); }
+
+    // The records of a piece, from mm to the file's unit.
+    void take_unit(DxfRecords& records) const {
+        transform(records.outline, Eigen::Affine2d(Eigen::Scaling(0.001 / unit())));
+    }
+
+    // The notches and lines that the records describe, instead of what is drawn of them.
+    static void take_records(const DxfRecords& records, DrawnPart& part) {
+        std::erase_if(part.marks, [](const DrawnMark& mark) { return mark.kind == MarkKind::Notch; });
+        const Panel outline = as_panel(records.outline);
+        for (const Notch& notch : records.notches) {
+            if (notch.edge >= static_cast<int>(outline.edges.size())) continue;
+            const OutlineEdge& edge = outline.edges[static_cast<std::size_t>(notch.edge)];
+            part.marks.push_back({MarkKind::Notch, outline_point(outline, edge, notch.t), notch.kind, notch.count});
+        }
+        std::size_t next = 0;
+        for (DrawnPath& path : part.paths) {
+            if (path.kind != LineKind::Internal || next >= records.lines.size()) continue;
+            const InternalLine& line = records.lines[next++];
+            path.name = line.name;
+            if (line.use == LineUse::Fold) path.kind = LineKind::FoldLine;
+        }
+    }
+
     void add_part(DxfPiece piece, bool has_sewing_lines) {
+        constexpr double kMoved = 1e-4;  // m: an outline that is drawn farther from its record was changed
         for (DxfLine& line : piece.lines) {
             const bool is_outline = line.layer == 1 || line.layer == 14;
             if (!close(line) && is_outline && line.points.size() > 3) {
@@ -420,13 +449,20 @@ class DxfReader {
         }
         DrawnPart part{.name = piece.name};
         read_texts(piece, part);
+        take_unit(piece.records);
+        bool has_records = false;
         const DxfLine* sewn = find_sewing_line(piece);
         const DxfLine* boundary = largest(piece, 1);
         for (const DxfLine& line : piece.lines) {
             const LineKind kind = &line == sewn       ? LineKind::Sew
                                   : &line == boundary ? (sewn || has_sewing_lines ? LineKind::Cut : LineKind::Unknown)
                                                       : kind_of_layer(line.layer);
-            if (is_notch_layer(line.layer)) {
+            if (&line == sewn && is_outline_on(piece.records.outline, line.points, kMoved / unit())) {
+                part.paths.push_back(piece.records.outline);
+                part.paths.back().kind = LineKind::Sew;
+                part.paths.back().place = "line " + std::to_string(line.line);
+                has_records = true;
+            } else if (is_notch_layer(line.layer)) {
                 add_notch(part, line.layer, line.points.front(), line.points.back(), sewn ? sewn : boundary);
             } else if (line.layer < 84 || line.layer > 87) {
                 part.paths.push_back(path_of(piece, line, kind));
@@ -436,6 +472,7 @@ class DxfReader {
             if (is_notch_layer(layer)) add_notch(part, layer, at, at, sewn ? sewn : boundary);
             if (layer == 13) part.marks.push_back({.kind = MarkKind::Drill, .at = at});
         }
+        if (has_records) take_records(piece.records, part);
         if (boundary || sewn) {
             drawing_.parts.push_back(std::move(part));
         } else {
@@ -468,10 +505,9 @@ class DxfReader {
 
     // Corners are the turn points of layer 2, if the piece has them.
     DrawnPath path_of(const DxfPiece& piece, const DxfLine& line, LineKind kind) const {
-        constexpr double kTolerance = 1e-4, kOwnTolerance = 2e-5;  // m; own: of a file of Selvedge
-        constexpr double kOnLine = 1e-4;                           // of the line's size
-        PolylineOptions options{.tolerance =
-                                    (is_own_ ? kOwnTolerance : kTolerance) / drawing_.metres_per_unit.value_or(0.001)};
+        constexpr double kTolerance = 1e-4;  // m
+        constexpr double kOnLine = 1e-4;     // of the line's size
+        PolylineOptions options{.tolerance = kTolerance / unit()};
         std::vector<Vec2d> points = line.points;
         if (line.is_closed && points.front() == points.back()) points.pop_back();
         const bool is_outline = kind == LineKind::Sew || kind == LineKind::Cut || kind == LineKind::Unknown;
@@ -506,12 +542,13 @@ class DxfReader {
             if (word.starts_with("metric")) drawing_.metres_per_unit = 0.001;
             if (word.starts_with("english") || word.starts_with("imperial")) drawing_.metres_per_unit = 0.0254;
         }
-        is_own_ = is_own_ || text.starts_with("SELVEDGE");
+        if (text.starts_with("SELVEDGE")) drawing_.is_upright = true;
         if (text.starts_with("SELVEDGE SEAM ")) seam_texts_.push_back(text);
     }
 
-    void read_texts(const DxfPiece& piece, DrawnPart& part) {
+    void read_texts(DxfPiece& piece, DrawnPart& part) {
         for (const auto& [layer, text] : piece.texts) {
+            if (read_dxf_record(text, piece.records)) continue;
             read_file_text(text);
             if (const auto name = value_after(text, "piece name"); name && !name->empty()) {
                 part.name = *name;
@@ -544,19 +581,9 @@ class DxfReader {
 
     void add_seams() {
         for (const std::string& text : seam_texts_) {
-            DrawnSeam seam;
-            std::array<int, 4> numbers{};
-            std::array<char, 16> way{}, ease{};
-            int length = 0;
-            const int read = std::sscanf(text.c_str(), "SELVEDGE SEAM %d:%d %d:%d %15s %15s %n", numbers.data(),
-                                         &numbers[1], &numbers[2], &numbers[3], way.data(), ease.data(), &length);
-            if (read < 6) throw InputError(file_, "layer 15", "'" + text.substr(0, 80) + "' is no seam");
-            seam.first = {numbers[0], numbers[1]};
-            seam.second = {numbers[2], numbers[3]};
-            seam.is_reversed = std::string_view(way.data()) != "same";
-            seam.is_eased = std::string_view(ease.data()) == "eased";
-            seam.name = text.substr(std::min(text.size(), static_cast<std::size_t>(std::max(0, length))));
-            drawing_.seams.push_back(std::move(seam));
+            std::optional<DrawnSeam> seam = read_dxf_seam(text);
+            if (!seam) throw InputError(file_, "layer 15", "'" + text.substr(0, 80) + "' is no seam");
+            drawing_.seams.push_back(std::move(*seam));
         }
     }
 
@@ -576,7 +603,6 @@ class DxfReader {
     DxfPiece loose_;
     std::vector<std::string> seam_texts_;
     std::string_view version_;
-    bool is_own_ = false;
     Drawing drawing_;
 };
 

@@ -189,7 +189,8 @@ class OwnReader {
         if (name != names.end()) mark.notch = static_cast<NotchKind>(name - names.begin());
         const std::vector<double> count = parse_numbers(value(shape.data, "count"));
         if (!count.empty()) mark.count = static_cast<int>(std::clamp(count[0], 1.0, double(kMostNotchesTogether)));
-        part.marks.push_back(mark);
+        // A sign of several strokes is one mark.
+        if (part.marks.empty() || part.marks.back() != mark) part.marks.push_back(mark);
     }
 
     SeamSide side_of(const std::string& text) const {

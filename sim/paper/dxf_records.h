@@ -1,0 +1,31 @@
+#pragma once
+// What DXF files of Selvedge say beyond the standards, as texts of a piece on layer 15, in order; lengths in mm:
+//   SELVEDGE EDGE x y LINE | QUADRATIC x y | CUBIC x y x y | ARC radius large right    an edge from (x, y), and its
+//   curve SELVEDGE NOTCH edge t kind count                                                    on the sewing line
+//   SELVEDGE LINE mark|fold NAME                                                        the next line of layer 8
+// and of the file:
+//   SELVEDGE SEAM panel:edge panel:edge reversed|same eased|exact NAME                  panels and edges from 0
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/paper/drawing.h"
+
+namespace selvedge::sim {
+
+struct DxfRecords {
+    DrawnPath outline = {};  // mm; closed if there are edges
+    std::vector<Notch> notches = {};
+    std::vector<InternalLine> lines = {};  // without points
+};
+
+// Takes a text of a piece that is such a record; false: it is none, or is broken.
+bool read_dxf_record(const std::string& text, DxfRecords& records);
+
+// A seam of the file; none: the text is broken. Pre: it begins with "SELVEDGE SEAM ".
+std::optional<DrawnSeam> read_dxf_seam(const std::string& text);
+
+// Whether the recorded outline still lies on the polyline that is drawn: another program may have changed that.
+bool is_outline_on(const DrawnPath& outline, const std::vector<Vec2d>& polyline, double tolerance);
+
+}  // namespace selvedge::sim

@@ -1,0 +1,20 @@
+#pragma once
+// Patterns as DXF-AAMA (ANSI/AAMA 292) and DXF-ASTM (ASTM D6673): DXF R10, ASCII, millimetres, a block per panel.
+// Layers: 1 the cut line and the texts, 2 turn points, 3 curve points, 4 notches (ASTM: 80 to 83 for T, castle, V and
+// U), 7 grain, 8 internal lines, 13 drill points, 14 the sewing line, 15 annotation.
+//
+// DXF of these standards has polylines only and no seams. What it lacks stands as text on layer 15, which other
+// programs show or ignore, and which sim/paper/dxf_records.h reads back: "SELVEDGE EDGE ...", "SELVEDGE NOTCH ...",
+// "SELVEDGE LINE ...", "SELVEDGE SEAM ...".
+#include <string>
+
+#include "sim/pattern/pattern.h"
+
+namespace selvedge::sim {
+
+enum class DxfStandard { Aama, Astm };
+
+// ASCII; other characters as \U+XXXX. The same pattern gives the same bytes.
+std::string dxf_of(const Pattern& pattern, DxfStandard standard = DxfStandard::Aama);
+
+}  // namespace selvedge::sim

@@ -1,0 +1,227 @@
+#include "sim/print/paper_piece.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "sim/pattern/outline.h"
+#include "sim/pattern/segment_distance.h"
+
+namespace selvedge::sim {
+namespace {
+
+constexpr std::array<std::string_view, kPaperLayers> kLayerNames{"cut",     "sew",   "fold",     "grain",
+                                                                 "notches", "drill", "internal", "labels"};
+
+std::vector<Vec2d> sewing_line(const Panel& panel, double chord_error) {
+    std::vector<Vec2d> line;
+    for (const OutlineEdge& edge : panel.edges) {
+        const std::vector<Vec2d> points = outline_polyline(panel, edge, chord_error);
+        line.insert(line.end(), points.begin(), points.end() - 1);
+    }
+    return line;
+}
+
+// ---- Where a label and a grain line have room.
+
+// A rectangle with sides along x and y, inside a closed line?
+bool is_rectangle_inside(const Eigen::AlignedBox2d& box, const std::vector<Vec2d>& outline) {
+    if (!is_inside(box.center(), outline)) return false;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        // A segment of the outline that enters the rectangle (Liang and Barsky 1984).
+        const Vec2d from = outline[i], along = outline[(i + 1) % outline.size()] - from;
+        double low = 0, high = 1;
+        for (const Eigen::Index axis : {0, 1}) {
+            const double at_min = box.min()[axis] - from[axis], at_max = box.max()[axis] - from[axis];
+            if (along[axis] == 0) {
+                if (at_min > 0 || at_max < 0) high = -1;
+                continue;
+            }
+            const double a = at_min / along[axis], b = at_max / along[axis];
+            low = std::max(low, std::min(a, b));
+            high = std::min(high, std::max(a, b));
+        }
+        if (low <= high) return false;
+    }
+    return true;
+}
+
+constexpr int kSpots = 24;  // places tried along each side of the panel's box
+
+std::vector<Vec2d> spots_in(const std::vector<Vec2d>& outline) {
+    Eigen::AlignedBox2d box;
+    for (const Vec2d& p : outline) box.extend(p);
+    std::vector<Vec2d> spots;
+    for (int i = 0; i < kSpots; ++i) {
+        for (int j = 0; j < kSpots; ++j) {
+            const Vec2d share((i + 0.5) / kSpots, (j + 0.5) / kSpots);
+            const Vec2d spot = box.min() + share.cwiseProduct(box.sizes());
+            if (is_inside(spot, outline)) spots.push_back(spot);
+        }
+    }
+    return spots;
+}
+
+// Width of a line of text over its height: a mean of sans-serif faces.
+constexpr double kCharacterWidth = 0.56;
+
+Eigen::AlignedBox2d label_box(const PaperLabel& label) {
+    std::size_t longest = 1;
+    for (const std::string& line : label.lines) {
+        const auto characters = static_cast<std::size_t>(
+            std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+        longest = std::max(longest, characters);
+    }
+    const Vec2d half(kCharacterWidth * label.height * static_cast<double>(longest) / 2,
+                     label.height * static_cast<double>(label.lines.size()) / 2);
+    return {label.at - half, label.at + half};
+}
+
+// The largest text of which the label fits, and of its places the one farthest from the outline.
+void place_label(PaperLabel& label, const std::vector<Vec2d>& outline, const std::vector<Vec2d>& spots) {
+    constexpr std::array kHeights{0.008, 0.006, 0.0045, 0.0035, 0.0025};  // m
+    for (const double height : kHeights) {
+        label.height = height;
+        double farthest = -1;
+        Vec2d best = Vec2d::Zero();
+        for (const Vec2d& spot : spots) {
+            label.at = spot;
+            if (!is_rectangle_inside(label_box(label), outline)) continue;
+            const double distance = distance_to_outline(spot, outline);
+            if (distance > farthest) farthest = distance, best = spot;
+        }
+        label.at = best;
+        if (farthest >= 0) return;
+    }
+    // Nowhere: beside the panel's middle, over its outline.
+    Eigen::AlignedBox2d box;
+    for (const Vec2d& p : outline) box.extend(p);
+    label.at = spots.empty() ? Vec2d(box.center()) : spots[spots.size() / 2];
+}
+
+struct Stretch {
+    double from = 0, to = 0;  // m, along the direction from the spot
+};
+
+// How far a line through a spot runs inside.
+Stretch stretch_inside(const Vec2d& spot, const Vec2d& along, const std::vector<Vec2d>& outline) {
+    Stretch stretch{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vec2d a = outline[i] - spot, side = outline[(i + 1) % outline.size()] - outline[i];
+        const double area = cross2(along, side);
+        if (area == 0) continue;
+        const double s = cross2(a, side) / area, t = cross2(a, along) / area;
+        if (t < 0 || t > 1) continue;
+        if (s >= 0) stretch.to = std::min(stretch.to, s);
+        if (s < 0) stretch.from = std::max(stretch.from, s);
+    }
+    if (!std::isfinite(stretch.from) || !std::isfinite(stretch.to)) return {};
+    return stretch;
+}
+
+// A line along the warp, 60 % of what is inside, beside the label where there is room.
+PaperLine grain_line(const Panel& panel, const PaperPiece& piece, const std::vector<Vec2d>& spots) {
+    const Vec2d along(-std::sin(panel.grain_angle), std::cos(panel.grain_angle));
+    const Eigen::AlignedBox2d label = label_box(piece.label);
+    constexpr double kShare = 0.6, kMost = 0.5;         // of the stretch inside; m
+    constexpr double kBeside = 0.5, kOverLabel = 0.25;  // weights of a stretch near the outline and over the label
+    PaperLine line{PaperLayer::Grain, {}};
+    double best = 0;
+    for (const Vec2d& spot : spots) {
+        const Stretch inside = stretch_inside(spot, along, piece.sew);
+        const double length = std::min(kMost, kShare * (inside.to - inside.from));
+        const Vec2d middle = spot + along * (inside.from + inside.to) / 2;
+        const Vec2d from = middle - along * length / 2, to = middle + along * length / 2;
+        double merit = length;
+        Eigen::AlignedBox2d box(from.cwiseMin(to), from.cwiseMax(to));
+        if (box.intersects(label)) merit *= kOverLabel;
+        if (distance_to_outline(middle, piece.sew) < piece.label.height) merit *= kBeside;
+        if (merit > best * (1 + 1e-9)) best = merit, line.points = {from, to};
+    }
+    return line;
+}
+
+// ---- The label's text.
+
+bool has_twin(const Pattern& pattern, const Panel& panel) {
+    return panel.mirror_of.empty() &&
+           std::ranges::any_of(pattern.panels, [&](const Panel& other) { return other.mirror_of == panel.name; });
+}
+
+std::string cut_text(const Panel& panel, int count, bool are_pairs) {
+    const std::string pieces = "cut " + std::to_string(count);
+    if (!are_pairs) return pieces;
+    return pieces + (count == 2 ? " (1 pair, mirrored)" : " (" + std::to_string(panel.pieces) + " pairs, mirrored)");
+}
+
+std::vector<std::string> label_of(const Pattern& pattern, const Panel& panel, const PaperPiece& piece, bool are_pairs) {
+    std::vector<std::string> lines{panel.name};
+    const std::string garment = panel.garment.empty() ? pattern.name : panel.garment;
+    if (!garment.empty()) lines.push_back(garment + (pattern.size.empty() ? "" : ", size " + pattern.size));
+    if (garment.empty() && !pattern.size.empty()) lines.push_back("size " + pattern.size);
+    lines.push_back(cut_text(panel, piece.cut_from_fabric, are_pairs));
+    const std::string& fabric = panel.fabric.empty() ? pattern.fabric : panel.fabric;
+    if (!fabric.empty()) lines.back() += " of " + fabric;
+    for (const std::string& interlining : panel.interlinings) lines.push_back("fuse with " + interlining);
+    const bool has_fold =
+        std::ranges::any_of(panel.internal_lines, [](const InternalLine& line) { return line.use == LineUse::Fold; });
+    if (has_fold) lines.emplace_back("fold along the marked line");
+    return lines;
+}
+
+PaperPiece piece_of(const Pattern& pattern, std::size_t index, bool are_pairs, double chord_error) {
+    const Panel& panel = pattern.panels[index];
+    PaperPiece piece{.panel = static_cast<int>(index), .cut_from_fabric = panel.pieces * (are_pairs ? 2 : 1)};
+    const CutLine cut = cut_line(panel, {.pattern_allowance = pattern.allowance, .chord_error = chord_error});
+    piece.sew = sewing_line(panel, chord_error);
+    piece.has_allowance = std::ranges::any_of(
+        panel.edges, [&](const OutlineEdge& edge) { return allowance_of(panel, edge, pattern.allowance) > 0; });
+    piece.cut = piece.has_allowance ? cut.outline : piece.sew;
+    piece.notches = cut.notches;
+    piece.drill_points = panel.drill_points;
+    for (const InternalLine& line : panel.internal_lines) {
+        if (line.points.size() < 2) continue;
+        piece.lines.push_back({line.use == LineUse::Fold ? PaperLayer::Fold : PaperLayer::Internal, line.points});
+    }
+    piece.label.lines = label_of(pattern, panel, piece, are_pairs);
+    const std::vector<Vec2d> spots = spots_in(piece.sew);
+    place_label(piece.label, piece.sew, spots);
+    PaperLine grain = grain_line(panel, piece, spots);
+    if (!grain.points.empty()) piece.lines.push_back(std::move(grain));
+    return piece;
+}
+
+}  // namespace
+
+std::string_view layer_name(PaperLayer layer) {
+    return kLayerNames[static_cast<std::size_t>(layer)];
+}
+
+std::optional<PaperLayer> find_layer(std::string_view name) {
+    const auto found = std::ranges::find(kLayerNames, name);
+    if (found == kLayerNames.end()) return std::nullopt;
+    return static_cast<PaperLayer>(found - kLayerNames.begin());
+}
+
+Eigen::AlignedBox2d PaperPiece::box() const {
+    Eigen::AlignedBox2d box;
+    for (const Vec2d& p : cut) box.extend(p);
+    return box;
+}
+
+std::vector<PaperPiece> paper_pieces(const Pattern& pattern, const PaperPieceOptions& options) {
+    std::vector<PaperPiece> pieces;
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+        const Panel& panel = pattern.panels[p];
+        const bool is_image = std::ranges::any_of(pattern.panels, [&](const Panel& other) {
+            return !panel.mirror_of.empty() && other.name == panel.mirror_of && other.mirror_of.empty();
+        });
+        if (is_image && !options.draws_mirror_images) continue;
+        const bool are_pairs = !options.draws_mirror_images && has_twin(pattern, panel);
+        pieces.push_back(piece_of(pattern, p, are_pairs, options.chord_error));
+    }
+    return pieces;
+}
+
+}  // namespace selvedge::sim

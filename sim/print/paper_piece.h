@@ -1,0 +1,53 @@
+#pragma once
+// What is drawn of a panel on paper, in the panel frame, m: the line along which it is cut, the sewing line, fold
+// lines, the grain line, notches, drill points, internal lines and the label. All files for paper are made of it.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/paper/cut_line.h"
+#include "sim/pattern/pattern.h"
+
+namespace selvedge::sim {
+
+enum class PaperLayer { Cut, Sew, Fold, Grain, Notches, Drill, Internal, Labels };
+inline constexpr int kPaperLayers = 8;
+
+// "cut", "sew", "fold", "grain", "notches", "drill", "internal", "labels".
+std::string_view layer_name(PaperLayer layer);
+std::optional<PaperLayer> find_layer(std::string_view name);
+
+struct PaperLine {
+    PaperLayer layer = PaperLayer::Internal;
+    std::vector<Vec2d> points;
+};
+
+// Upright lines of text round a point.
+struct PaperLabel {
+    std::vector<std::string> lines = {};
+    Vec2d at = Vec2d::Zero();  // m, the middle
+    double height = 0;         // m, from one line to the next
+};
+
+struct PaperPiece {
+    int panel = 0;                // index into Pattern::panels
+    int cut_from_fabric = 1;      // pieces, mirror images included that are not drawn themselves
+    std::vector<Vec2d> cut = {};  // closed; along the sewing line where there is no allowance
+    std::vector<Vec2d> sew = {};  // closed
+    bool has_allowance = false;
+    std::vector<NotchLine> notches = {};
+    std::vector<PaperLine> lines = {};  // grain line, folds, internal lines
+    std::vector<Vec2d> drill_points = {};
+    PaperLabel label = {};
+
+    Eigen::AlignedBox2d box() const;  // of the cut line
+};
+
+struct PaperPieceOptions {
+    bool draws_mirror_images = true;  // false: a panel and its mirror image are one piece, "cut 1 pair"
+    double chord_error = 2e-5;        // m
+};
+
+std::vector<PaperPiece> paper_pieces(const Pattern& pattern, const PaperPieceOptions& options = {});
+
+}  // namespace selvedge::sim

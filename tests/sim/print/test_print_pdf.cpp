@@ -1,0 +1,163 @@
+// Pages and PDF: every piece is on a page, sizes are read, layers are chosen, the same pattern gives the same bytes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/core/error.h"
+#include "sim/pattern/outline.h"
+#include "sim/pattern/segment_distance.h"
+#include "sim/print/print_pdf.h"
+#include "tests/sim/print/sample_pattern.h"
+
+namespace selvedge::sim {
+namespace {
+
+TEST(PaperPiece, label_and_grain_line_lie_in_the_panel) {
+    for (const std::filesystem::path& file : shipped_patterns()) {
+        const Pattern pattern = load_pattern(file).pattern;
+        for (const PaperPiece& piece : paper_pieces(pattern)) {
+            const Panel& panel = pattern.panels[static_cast<std::size_t>(piece.panel)];
+            SCOPED_TRACE(file.filename().string() + " " + panel.name);
+            EXPECT_TRUE(is_inside(piece.label.at, piece.sew));
+            const auto grain = std::ranges::find(piece.lines, PaperLayer::Grain, &PaperLine::layer);
+            ASSERT_NE(grain, piece.lines.end());
+            for (const Vec2d& p : grain->points) EXPECT_TRUE(is_inside(p, piece.sew));
+            const Vec2d along = (grain->points[1] - grain->points[0]).normalized();
+            EXPECT_NEAR(along.x(), -std::sin(panel.grain_angle), 1e-9);
+            EXPECT_NEAR(along.y(), std::cos(panel.grain_angle), 1e-9);
+        }
+    }
+}
+
+TEST(PaperPiece, mirror_images_become_pairs_of_one_piece) {
+    const Pattern tshirt = load_pattern(source_folder() + "/patterns/tshirt.json").pattern;
+    const std::size_t images = static_cast<std::size_t>(
+        std::ranges::count_if(tshirt.panels, [](const Panel& panel) { return !panel.mirror_of.empty(); }));
+    const std::vector<PaperPiece> all = paper_pieces(tshirt);
+    const std::vector<PaperPiece> once = paper_pieces(tshirt, {.draws_mirror_images = false});
+    EXPECT_EQ(all.size(), tshirt.panels.size());
+    EXPECT_EQ(once.size(), tshirt.panels.size() - images);
+    int pieces = 0;
+    for (const PaperPiece& piece : once) pieces += piece.cut_from_fabric;
+    EXPECT_EQ(pieces, static_cast<int>(tshirt.panels.size()));
+}
+
+TEST(PaperPiece, cut_lines_keep_the_allowance_everywhere) {
+    for (const std::filesystem::path& file : shipped_patterns()) {
+        Pattern pattern = load_pattern(file).pattern;
+        pattern.allowance = 0.01;
+        for (const PaperPiece& piece : paper_pieces(pattern)) {
+            SCOPED_TRACE(file.filename().string() + " " + pattern.panels[static_cast<std::size_t>(piece.panel)].name);
+            for (const Vec2d& p : piece.cut) {
+                EXPECT_GT(distance_to_outline(p, piece.sew), 0.01 - 1e-4);
+                EXPECT_FALSE(is_inside(p, piece.sew));
+            }
+        }
+    }
+}
+
+// The text that a call refuses, or "" if it does not.
+std::string refusal(const std::string& paper) {
+    try {
+        parse_page_size(paper);
+    } catch (const InputError& error) {
+        return error.problem();
+    }
+    return "";
+}
+
+TEST(Pages, paper_is_read_by_name_and_by_size) {
+    EXPECT_EQ(parse_page_size("A4").size, Vec2d(0.21, 0.297));
+    EXPECT_EQ(parse_page_size("letter").size, Vec2d(0.2159, 0.2794));
+    EXPECT_EQ(parse_page_size("300x412.5").size, Vec2d(0.3, 0.4125));
+    for (const char* wrong : {"a9", "", "x", "300x", "x300", "10x300", "300x9000", "nanxnan", "300x300x300"})
+        EXPECT_NE(refusal(wrong), "") << wrong;
+}
+
+TEST(Pages, neighbours_overlap_by_a_centimetre) {
+    PaperSheet sheet;
+    sheet.size = {0.5, 0.6};
+    const PageGrid grid = grid_over(sheet, {0.21, 0.297});
+    EXPECT_NEAR(grid.area(0, 0).max().x() - grid.area(1, 0).min().x(), 0.01, 1e-12);
+    EXPECT_NEAR(grid.area(0, 1).max().y() - grid.area(0, 0).min().y(), 0.01, 1e-12);
+    EXPECT_DOUBLE_EQ(grid.area(0, 0).max().y(), 0.6);
+    EXPECT_GE(grid.area(grid.columns - 1, 0).max().x(), 0.5);
+    EXPECT_LE(grid.area(0, grid.rows - 1).min().y(), 0);
+}
+
+TEST(Pages, every_point_of_a_cut_line_is_on_a_page_and_no_page_is_empty) {
+    for (const std::filesystem::path& file : shipped_patterns()) {
+        SCOPED_TRACE(file.filename().string());
+        Pattern pattern = load_pattern(file).pattern;
+        pattern.allowance = 0.01;
+        const PagedSheet paged = lay_out_pages(pattern, paper_pieces(pattern), parse_page_size("a4"));
+        std::vector<bool> is_used(paged.pages.size(), false);
+        for (std::size_t i = 0; i < paged.sheet.pieces.size(); ++i) {
+            std::vector<Vec2d> outline = paged.sheet.pieces[i].cut;
+            for (Vec2d& p : outline) p = paged.sheet.places[i].at(p);
+            for (const Vec2d& p : outline) {
+                bool is_shown = false;
+                for (std::size_t k = 0; k < paged.pages.size(); ++k) {
+                    const auto area = paged.grid.area(paged.pages[k].column, paged.pages[k].row);
+                    if (area.exteriorDistance(p) > 1e-9) continue;
+                    is_shown = true;
+                    is_used[k] = true;
+                }
+                EXPECT_TRUE(is_shown) << p.transpose();
+            }
+            for (std::size_t k = 0; k < paged.pages.size(); ++k) {
+                const auto area = paged.grid.area(paged.pages[k].column, paged.pages[k].row);
+                if (is_inside(area.center(), outline)) is_used[k] = true;
+            }
+        }
+        // A long straight edge can cross a page's corner without a point of its own there.
+        EXPECT_LE(std::ranges::count(is_used, false), static_cast<long>(paged.pages.size() / 3));
+    }
+}
+
+TEST(PrintPdf, same_pattern_gives_the_same_bytes) {
+    const PrintOptions options{.paper = parse_page_size("a4")};
+    const PrintedPdf a = print_pdf(sample_pattern(), options), b = print_pdf(sample_pattern(), options);
+    EXPECT_TRUE(a.bytes.starts_with("%PDF"));
+    EXPECT_EQ(a.bytes, b.bytes);
+    EXPECT_EQ(a.covers, 1);
+    EXPECT_GE(a.pages, 4);
+    EXPECT_EQ(a.bytes.find("CreationDate"), std::string::npos);
+}
+
+TEST(PrintPdf, each_layer_can_be_chosen_alone) {
+    std::vector<std::string> files;
+    for (int k = 0; k < kPaperLayers; ++k) {
+        PrintOptions options{.paper = parse_page_size("a3"), .layers = {}};
+        options.layers[static_cast<std::size_t>(k)] = true;
+        files.push_back(print_pdf(sample_pattern(), options).bytes);
+        const auto layer = static_cast<PaperLayer>(k);
+        EXPECT_EQ(find_layer(layer_name(layer)), layer);
+    }
+    std::ranges::sort(files);
+    EXPECT_EQ(std::unique(files.begin(), files.end()), files.end());
+    EXPECT_FALSE(find_layer("cutting"));
+}
+
+TEST(PrintPdf, names_of_any_script_print) {
+    Pattern pattern = sample_pattern();
+    pattern.name = "Рубашка 襯衫 عربي \xFF\xFE";
+    pattern.panels[0].name = std::string(3000, 'x');
+    EXPECT_TRUE(print_pdf(pattern, {.paper = parse_page_size("a4")}).bytes.starts_with("%PDF"));
+    EXPECT_TRUE(print_pdf(pattern, {.paper = parse_page_size("150x150")}).bytes.starts_with("%PDF"));
+}
+
+TEST(PrintPdf, one_page_and_layouts_are_of_true_size) {
+    const Pattern pattern = sample_pattern();
+    const PrintedPdf one = print_pdf(pattern, {.paper = parse_page_size("a0"), .is_one_page = true});
+    EXPECT_EQ(one.pages, 1);
+    const std::vector<PaperSheet> layouts = cutting_layouts(pattern, {.width = 1.0});
+    const PrintedPdf marker = print_layouts(layouts, parse_page_size("a4"), true);
+    // 1 m of fabric and 1.5 cm on both sides, in points.
+    EXPECT_NE(marker.bytes.find("/MediaBox [ 0 0 2919.685"), std::string::npos);
+    const PrintedPdf plan = print_layouts(layouts, parse_page_size("a4"), false);
+    EXPECT_NE(plan.bytes.find("/MediaBox [ 0 0 595.27"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace selvedge::sim

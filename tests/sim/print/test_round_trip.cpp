@@ -1,0 +1,122 @@
+// What is written as SVG or DXF is read back: the same outlines, notches, grain, lines and seams.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/paper/drawing_file.h"
+#include "sim/paper/make_panels.h"
+#include "sim/pattern/edge_shape.h"
+#include "sim/pattern/outline.h"
+#include "sim/print/dxf_file.h"
+#include "sim/print/svg_file.h"
+#include "tests/sim/print/sample_pattern.h"
+
+namespace selvedge::sim {
+namespace {
+
+constexpr double kOff = 5e-5;  // m
+
+// Moves a panel so that its edge 0 begins where the other's does.
+Panel moved_to(const Panel& panel, const Panel& other) {
+    const Vec2d from = panel.vertices[static_cast<std::size_t>(panel.edges[0].start)];
+    const Vec2d to = other.vertices[static_cast<std::size_t>(other.edges[0].start)];
+    return mapped_panel(panel, Eigen::Affine2d(Eigen::Translation2d(to - from)));
+}
+
+void expect_same_panel(const Panel& drawn, const Panel& original) {
+    EXPECT_EQ(drawn.name, original.name);
+    EXPECT_EQ(drawn.pieces, original.pieces);
+    ASSERT_EQ(drawn.edges.size(), original.edges.size());
+    const Panel panel = moved_to(drawn, original);
+    for (std::size_t e = 0; e < panel.edges.size(); ++e) {
+        EXPECT_EQ(panel.edges[e].kind, original.edges[e].kind) << original.name << " " << e;
+        for (int k = 0; k <= 20; ++k) {
+            const double t = k / 20.0;
+            EXPECT_LT((outline_point(panel, panel.edges[e], t) - outline_point(original, original.edges[e], t)).norm(),
+                      kOff)
+                << original.name << " edge " << e << " at " << t;
+        }
+    }
+    ASSERT_EQ(panel.notches.size(), original.notches.size());
+    for (std::size_t i = 0; i < panel.notches.size(); ++i) {
+        EXPECT_EQ(panel.notches[i].edge, original.notches[i].edge);
+        EXPECT_EQ(panel.notches[i].kind, original.notches[i].kind);
+        EXPECT_EQ(panel.notches[i].count, original.notches[i].count);
+        EXPECT_NEAR(panel.notches[i].t, original.notches[i].t, 1e-3);
+    }
+    // A grain line has no head end.
+    EXPECT_NEAR(std::sin(panel.grain_angle - original.grain_angle), 0, 1e-5) << original.name;
+    ASSERT_EQ(panel.drill_points.size(), original.drill_points.size());
+    for (std::size_t i = 0; i < panel.drill_points.size(); ++i)
+        EXPECT_LT((panel.drill_points[i] - original.drill_points[i]).norm(), kOff);
+    ASSERT_EQ(panel.internal_lines.size(), original.internal_lines.size());
+    for (const InternalLine& line : original.internal_lines) {
+        const auto same = std::ranges::find(panel.internal_lines, line.name, &InternalLine::name);
+        ASSERT_NE(same, panel.internal_lines.end()) << line.name;
+        EXPECT_EQ(same->use, line.use);
+        ASSERT_EQ(same->points.size(), line.points.size());
+        for (std::size_t i = 0; i < line.points.size(); ++i) EXPECT_LT((same->points[i] - line.points[i]).norm(), kOff);
+    }
+}
+
+void expect_same(const std::string& text, const Pattern& original) {
+    const PanelsOfDrawing read = make_panels(parse_drawing(text, "written"), "written");
+    ASSERT_EQ(read.pattern.panels.size(), original.panels.size());
+    for (std::size_t p = 0; p < original.panels.size(); ++p)
+        expect_same_panel(read.pattern.panels[p], original.panels[p]);
+    ASSERT_EQ(read.pattern.seams.size(), original.seams.size());
+    for (std::size_t s = 0; s < original.seams.size(); ++s) EXPECT_EQ(read.pattern.seams[s], original.seams[s]) << s;
+    EXPECT_EQ(read.pattern.size, original.size);
+}
+
+std::string svg_of(const Pattern& pattern) {
+    return svg_of(pattern, paper_sheet(pattern, paper_pieces(pattern), 1.5));
+}
+
+TEST(RoundTrip, svg_gives_the_sample_back) {
+    expect_same(svg_of(sample_pattern()), sample_pattern());
+}
+
+TEST(RoundTrip, dxf_aama_gives_the_sample_back) {
+    expect_same(dxf_of(sample_pattern(), DxfStandard::Aama), sample_pattern());
+}
+
+TEST(RoundTrip, dxf_astm_gives_the_sample_back) {
+    expect_same(dxf_of(sample_pattern(), DxfStandard::Astm), sample_pattern());
+}
+
+TEST(RoundTrip, shipped_patterns_come_back_from_svg_and_dxf) {
+    ASSERT_GE(shipped_patterns().size(), 5U);
+    for (const std::filesystem::path& file : shipped_patterns()) {
+        SCOPED_TRACE(file.filename().string());
+        Pattern pattern = load_pattern(file).pattern;
+        pattern.allowance = 0.012;
+        expect_same(svg_of(pattern), pattern);
+        expect_same(dxf_of(pattern), pattern);
+    }
+}
+
+// An outline that another program moved by 2 mm wins over the record of our curves.
+TEST(RoundTrip, dxf_that_was_changed_is_read_as_it_is_drawn) {
+    Pattern pattern = sample_pattern();
+    pattern.seams.clear();
+    pattern.panels.erase(pattern.panels.begin());
+    std::string text = dxf_of(pattern);
+    const std::string from = "500.000000\n20\n60.000000", to = "502.000000\n20\n60.000000";
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + 1))
+        text.replace(at, from.size(), to);
+    const PanelsOfDrawing read = make_panels(parse_drawing(text, "changed"), "changed");
+    ASSERT_EQ(read.pattern.panels.size(), 1U);
+    EXPECT_NEAR(outline_box(read.pattern.panels[0]).sizes().x(), 0.502, 1e-4);
+}
+
+TEST(RoundTrip, same_pattern_gives_the_same_bytes) {
+    EXPECT_EQ(svg_of(sample_pattern()), svg_of(sample_pattern()));
+    EXPECT_EQ(dxf_of(sample_pattern()), dxf_of(sample_pattern()));
+    const std::string dxf = dxf_of(sample_pattern());
+    EXPECT_TRUE(std::ranges::all_of(dxf, [](char c) { return static_cast<unsigned char>(c) < 0x7F; }));
+}
+
+}  // namespace
+}  // namespace selvedge::sim
