@@ -66,7 +66,9 @@ std::string write_pdf(const sim::Pattern& pattern, const PrintArguments& argumen
         done = std::to_string(printed.pages) + " pages, " + std::to_string(printed.columns) + " across and " +
                std::to_string(printed.rows) + " down, and a cover";
         const int left_out = printed.columns * printed.rows - printed.pages;
-        if (left_out > 0) done += " (" + std::to_string(left_out) + " without a piece are left out)";
+        if (left_out > 0)
+            done +=
+                " (" + std::to_string(left_out) + " left out, with no piece on " + (left_out == 1 ? "it)" : "them)");
     }
     return printed.bytes;
 }
@@ -96,6 +98,14 @@ std::string write_svg(const sim::Pattern& pattern, const PrintArguments& argumen
     return svg_of(pattern, sheet, choose_layers(arguments.layers));
 }
 
+bool has_allowance(const sim::Pattern& pattern) {
+    return std::ranges::any_of(pattern.panels, [&](const sim::Panel& panel) {
+        return std::ranges::any_of(panel.edges, [&](const sim::OutlineEdge& edge) {
+            return allowance_of(panel, edge, pattern.allowance) > 0;
+        });
+    });
+}
+
 int run(const PrintArguments& arguments) {
     constexpr std::array<std::string_view, 3> kFormats{".pdf", ".svg", ".dxf"};
     check_output(arguments.output, kFormats);
@@ -103,6 +113,9 @@ int run(const PrintArguments& arguments) {
     sim::Pattern pattern = sim::load_pattern(arguments.garment).pattern;
     if (pattern.panels.empty()) throw sim::InputError(arguments.garment, "", "no panels: nothing to print");
     if (arguments.allowance_mm) pattern.allowance = *arguments.allowance_mm / 1000;
+    if (!has_allowance(pattern))
+        std::fprintf(stderr,
+                     "selvedge: note: no seam allowance, so the sewing line is cut; --allowance 10 adds 10 mm\n");
     std::string extension = arguments.output.extension().string();
     std::ranges::transform(extension, extension.begin(), [](char c) { return static_cast<char>(std::tolower(c)); });
     std::string done, bytes;

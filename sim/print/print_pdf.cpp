@@ -50,12 +50,17 @@ struct SheetView {
     }
 };
 
+// On a plan that is much smaller than the cloth only the name is left, at a size that can be read.
 void draw_label(PdfCanvas& canvas, const PaperLabel& label, const Vec2d& at, double scale) {
-    double y = at.y() - scale * label.height * static_cast<double>(label.lines.size()) / 2;
-    for (std::size_t i = 0; i < label.lines.size(); ++i) {
+    constexpr double kReadable = 2.5e-3;  // m
+    const bool is_plan = scale * label.height < kReadable;
+    const double height = is_plan ? kReadable : scale * label.height;
+    const std::size_t count = is_plan ? 1 : label.lines.size();
+    double y = at.y() - height * static_cast<double>(count) / 2;
+    for (std::size_t i = 0; i < count; ++i) {
         canvas.draw_text(label.lines[i], {at.x(), y},
-                         {.height = scale * label.height, .is_bold = i == 0, .align = TextAlign::Centre});
-        y += scale * label.height;
+                         {.height = height, .is_bold = i == 0 && !is_plan, .align = TextAlign::Centre});
+        y += height;
     }
 }
 
@@ -107,7 +112,7 @@ class Cover {
         canvas.draw_rectangle(Box(at, Vec2d(at + Vec2d::Constant(kTestSquare))), {.width = 0.3e-3});
         canvas.draw_text("10 cm", {at.x() + kTestSquare / 2, at.y() + 0.003},
                          {.height = 0.006, .align = TextAlign::Centre});
-        canvas.draw_text("Measure this square: each side is 10 cm (3.94 in).\nIf it is not, print again at 100 %.",
+        canvas.draw_text("Measure this square: each side is 10 cm.\nIf it is not, print again at 100 %.",
                          {at.x() + 0.008, at.y() + kTestSquare / 2 - 0.006},
                          {.height = 0.0045, .most_width = kTestSquare - 0.016});
     }

@@ -1,0 +1,74 @@
+// selvedge print: pages of true size, files that import reads back, and wrong options refused on one line.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "sim/core/file.h"
+#include "sim/pattern/pattern_file.h"
+#include "tests/app/selvedge_program.h"
+
+namespace selvedge::app {
+namespace {
+
+TEST(PrintCommand, test_square_has_sides_of_ten_centimetres_in_the_pdfs_own_coordinates) {
+    const ScratchFolder folder;
+    const std::string file = folder / "tshirt.pdf";
+    const ProgramResult printed = run_selvedge("print " + shipped("tshirt.json") + " -o '" + file + "' --allowance 10");
+    ASSERT_EQ(printed.exit_code, 0) << printed.err;
+    EXPECT_NE(printed.out.find("pages, "), std::string::npos) << printed.out;
+    EXPECT_EQ(printed.err, "");
+    const ProgramResult measured =
+        run_command("python3 -B '" + source_folder() + "/tests/app/pdf_rectangles.py' '" + file + "'");
+    ASSERT_EQ(measured.exit_code, 0) << measured.err;
+    double width = 0, height = 0;
+    std::istringstream(measured.out) >> width >> height;
+    EXPECT_NEAR(width, 100, 0.01) << measured.out;
+    EXPECT_NEAR(height, 100, 0.01) << measured.out;
+}
+
+TEST(PrintCommand, svg_and_dxf_come_back_by_import_with_all_seams) {
+    const sim::Pattern original = sim::load_pattern(source_folder() + "/patterns/tshirt.json").pattern;
+    const ScratchFolder folder;
+    for (const char* name : {"t.svg", "t.dxf"}) {
+        const std::string file = folder / name, garment = folder / "garment.json";
+        ASSERT_EQ(run_selvedge("print " + shipped("tshirt.json") + " -o '" + file + "' --allowance 10").exit_code, 0);
+        const ProgramResult imported = run_selvedge("import '" + file + "' -o '" + garment + "'");
+        ASSERT_EQ(imported.exit_code, 0) << imported.err;
+        const sim::Pattern pattern = sim::load_pattern(garment).pattern;
+        EXPECT_EQ(pattern.panels.size(), original.panels.size()) << name;
+        EXPECT_EQ(pattern.seams.size(), original.seams.size()) << name;
+    }
+}
+
+TEST(PrintCommand, cutting_layout_says_how_much_fabric_it_takes) {
+    const ScratchFolder folder;
+    for (const char* name : {"layout.pdf", "layout.svg"}) {
+        const std::string file = folder / name;
+        const ProgramResult result =
+            run_selvedge("print " + shipped("skirt.json") + " -o '" + file + "' --layout --fabric-width 140");
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_NE(result.out.find(" m of "), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find("140 cm wide"), std::string::npos) << result.out;
+    }
+}
+
+TEST(PrintCommand, refuses_wrong_input_on_one_line_and_writes_nothing) {
+    const ScratchFolder folder;
+    const std::string file = folder / "t.pdf", drawn = folder / "t.png", garment = shipped("tshirt.json");
+    const std::string dxf = folder / "t.dxf";
+    for (const std::string& arguments :
+         {garment + " -o '" + file + "' --paper a9", garment + " -o '" + file + "' --layers cut,sews",
+          garment + " -o '" + drawn + "'", garment + " -o '" + file + "' --layout --fabric-width 30",
+          garment + " -o '" + dxf + "' --layout", "missing.json -o '" + file + "'"}) {
+        const ProgramResult result = run_selvedge("print " + arguments);
+        EXPECT_EQ(result.exit_code, 2) << arguments;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n') - (result.err.find("note:") < 200 ? 1 : 0), 1)
+            << result.err;
+        EXPECT_FALSE(std::filesystem::exists(file));
+        EXPECT_FALSE(std::filesystem::exists(dxf));
+    }
+}
+
+}  // namespace
+}  // namespace selvedge::app
