@@ -47,6 +47,7 @@ int run(ImportArguments& arguments) {
     if (!arguments.body.source.empty()) options.body = arguments.body.source;
     const ImportedGarment garment = import_garment(arguments.files, options);
     print_list("Read:", garment.notes);
+    print_list("Body:", garment.body);
     print_list("Panels:", garment.panels);
     print_list("Seams:", garment.sewn);
     std::vector<std::string> possible = garment.possible;
@@ -87,8 +88,13 @@ void add_import_command(CLI::App& app, int& exit_code) {
         ->type_name("P")
         ->check(CLI::Range(0.05, 1.0));
     command->add_flag("--list-all", arguments->lists_all, "List all seams that are possible, likely or not");
-    add_body_options(*command, arguments->body,
-                     "Body round which the panels are placed (default mannequin:sex=female)");
+    command
+        ->add_option("--measurements", arguments->options.measurements,
+                     "Body measurements of FreeSewing, Valentina, Seamly2D or GarmentCode (default: the drawing's)")
+        ->type_name("FILE");
+    add_body_options(
+        *command, arguments->body,
+        "Body round which the panels are placed (default: of the measurements, else the female mannequin)");
     command->footer(
         "Files of these programs have no seams and no placement. Seams are proposed from lengths, shapes, notches and\n"
         "names, each with a confidence and a reason; those above --confidence are sewn. Panels are placed by their "

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "app/measured_body.h"
 #include "app/options.h"
 #include "sim/core/disjoint_sets.h"
 #include "sim/core/error.h"
@@ -108,6 +109,16 @@ std::string describe_panel(const sim::Panel& panel, const sim::PanelRole& role) 
     return text + size.data();
 }
 
+// The body round which the panels are placed: as asked, else of measurements, else the female mannequin.
+std::string body_of(const sim::Drawing& drawing, const ImportOptions& options, std::vector<std::string>& lines) {
+    if (!options.body.empty()) return options.body;
+    if (options.measurements.empty() && drawing.measurements.empty()) return "mannequin:sex=female";
+    MeasuredBody body =
+        options.measurements.empty() ? measured_body(drawing.measurements) : read_measured_body(options.measurements);
+    lines = std::move(body.lines);
+    return mannequin_text(body.fit.options);
+}
+
 }  // namespace
 
 ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, const ImportOptions& options) {
@@ -129,8 +140,8 @@ ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, 
     }
     lay_aside_folded(out.pattern, roles_of(out.pattern, made.hints), out.notes);
     if (!out.pattern.seams.empty()) lay_aside_loose(out.pattern, out.notes);
-    out.pattern.body = options.body;
-    const BodyWithNotes body = make_body({.source = options.body, .load = {}});
+    out.pattern.body = body_of(drawing, options, out.body);
+    const BodyWithNotes body = make_body({.source = out.pattern.body, .load = {}});
     sim::Arrangement arrangement = arrange_pattern(out.pattern, body.body, made.hints);
     std::ranges::move(arrangement.notes, std::back_inserter(out.notes));
     name_sides(out.pattern, arrangement.roles);

@@ -13,13 +13,15 @@ namespace selvedge::app {
 
 struct ImportOptions {
     sim::MakePanelsOptions panels;
-    double least_confidence = 0.5;              // of the seams that are sewn
-    std::string body = "mannequin:sex=female";  // round which the panels are placed
+    double least_confidence = 0.5;            // of the seams that are sewn
+    std::string body = {};                    // round which the panels are placed; empty: of the measurements
+    std::filesystem::path measurements = {};  // file; empty: those of the drawing; the female mannequin if it has none
 };
 
 struct ImportedGarment {
     sim::Pattern pattern;
     std::vector<std::string> notes;     // what was read, guessed, repaired and left out, one line each
+    std::vector<std::string> body;      // what the body's measurements were made of; empty: it has none
     std::vector<std::string> panels;    // "left_sleeve: sleeve, 8 edges, 45.3 x 17.9 cm"
     std::vector<std::string> sewn;      // the proposals that became seams, as describe() tells them
     std::vector<std::string> possible;  // those that did not

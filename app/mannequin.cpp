@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/commands.h"
+#include "app/measured_body.h"
 #include "app/options.h"
 #include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
@@ -17,7 +18,8 @@ namespace {
 
 struct MannequinArguments {
     sim::MannequinOptions options;  // in cm until run
-    std::string sex = "female";
+    std::string sex = {};           // empty: of the file of measurements, else female
+    std::filesystem::path measurements;
     std::filesystem::path output;
 };
 
@@ -49,13 +51,26 @@ void print_readings(const sim::MeasureReport& report) {
     for (const std::string& message : report.messages) std::printf("not met: %s\n", message.c_str());
 }
 
+// Those of the file, where the command line has none.
+void take_measurements(MannequinArguments& arguments) {
+    MeasuredBody body = read_measured_body(arguments.measurements);
+    for (const std::string& line : body.lines) std::printf("%s\n", line.c_str());
+    for (const std::string_view name : sim::measure_names()) {
+        std::optional<double>& measure = *find_measure(arguments.options.measures, name);
+        if (!measure) measure = *find_measure(body.fit.options.measures, name);
+    }
+    arguments.options.sex = body.fit.options.sex;
+}
+
 int run(MannequinArguments arguments) {
     check_output(arguments.output, sim::mesh_extensions());
-    arguments.options.sex = arguments.sex == "male" ? sim::Sex::Male : sim::Sex::Female;
     for (const std::string_view name : sim::measure_names()) {
         std::optional<double>& measure = *find_measure(arguments.options.measures, name);
         if (measure) *measure /= 100;
     }
+    if (!arguments.measurements.empty()) take_measurements(arguments);
+    if (!arguments.sex.empty()) arguments.options.sex = arguments.sex == "male" ? sim::Sex::Male : sim::Sex::Female;
+    if (!arguments.measurements.empty()) std::printf("%s\n", mannequin_text(arguments.options).c_str());
     const sim::Mannequin mannequin = make_mannequin(arguments.options);
     write_body(mannequin.body, arguments.output);
     print_readings(mannequin.report);
@@ -69,16 +84,21 @@ int run(MannequinArguments arguments) {
 void add_mannequin_command(CLI::App& app, int& exit_code) {
     auto arguments = std::make_shared<MannequinArguments>();
     CLI::App* command = app.add_subcommand("mannequin", "Make a body from measurements");
-    command->add_option("--sex", arguments->sex, "Which base body")
-        ->check(CLI::IsMember({"female", "male"}))
-        ->capture_default_str();
+    command->add_option("--sex", arguments->sex, "Which base body: female (default) or male")
+        ->check(CLI::IsMember({"female", "male"}));
+    command
+        ->add_option("--measurements", arguments->measurements,
+                     "File of FreeSewing, Valentina, Seamly2D or GarmentCode; options win over it")
+        ->type_name("FILE");
     add_measures(*command, *arguments);
     command->add_option("--resolution", arguments->options.subdivisions, "Steps of subdivision, 1 to 4")
         ->capture_default_str();
     command->add_option("-o,--output", arguments->output, "body.glb or body.obj")->required();
     command->footer(
         "Exit code: 0 made as asked, 1 made but some measure could not be met, 2 wrong input.\n"
-        "Example: selvedge mannequin --sex female --height 168 --bust 92 --waist 74 --hip 98 -o body.glb");
+        "Examples:\n"
+        "  selvedge mannequin --sex female --height 168 --bust 92 --waist 74 --hip 98 -o body.glb\n"
+        "  selvedge mannequin --measurements anna.vit -o anna.glb");
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
