@@ -1,12 +1,14 @@
 #include "sim/place/arrange_pattern.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
 
 #include "sim/body/landmarks.h"
+#include "sim/collide/body_collider.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/place/limbs.h"
@@ -295,13 +297,55 @@ class Arranger {
         if (!outside || !limb.is_found) return note(p, "the body has no " + arm + " arm to place it round");
         ArrangementPoint point = *outside;
         const Eigen::AlignedBox2d& box = boxes_[p];
-        constexpr double kOpen = 1.04;  // of a full turn, so that the edges do not lie on each other
-        point.radius = std::max(point.radius, kOpen * box.sizes().x() / (2 * std::numbers::pi));
         constexpr double kAboveJoint = 0.02;  // m, from the shoulder's joint up to the top of a sleeve's cap
         const double now = (point.position - limb.joints[0].centre).dot(point.upward);
         point.position += (kAboveJoint - box.sizes().y() / 2 - now) * point.upward;
-        sim::arrange(panel(p), point);
+        wrap_clear(p, point, (limb.joints[2].centre - limb.joints[0].centre).norm());
         is_placed_[p] = true;
+    }
+
+    // Wraps a tube round an arm. Where it meets shoulder, chest or arm it slides towards the hand, and stands open
+    // wider, until it is clear.
+    void wrap_clear(std::size_t p, const ArrangementPoint& at, double arm_length) {
+        constexpr double kStep = 0.01, kMost = 0.3;        // m; of the arm's length
+        constexpr std::array kOpen{1.04, 1.15, 1.3, 1.5};  // of a full turn, so that the edges do not meet
+        if (!collider_) collider_.emplace(body_);
+        const double least = at.radius;
+        const auto wrap = [&](double open, double slid) {
+            ArrangementPoint point = at;
+            point.radius = std::max(least, open * boxes_[p].sizes().x() / (2 * std::numbers::pi));
+            point.position += (point.radius - least) * point.outward - slid * point.upward;
+            sim::arrange(panel(p), point);
+        };
+        for (const double open : kOpen) {
+            for (double slid = 0; slid <= kMost * arm_length; slid += kStep) {
+                wrap(open, slid);
+                if (is_clear(p)) return;
+            }
+        }
+        wrap(kOpen[0], 0);
+    }
+
+    bool is_clear(std::size_t p) const {
+        constexpr int kSpots = 16;         // along each side of the panel's box
+        constexpr float kClear = 0.0105F;  // m: dressing moves panels that are nearer than 1 cm
+        const Panel& own = pattern_.panels[p];
+        const Eigen::AlignedBox2d& box = boxes_[p];
+        std::vector<Vec2d> outline;
+        for (const OutlineEdge& edge : own.edges) {
+            const std::vector<Vec2d> line = outline_polyline(own, edge, 1e-3);
+            outline.insert(outline.end(), line.begin(), line.end() - 1);
+        }
+        const auto is_outside = [&](const Vec2d& u) {
+            return collider_->contact(own.place(u).cast<float>()).distance > kClear;
+        };
+        if (!std::ranges::all_of(outline, is_outside)) return false;
+        for (int i = 0; i < kSpots * kSpots; ++i) {
+            const Vec2d share((i % kSpots + 0.5) / kSpots, (i / kSpots + 0.5) / kSpots);
+            const Vec2d u = box.min() + share.cwiseProduct(box.sizes());
+            if (is_inside(u, outline) && !is_outside(u)) return false;
+        }
+        return true;
     }
 
     void place_round(std::size_t p, const std::string& where, double height) {
@@ -389,8 +433,9 @@ class Arranger {
     Stature stature_;
     Anchors anchors_;
     std::vector<ArrangementPoint> points_;
-    std::optional<BodyLimbs> limbs_;       // found for the first sleeve
-    std::vector<std::vector<Sewn>> sewn_;  // per panel
+    std::optional<BodyLimbs> limbs_;        // found for the first sleeve
+    std::optional<BodyCollider> collider_;  // made for the first sleeve
+    std::vector<std::vector<Sewn>> sewn_;   // per panel
     std::vector<Eigen::AlignedBox2d> boxes_;
     std::vector<bool> is_placed_;
     Arrangement out_;

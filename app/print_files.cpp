@@ -1,0 +1,114 @@
+#include "app/print_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+
+#include "sim/core/error.h"
+#include "sim/core/file.h"
+#include "sim/print/dxf_file.h"
+#include "sim/print/print_pdf.h"
+#include "sim/print/svg_file.h"
+
+namespace selvedge::app {
+namespace {
+
+sim::LayerChoice choose_layers(const std::vector<std::string>& names) {
+    if (names.empty()) return sim::kAllLayers;
+    sim::LayerChoice chosen{};
+    for (const std::string& name : names) {
+        const std::optional<sim::PaperLayer> layer = sim::find_layer(name);
+        if (!layer)
+            throw sim::InputError("", "--layers",
+                                  "'" + name + "' is none of cut, sew, fold, grain, notches, drill, internal, labels");
+        chosen[static_cast<std::size_t>(*layer)] = true;
+    }
+    return chosen;
+}
+
+std::string sheet_text(const sim::PaperSheet& sheet) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.1f x %.1f cm", 100 * sheet.size.x(), 100 * sheet.size.y());
+    return text.data();
+}
+
+std::string write_pdf(const sim::Pattern& pattern, const PrintSettings& settings, std::string& done) {
+    const sim::PrintedPdf printed = print_pdf(pattern, {.paper = sim::parse_page_size(settings.paper),
+                                                        .layers = choose_layers(settings.layers),
+                                                        .is_one_page = settings.is_one_page,
+                                                        .draws_mirror_images = settings.prints_all});
+    if (settings.is_one_page) {
+        done = "one page";
+    } else {
+        done = std::to_string(printed.pages) + " pages, " + std::to_string(printed.columns) + " across and " +
+               std::to_string(printed.rows) + " down, and a cover";
+        const int left_out = printed.columns * printed.rows - printed.pages;
+        if (left_out > 0)
+            done +=
+                " (" + std::to_string(left_out) + " left out, with no piece on " + (left_out == 1 ? "it)" : "them)");
+    }
+    return printed.bytes;
+}
+
+std::string write_layout(const sim::Pattern& pattern, const PrintSettings& settings, const std::string& extension,
+                         const std::filesystem::path& file, Printed& printed) {
+    const std::vector<sim::PaperSheet> layouts =
+        cutting_layouts(pattern, {.width = settings.fabric_width,
+                                  .is_one_way = settings.is_one_way,
+                                  .is_folded = settings.is_folded});
+    for (const sim::PaperSheet& layout : layouts) {
+        printed.what += (printed.what.empty() ? "" : "; ") + describe_layout(layout);
+        std::ranges::copy(layout.notes, std::back_inserter(printed.notes));
+    }
+    if (extension == ".pdf")
+        return print_layouts(layouts, sim::parse_page_size(settings.paper), settings.is_one_page).bytes;
+    if (layouts.size() > 1)
+        throw sim::InputError(file.string(), "",
+                              "an SVG holds the layout of one fabric, and there are " +
+                                  std::to_string(layouts.size()) + ": write a PDF");
+    return svg_of(pattern, layouts.front(), choose_layers(settings.layers));
+}
+
+std::string write_svg(const sim::Pattern& pattern, const PrintSettings& settings, std::string& done) {
+    constexpr double kWidth = 1.5;  // m
+    const sim::PaperSheet sheet = paper_sheet(pattern, paper_pieces(pattern), kWidth);
+    done = sheet_text(sheet);
+    return svg_of(pattern, sheet, choose_layers(settings.layers));
+}
+
+bool has_allowance(const sim::Pattern& pattern) {
+    return std::ranges::any_of(pattern.panels, [&](const sim::Panel& panel) {
+        return std::ranges::any_of(panel.edges, [&](const sim::OutlineEdge& edge) {
+            return allowance_of(panel, edge, pattern.allowance) > 0;
+        });
+    });
+}
+
+}  // namespace
+
+Printed print_pattern(const sim::Pattern& pattern, const std::filesystem::path& file, const PrintSettings& settings) {
+    if (pattern.panels.empty()) throw sim::InputError(file.string(), "", "no panels: nothing to print");
+    Printed printed;
+    if (!has_allowance(pattern))
+        printed.notes.emplace_back("no seam allowance, so the sewing line is cut; --allowance 10 adds 10 mm");
+    std::string extension = file.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](char c) { return static_cast<char>(std::tolower(c)); });
+    std::string bytes;
+    if (settings.is_layout && extension != ".dxf") {
+        bytes = write_layout(pattern, settings, extension, file, printed);
+    } else if (settings.is_layout) {
+        throw sim::InputError("", "--layout", "a cutting layout is a PDF or an SVG");
+    } else if (extension == ".pdf") {
+        bytes = write_pdf(pattern, settings, printed.what);
+    } else if (extension == ".svg") {
+        bytes = write_svg(pattern, settings, printed.what);
+    } else {
+        bytes = dxf_of(pattern, settings.is_astm ? sim::DxfStandard::Astm : sim::DxfStandard::Aama);
+        printed.what = settings.is_astm ? "DXF-ASTM" : "DXF-AAMA";
+    }
+    sim::write_file_atomically(file, bytes);
+    return printed;
+}
+
+}  // namespace selvedge::app
