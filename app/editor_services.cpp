@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "app/edit_loop.h"
+#include "app/import_garment.h"
+#include "app/print_files.h"
 #include "render/image/image.h"
 #include "sim/body/load_body.h"
 #include "sim/body/motion_file.h"
@@ -11,6 +13,7 @@
 #include "sim/core/file.h"
 #include "sim/core/json.h"
 #include "sim/exchange/mesh_file.h"
+#include "sim/paper/drawing_file.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::app {
@@ -95,6 +98,39 @@ void write_export(const editor::ExportRequest& request, const EditorServicesOpti
     sim::write_file_atomically(request.file, encode_png(options.render_full_quality(scene)));
 }
 
+// SVG and DXF by their endings, FreeSewing's data by its content.
+bool is_drawing(const std::string& file) {
+    std::string ending = fs::path(file).extension().string();
+    std::ranges::transform(ending, ending.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    if (ending == ".svg" || ending == ".dxf") return true;
+    if (ending != ".json") return false;
+    try {
+        sim::read_drawing(file);
+        return true;
+    } catch (const sim::InputError&) {
+        return false;
+    }
+}
+
+editor::ImportedDrawing import_drawing(const std::string& file) {
+    ImportedGarment garment = import_garment({file}, {});
+    const auto counted = [](std::size_t count) { return std::to_string(count) + (count == 1 ? " seam" : " seams"); };
+    editor::ImportedDrawing drawing;
+    drawing.sewn = std::to_string(garment.pattern.panels.size()) + " panels, " + counted(garment.pattern.seams.size());
+    if (!garment.possible.empty()) drawing.sewn += "; " + counted(garment.possible.size()) + " less likely, not sewn";
+    drawing.notes = std::move(garment.notes);
+    drawing.garment.pattern = std::move(garment.pattern);
+    return drawing;
+}
+
+std::string print_from_editor(const sim::Pattern& pattern, const std::string& file) {
+    const Printed printed = print_pattern(pattern, file, {});
+    std::string text = printed.what;
+    for (const std::string& note : printed.notes) text += "; " + note;
+    return text;
+}
+
 }  // namespace
 
 editor::Services make_editor_services(const EditorServicesOptions& options) {
@@ -103,6 +139,9 @@ editor::Services make_editor_services(const EditorServicesOptions& options) {
     editor::Services services;
     services.load = [](const std::string& file) { return sim::load_pattern(file); };
     services.save = [](const std::string& file, const std::string& text) { sim::write_file_atomically(file, text); };
+    services.is_drawing = is_drawing;
+    services.import_drawing = import_drawing;
+    services.print = print_from_editor;
     services.list_folder = list_folder;
     services.exists = [](const std::string& file) { return fs::exists(file); };
     services.write_export = [options](const editor::ExportRequest& request) { write_export(request, options); };

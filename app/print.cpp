@@ -36,14 +36,18 @@ int run(PrintArguments& arguments) {
 }
 
 void add_layout_options(CLI::App& command, PrintArguments& arguments) {
-    command.add_flag("--layout", arguments.settings.is_layout, "A cutting layout: all pieces on fabric, and how much it takes")
+    command
+        .add_flag("--layout", arguments.settings.is_layout,
+                  "A cutting layout: all pieces on fabric, and how much it takes")
         ->group("Cutting layout");
     command.add_option("--fabric-width", arguments.fabric_width_cm, "Width of the fabric in cm, without its selvedges")
         ->type_name("CM")
         ->check(CLI::Range(10.0, 1000.0))
         ->capture_default_str()
         ->group("Cutting layout");
-    command.add_flag("--folded", arguments.settings.is_folded, "The fabric is folded along its length: pairs are cut at once")
+    command
+        .add_flag("--folded", arguments.settings.is_folded,
+                  "The fabric is folded along its length: pairs are cut at once")
         ->group("Cutting layout");
     command.add_flag("--one-way", arguments.settings.is_one_way, "All pieces point one way, as on velvet")
         ->group("Cutting layout");
@@ -77,7 +81,8 @@ void add_print_command(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(0.0, 100.0));
     command->add_flag("--all-pieces", arguments->settings.prints_all,
                       "Draw mirror images, too, instead of \"cut 1 pair\"; SVG and DXF always do");
-    command->add_flag("--astm", arguments->settings.is_astm, "DXF by ASTM D6673 instead of AAMA: notches tell their kind");
+    command->add_flag("--astm", arguments->settings.is_astm,
+                      "DXF by ASTM D6673 instead of AAMA: notches tell their kind");
     add_layout_options(*command, *arguments);
     command->footer(
         "A PDF has a cover with a 10 cm test square and a map, then pages that overlap by 1 cm. Print at 100 %.\n"

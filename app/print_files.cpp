@@ -53,10 +53,8 @@ std::string write_pdf(const sim::Pattern& pattern, const PrintSettings& settings
 
 std::string write_layout(const sim::Pattern& pattern, const PrintSettings& settings, const std::string& extension,
                          const std::filesystem::path& file, Printed& printed) {
-    const std::vector<sim::PaperSheet> layouts =
-        cutting_layouts(pattern, {.width = settings.fabric_width,
-                                  .is_one_way = settings.is_one_way,
-                                  .is_folded = settings.is_folded});
+    const std::vector<sim::PaperSheet> layouts = cutting_layouts(
+        pattern, {.width = settings.fabric_width, .is_one_way = settings.is_one_way, .is_folded = settings.is_folded});
     for (const sim::PaperSheet& layout : layouts) {
         printed.what += (printed.what.empty() ? "" : "; ") + describe_layout(layout);
         std::ranges::copy(layout.notes, std::back_inserter(printed.notes));
@@ -64,9 +62,9 @@ std::string write_layout(const sim::Pattern& pattern, const PrintSettings& setti
     if (extension == ".pdf")
         return print_layouts(layouts, sim::parse_page_size(settings.paper), settings.is_one_page).bytes;
     if (layouts.size() > 1)
-        throw sim::InputError(file.string(), "",
-                              "an SVG holds the layout of one fabric, and there are " +
-                                  std::to_string(layouts.size()) + ": write a PDF");
+        throw sim::InputError(
+            file.string(), "",
+            "an SVG holds the layout of one fabric, and there are " + std::to_string(layouts.size()) + ": write a PDF");
     return svg_of(pattern, layouts.front(), choose_layers(settings.layers));
 }
 
@@ -90,8 +88,7 @@ bool has_allowance(const sim::Pattern& pattern) {
 Printed print_pattern(const sim::Pattern& pattern, const std::filesystem::path& file, const PrintSettings& settings) {
     if (pattern.panels.empty()) throw sim::InputError(file.string(), "", "no panels: nothing to print");
     Printed printed;
-    if (!has_allowance(pattern))
-        printed.notes.emplace_back("no seam allowance, so the sewing line is cut; --allowance 10 adds 10 mm");
+    if (!has_allowance(pattern)) printed.notes.emplace_back("no seam allowance: the sewing line is cut");
     std::string extension = file.extension().string();
     std::ranges::transform(extension, extension.begin(), [](char c) { return static_cast<char>(std::tolower(c)); });
     std::string bytes;

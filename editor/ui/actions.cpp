@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "editor/tools/proposal_tool.h"
 #include "editor/tools/select_tool.h"
 #include "editor/tools/tool_host.h"
 #include "editor/ui/app_state.h"
@@ -17,6 +18,35 @@ Chord ctrl_shift(char key) {
     return {key_of(key), {.ctrl = true, .shift = true}};
 }
 
+// Pictures and meshes of the draped garment; the pattern for the cutting table.
+void add_exports(std::vector<Action>& actions) {
+    const auto exports = [&](const char* id, const char* title, const char* tip, const char* ending) {
+        actions.push_back({.id = id,
+                           .menu = "File",
+                           .title = title,
+                           .tip = tip,
+                           .begins_group = std::string_view(ending) == ".png",
+                           .run = [ending](AppState& state) { browse_to_export(state, ending); }});
+    };
+    exports("file.export_png", "Export picture...", "The 3D view as a PNG file, with shadows and fine edges", ".png");
+    exports("file.export_obj", "Export OBJ...", "The draped garment", ".obj");
+    exports("file.export_glb", "Export GLB...", "The draped garment, for other 3D programs", ".glb");
+    const auto prints = [&](const char* id, const char* title, const char* tip, const char* ending) {
+        actions.push_back(
+            {.id = id,
+             .menu = "File",
+             .title = title,
+             .tip = tip,
+             .begins_group = std::string_view(ending) == ".pdf",
+             .run = [ending](AppState& state) { browse_to_print(state, ending); },
+             .can = [](const AppState& state) { return !state.workspace.document->pattern().panels.empty(); }});
+        if (std::string_view(ending) == ".pdf") actions.back().chords = {ctrl('P')};
+    };
+    prints("file.print", "Print pattern...", "At true size on A4 pages with a test square, as PDF", ".pdf");
+    prints("file.print_svg", "Export pattern SVG...", "At true size, a layer for each kind of line", ".svg");
+    prints("file.print_dxf", "Export pattern DXF...", "DXF-AAMA, for other pattern programs and cutters", ".dxf");
+}
+
 void add_file_actions(std::vector<Action>& actions) {
     actions.push_back({.id = "file.new", .menu = "File", .title = "New", .chords = {ctrl('N')}, .run = new_document});
     actions.push_back({.id = "file.open",
@@ -25,6 +55,12 @@ void add_file_actions(std::vector<Action>& actions) {
                        .tip = "A garment file; files can be dropped on the window, too",
                        .chords = {ctrl('O')},
                        .run = browse_to_open});
+    actions.push_back({.id = "file.import",
+                       .menu = "File",
+                       .title = "Import...",
+                       .tip = "A pattern of another program: SVG, DXF, or FreeSewing's data; seams are proposed",
+                       .chords = {ctrl('I')},
+                       .run = browse_to_import});
     actions.push_back(
         {.id = "file.wear_over",
          .menu = "File",
@@ -43,17 +79,7 @@ void add_file_actions(std::vector<Action>& actions) {
                        .title = "Save as...",
                        .chords = {ctrl_shift('S')},
                        .run = browse_to_save});
-    const auto exports = [&](const char* id, const char* title, const char* tip, const char* ending) {
-        actions.push_back({.id = id,
-                           .menu = "File",
-                           .title = title,
-                           .tip = tip,
-                           .begins_group = std::string_view(ending) == ".png",
-                           .run = [ending](AppState& state) { browse_to_export(state, ending); }});
-    };
-    exports("file.export_png", "Export picture...", "The 3D view as a PNG file, with shadows and fine edges", ".png");
-    exports("file.export_obj", "Export OBJ...", "The draped garment", ".obj");
-    exports("file.export_glb", "Export GLB...", "The draped garment, for other 3D programs", ".glb");
+    add_exports(actions);
     actions.push_back({.id = "file.body",
                        .menu = "File",
                        .title = "Put on a body...",
@@ -427,6 +453,14 @@ void add_seams(std::vector<Action>& actions) {
                                state.workspace.run(RemoveParts{.seams = {seams.begin(), seams.end()}});
                            },
                        .can = has_seams});
+    actions.push_back(
+        {.id = "seam.propose",
+         .menu = "Seam",
+         .title = "Propose seams",
+         .tip = "Goes through the seams that the pattern probably has: Enter sews, Delete refuses",
+         .chords = {{key_of('L'), {}}},
+         .begins_group = true,
+         .run = [](AppState& state) { state.tools.choose(tool_host_context(state.workspace), proposal_tool()); }});
     actions.push_back(
         {.id = "seam.match",
          .menu = "Seam",

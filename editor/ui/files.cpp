@@ -116,6 +116,18 @@ void open_file(AppState& state, const std::string& file) {
     });
 }
 
+void import_file(AppState& state, const std::string& file) {
+    after_asking(state, [file](AppState& current) {
+        try_to(current, [&] {
+            ImportedDrawing imported = current.services.import_drawing(file);
+            show_document(current, std::move(imported.garment), "");
+            current.workspace.document->mark_changed();
+            for (const std::string& note : imported.notes) current.workspace.messages.note(note);
+            current.workspace.messages.note("Imported '" + name_in_folder(file) + "': " + imported.sewn);
+        });
+    });
+}
+
 void wear_over(AppState& state, const std::string& file) {
     state.workspace.document->commit();
     try_to(state, [&] { state.workspace.wear_over(state.services.load(file)); });
@@ -143,10 +155,12 @@ void recover_journal(AppState& state, const OrphanedJournal& journal) {
 }
 
 void take_dropped_file(AppState& state, const std::string& file) {
+    if (state.services.is_drawing(file)) return import_file(state, file);
     if (file.ends_with(".json")) return open_file(state, file);
     const auto is_ending = [&](const std::string& ending) { return file.ends_with(ending); };
     if (std::ranges::any_of(body_endings(), is_ending)) return state.workspace.drape.show_body(file);
-    state.workspace.messages.warn("'" + file + "' is neither a garment (.json) nor a body (.obj, .glb)");
+    state.workspace.messages.warn("'" + file +
+                                  "' is neither a garment (.json), a drawing (.svg, .dxf) nor a body (.obj, .glb)");
 }
 
 bool save(AppState& state) {
@@ -176,6 +190,18 @@ void export_to(AppState& state, const std::string& file) {
     if (try_to(state, [&] { state.services.write_export(request); })) state.workspace.messages.note("Wrote " + file);
 }
 
+void print_to(AppState& state, const std::string& file) {
+    state.workspace.document->commit();
+    const auto write = [file](AppState& current) {
+        try_to(current, [&] {
+            current.workspace.messages.note("Wrote " + file + ": " +
+                                            current.services.print(current.workspace.document->pattern(), file));
+        });
+    };
+    if (!state.services.exists(file)) return write(state);
+    ask_to_replace(state, file, write);
+}
+
 void save_pose(AppState& state, const std::string& file) {
     const sim::PoseAngles* angles = state.workspace.drape.angles();
     if (angles == nullptr) return state.workspace.messages.warn("There is no pose to save: the body has no joints");
@@ -199,6 +225,14 @@ void browse_to_open(AppState& state) {
                         .verb = "Open",
                         .endings = {".json"},
                         .choose = [](AppState& current, const std::string& file) { open_file(current, file); }},
+                       state.services);
+}
+
+void browse_to_import(AppState& state) {
+    state.browser.open({.title = "Import a drawing",
+                        .verb = "Import",
+                        .endings = {".svg", ".dxf", ".json"},
+                        .choose = [](AppState& current, const std::string& file) { import_file(current, file); }},
                        state.services);
 }
 
@@ -230,6 +264,19 @@ void browse_to_export(AppState& state, const std::string& ending) {
                         .name = name + ending,
                         .choose = [ending](AppState& current,
                                            const std::string& file) { export_to(current, with_ending(file, ending)); }},
+                       state.services);
+}
+
+void browse_to_print(AppState& state, const std::string& ending) {
+    std::string name = document_name(state);
+    if (name.ends_with(".json")) name.resize(name.size() - 5);
+    state.browser.open({.title = "Print the pattern",
+                        .verb = "Write",
+                        .endings = {ending},
+                        .is_saving = true,
+                        .name = name + ending,
+                        .choose = [ending](AppState& current,
+                                           const std::string& file) { print_to(current, with_ending(file, ending)); }},
                        state.services);
 }
 

@@ -15,23 +15,27 @@ void new_document(AppState& state);
 void open_loaded(AppState& state, sim::PatternDocument source, const std::string& file);
 void open_file(AppState& state, const std::string& file);
 void open_example(AppState& state, const Example& example);
-void wear_over(AppState& state, const std::string& file);  // puts another garment over the document's
+void import_file(AppState& state, const std::string& file);  // a drawing of another program
+void wear_over(AppState& state, const std::string& file);    // puts another garment over the document's
 void recover_journal(AppState& state, const OrphanedJournal& journal);
 
-// Opens a garment file or puts on a body file; reports any other file as unknown.
+// Opens a garment file, imports a drawing or puts on a body file; reports any other file as unknown.
 void take_dropped_file(AppState& state, const std::string& file);
 
 bool save(AppState& state);  // asks for a name if there is none; false: not saved (yet)
 void save_as(AppState& state, const std::string& file);
 void export_to(AppState& state, const std::string& file);
+void print_to(AppState& state, const std::string& file);   // the pattern, at true size
 void save_pose(AppState& state, const std::string& file);  // the body's, which is then the file's
 void close(AppState& state);
 
 // These open the file browser for a purpose.
 void browse_to_open(AppState& state);
+void browse_to_import(AppState& state);
 void browse_to_wear_over(AppState& state);
 void browse_to_save(AppState& state);
 void browse_to_export(AppState& state, const std::string& ending);
+void browse_to_print(AppState& state, const std::string& ending);
 void browse_for_body(AppState& state);
 void browse_for_motion(AppState& state);
 void browse_for_pose(AppState& state);

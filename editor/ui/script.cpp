@@ -16,9 +16,10 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr std::array<std::string_view, 21> kVerbs{
-    "where",   "expect", "open",   "new",  "save",  "do",     "action", "key",        "type",   "move", "press",
-    "release", "click",  "double", "drag", "wheel", "frames", "settle", "screenshot", "export", "wear"};
+constexpr std::array<std::string_view, 23> kVerbs{"where",      "expect", "open", "new",    "save",   "do",
+                                                  "action",     "key",    "type", "move",   "press",  "release",
+                                                  "click",      "double", "drag", "wheel",  "frames", "settle",
+                                                  "screenshot", "export", "wear", "import", "print"};
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r");
@@ -133,8 +134,8 @@ void ScriptPlayer::play(const ScriptStep& step) {
         if (!run_action(editor_.state(), *action)) fail(step, "'" + action->title + "' cannot be done now");
         return wait_frames(1);
     }
-    const bool is_of_document =
-        verb == "open" || verb == "new" || verb == "save" || verb == "do" || verb == "export" || verb == "wear";
+    const bool is_of_document = verb == "open" || verb == "new" || verb == "save" || verb == "do" || verb == "export" ||
+                                verb == "wear" || verb == "import" || verb == "print";
     is_of_document ? play_document(step) : play_mouse(step);
 }
 
@@ -147,6 +148,8 @@ void ScriptPlayer::play_document(const ScriptStep& step) {
     AppState& state = editor_.state();
     if (step.verb == "new") new_document(state);
     if (step.verb == "open") open_file(state, word(step, 0));
+    if (step.verb == "import") import_file(state, word(step, 0));
+    if (step.verb == "print") print_to(state, word(step, 0));
     if (step.verb == "save") save_as(state, word(step, 0));
     if (step.verb == "export") export_to(state, word(step, 0));
     if (step.verb == "wear") state.workspace.drape.show_body(step.rest);

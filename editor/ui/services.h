@@ -48,8 +48,19 @@ struct ExportRequest {
     sim::DrawMesh garment{};
 };
 
+// What became of a drawing of another program.
+struct ImportedDrawing {
+    sim::PatternDocument garment = {};
+    std::string sewn = {};                // "8 seams were sewn, 3 more are possible"
+    std::vector<std::string> notes = {};  // what was guessed, repaired and left out, one line each
+};
+
 struct Services {
     std::function<sim::PatternDocument(const std::string& file)> load;
+    std::function<bool(const std::string& file)> is_drawing;  // of another program, by its content
+    std::function<ImportedDrawing(const std::string& file)> import_drawing;
+    // Writes a pattern for the cutting table (.pdf, .svg, .dxf), and says what was written.
+    std::function<std::string(const sim::Pattern& pattern, const std::string& file)> print;
     std::function<void(const std::string& file, const std::string& text)> save;  // atomic
     std::function<FolderListing(const std::string& folder)> list_folder;         // empty: the working directory
     std::function<bool(const std::string& file)> exists;

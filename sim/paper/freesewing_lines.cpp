@@ -45,7 +45,7 @@ LineKind kind_of(const FreesewingLine& line) {
     const bool is_material = std::ranges::any_of(kMaterials, [&](std::string_view one) { return has(classes, one); });
     const bool is_broken = std::ranges::any_of(std::array<std::string_view, 4>{"dashed", "dotted", "lashed", "mark"},
                                                [&](std::string_view one) { return has(classes, one); });
-    if (has(classes, "sa")) return line.is_closed ? LineKind::Cut : LineKind::Help;
+    if (has(classes, "sa")) return LineKind::Cut;
     if (has(classes, "help") || has(classes, "contrast")) return LineKind::Help;
     if (is_broken) return LineKind::Internal;
     if (is_material) return line.is_closed ? LineKind::Sew : LineKind::Internal;

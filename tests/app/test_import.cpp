@@ -31,8 +31,36 @@ TEST(ImportCommand, writes_a_garment_with_seams_that_check_accepts) {
     ASSERT_EQ(pattern.panels.size(), 2U);
     EXPECT_EQ(pattern.seams.size(), 4U);  // two sides, two shoulders
     EXPECT_GT(pattern.panels[0].translation.z(), pattern.panels[1].translation.z());
-    EXPECT_EQ(pattern.body, "mannequin:sex=female");
+    EXPECT_EQ(pattern.body, "mannequin:sex=female,bust=92.50");
     EXPECT_EQ(run_selvedge("check '" + garment + "'").exit_code, 0);
+}
+
+// File > Import and File > Print pattern, by the script's steps for them.
+TEST(ImportInTheEditor, shows_a_drawing_saves_it_and_prints_it) {
+    const ScratchFolder folder;
+    const std::string drawn = folder / "shirt.json", garment = folder / "garment.json", pages = folder / "shirt.pdf";
+    const std::string script = folder / "script.txt", state = folder / "state";
+    sim::write_file_atomically(drawn, half_shirt());
+    sim::write_file_atomically(
+        script, "import \"" + drawn + "\"\nframes 3\nprint \"" + pages + "\"\nsave \"" + garment + "\"\n");
+    const ProgramResult result = run_selvedge("edit --script '" + script + "' --state '" + state + "'");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(sim::load_pattern(garment).pattern.seams.size(), 4U);
+    EXPECT_TRUE(sim::read_file(pages, 10000000).starts_with("%PDF"));
+}
+
+TEST(ImportCommand, draws_the_body_of_the_draft_s_measurements) {
+    const ScratchFolder folder;
+    const std::string drawn = folder / "shirt.json", measures = folder / "measures.yaml",
+                      garment = folder / "garment.json";
+    sim::write_file_atomically(drawn, half_shirt());
+    sim::write_file_atomically(measures,
+                               "units: metric\nmeasurements:\n  chest: 980\n  underbust: 960\n  waist: 820\n");
+    ASSERT_EQ(run_selvedge("import '" + drawn + "' -o '" + garment + "'").exit_code, 0);
+    EXPECT_EQ(sim::load_pattern(garment).pattern.body, "mannequin:sex=female,bust=92.50");
+    ASSERT_EQ(run_selvedge("import '" + drawn + "' -o '" + garment + "' --measurements '" + measures + "'").exit_code,
+              0);
+    EXPECT_EQ(sim::load_pattern(garment).pattern.body, "mannequin:sex=male,bust=98,underbust=96,waist=82");
 }
 
 TEST(ImportCommand, refuses_wrong_input_on_one_line_and_writes_nothing) {

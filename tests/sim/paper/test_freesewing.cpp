@@ -17,7 +17,7 @@ TEST(Freesewing, tells_sewing_cut_and_fold_lines_apart) {
     ASSERT_EQ(front.paths.size(), 3U);
     EXPECT_EQ(front.paths[0].kind, LineKind::Sew);
     EXPECT_EQ(front.paths[0].edges.size(), 6U);
-    EXPECT_EQ(front.paths[1].kind, LineKind::Help);  // an open piece of the cut line
+    EXPECT_EQ(front.paths[1].kind, LineKind::Cut);  // an open piece of it
     EXPECT_EQ(front.paths[2].kind, LineKind::FoldEdge);
     EXPECT_EQ(front.paths[0].vertices[1], Vec2d(250, -600));
     ASSERT_EQ(front.marks.size(), 1U);

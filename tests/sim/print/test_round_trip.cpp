@@ -97,6 +97,18 @@ TEST(RoundTrip, shipped_patterns_come_back_from_svg_and_dxf) {
     }
 }
 
+TEST(RoundTrip, allowances_come_back_from_the_distance_of_the_cut_line) {
+    const Pattern original = sample_pattern();
+    for (const std::string& text : {svg_of(original), dxf_of(original)}) {
+        const Panel cap = make_panels(parse_drawing(text, "written"), "written").pattern.panels[0];
+        ASSERT_TRUE(cap.allowance);
+        EXPECT_NEAR(*cap.allowance, 0.01, 1e-4);
+        ASSERT_TRUE(cap.edges[0].allowance);
+        EXPECT_NEAR(*cap.edges[0].allowance, 0.03, 1e-4);
+        EXPECT_FALSE(cap.edges[1].allowance);
+    }
+}
+
 // An outline that another program moved by 2 mm wins over the record of our curves.
 TEST(RoundTrip, dxf_that_was_changed_is_read_as_it_is_drawn) {
     Pattern pattern = sample_pattern();
