@@ -31,6 +31,17 @@ std::vector<Vec2d> link_of(const SheetGeometry& geometry, const sim::Pattern& pa
     return {first[first.size() / 2], second[second.size() / 2]};
 }
 
+// "a to b (90 %): lengths 3 and 3 cm; same shape" in lines.
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines{""};
+    for (const char c : text) {
+        const bool ends = c == ';' || (c == ':' && lines.size() == 1);
+        if (ends) lines.emplace_back();
+        if (!ends && (c != ' ' || !lines.back().empty())) lines.back() += c;
+    }
+    return lines;
+}
+
 SpanRef ref_of(const sim::Pattern& pattern, const sim::EdgeSpan& span) {
     return {pattern.panels[static_cast<std::size_t>(span.panel)].name, span.edge, span.from, span.to};
 }
@@ -144,7 +155,7 @@ void ProposalTool::draw(const ToolContext& context, ToolOverlay& overlay) const 
             overlay.lines.push_back({.points = there, .tone = tone});
             add_seam_lines(overlay, line_of(context.geometry, pattern, first), there, OverlayTone::Faint);
         }
-        overlay.readout = {describe(pattern, proposals_[i])};
+        overlay.readout = lines_of(describe(pattern, proposals_[i]));
     }
 }
 
