@@ -76,7 +76,8 @@ int run_window(const EditArguments& arguments) {
         {.fonts = read_fonts()});
     editor.set_clipboard(
         {[&] { return window.clipboard(); }, [&](const std::string& text) { window.set_clipboard(text); }});
-    open_at_start(editor, arguments.file);
+    // What is wrong with the file is shown in the window.
+    if (!arguments.file.empty()) take_dropped_file(editor.state(), arguments.file);
     EditorSurface surface(editor);
     run_edit_loop(surface, window, {.frame_times = arguments.frame_times});
     return 0;
@@ -114,6 +115,11 @@ render::Image play_script(const EditorScript& script) {
     const auto say = [](const std::string& text) { std::printf("%s\n", text.c_str()); };
     editor::ScriptPlayer player(editor, {step, shoot, say}, script.name);
     for (int i = 0; i < 3; ++i) loop.step(surface);
+    // What a script leaves unsaved is nobody's work to recover.
+    const struct EndOfJournal {
+        editor::Editor& editor;
+        ~EndOfJournal() { editor.state().services.end_journal(); }
+    } end_of_journal{editor};
     player.play(steps);
     return loop.screenshot();
 }

@@ -30,8 +30,8 @@ int run(PrintArguments& arguments) {
     arguments.settings.fabric_width = arguments.fabric_width_cm / 100;
     const Printed printed = print_pattern(pattern, arguments.output, arguments.settings);
     for (const std::string& note : printed.notes) std::fprintf(stderr, "selvedge: note: %s\n", note.c_str());
-    std::printf("wrote %s: %zu panels, %s\n", arguments.output.string().c_str(), pattern.panels.size(),
-                printed.what.c_str());
+    std::printf("wrote %s: %zu %s, %s\n", arguments.output.string().c_str(), pattern.panels.size(),
+                pattern.panels.size() == 1 ? "panel" : "panels", printed.what.c_str());
     return 0;
 }
 

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "render/image/image.h"
+#include "sim/core/file.h"
 #include "sim/core/json.h"
 #include "tests/app/selvedge_program.h"
 #include "tests/support/checkout.h"
@@ -236,6 +237,16 @@ TEST(MannequinCommand, a_measure_that_contradicts_another_is_said_and_not_silent
     const ProgramResult result = make_mannequin_file("--height 170 --inseam 105", folder / "body.obj");
     EXPECT_NE(result.exit_code, 0);
     EXPECT_NE((result.out + result.err).find("inseam"), std::string::npos);
+}
+
+TEST(EditScript, that_ends_unsaved_leaves_nothing_to_recover) {
+    const ScratchFolder folder;
+    const std::string script = folder / "script.txt", state = folder / "state";
+    sim::write_file_atomically(
+        script, "open \"" + source_folder() + "/patterns/skirt.json\"\naction edit.select_all\naction edit.delete\n");
+    const ProgramResult result = run_selvedge("edit --script '" + script + "' --state '" + state + "'");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(std::filesystem::is_empty(state + "/journals"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include "app/editor_services.h"
 #include "editor/ui/files.h"
@@ -23,11 +24,11 @@ const Vec2d kAside(1200, 700);  // px: no widget there reacts to the mouse
 // The reference editor without a window: receives the same events, and waits for its body.
 class Rehearsal {
  public:
-    Rehearsal(const fs::path& state, const std::string& file)
+    explicit Rehearsal(const fs::path& state, const std::string& file = {})
         : editor_(make_editor_services({.state = state, .render_full_quality = {}}),
                   {.drive = sim::SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true}),
           surface_(editor_) {
-        open_loaded(editor_.state(), sim::load_pattern(file), file);
+        if (!file.empty()) open_loaded(editor_.state(), sim::load_pattern(file), file);
         move(kAside);
     }
 
@@ -40,6 +41,7 @@ class Rehearsal {
     void rest() {
         for (int i = 0; i < 10; ++i) loop_.step(surface_);
     }
+    editor::AppState& state() { return editor_.state(); }
     void undo() { editor_.state().workspace.document->undo(); }
 
     Vec2d vertex_px(const std::string& panel, std::size_t vertex) const {
@@ -92,12 +94,12 @@ class EditWindowTest : public testing::Test {
         fs::copy_file(source_folder() + "/patterns/skirt.json", file_);
     }
 
-    void start() {
+    void start(const std::string& title = "skirt.json - Selvedge") {
         program_.reset();
         program_ = std::make_unique<RunningProgram>(
             std::vector<std::string>{program_folder() + "/selvedge", "edit", file_, "--state", state_, "--scale", "1"},
             std::vector<std::string>{display_->environment(), "LIBGL_ALWAYS_SOFTWARE=1"}, scratch_ / "said");
-        ASSERT_TRUE(waits_for_title("skirt.json - Selvedge")) << content_of(scratch_ / "said");
+        ASSERT_TRUE(waits_for_title(title)) << content_of(scratch_ / "said");
         display_->move(kAside);
     }
 
@@ -219,6 +221,18 @@ TEST_F(EditWindowTest, edits_are_recovered_when_the_program_is_killed_while_it_s
     ASSERT_TRUE(waits_to_run());
     program_->kill_hard();
     EXPECT_EQ(recovered(), rehearsal.text());
+}
+
+TEST_F(EditWindowTest, a_file_that_is_no_garment_opens_the_window_which_says_so) {
+    std::ofstream(file_) << "{ \"pattern\": 3 }";
+    start("untitled - Selvedge");
+    Rehearsal rehearsal(scratch_ / "other_state");
+    take_dropped_file(rehearsal.state(), file_);
+    rehearsal.rest();
+    EXPECT_TRUE(waits_to_show(rehearsal.picture())) << "the message";
+    display_->key_with("ctrl", "q");
+    ASSERT_TRUE(wait_until([&] { return program_->has_ended(); }));
+    EXPECT_EQ(program_->exit_code(), 0) << content_of(scratch_ / "said");
 }
 
 }  // namespace
