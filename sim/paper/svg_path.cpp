@@ -87,6 +87,7 @@ void draw_elliptical_arc(const Vec2d& from, const Vec2d& to, EllipticalArc arc, 
     const Vec2d last = (-half - centre_turned).cwiseQuotient(arc.radii);
     const double start = std::atan2(first.y(), first.x());
     double sweep = std::atan2(cross2(first, last), first.dot(last));
+    if (!std::isfinite(start) || !std::isfinite(sweep)) return pen.line(to);  // radii beyond what a double holds
     if (arc.is_sweep && sweep < 0) sweep += 2 * kPi;
     if (!arc.is_sweep && sweep > 0) sweep -= 2 * kPi;
     const int count = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / (kPi / 4) - 1e-9)));

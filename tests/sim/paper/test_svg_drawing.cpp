@@ -44,6 +44,8 @@ TEST(Svg, keeps_circular_arcs_and_turns_elliptical_ones_into_cubics) {
     panel.edges = round.edges;
     const Vec2d top = outline_point(panel, panel.edges[0], 0.5);
     EXPECT_LT((top - Vec2d(10, 10)).norm(), 1e-9);  // clockwise on the page: over the top
+    const DrawnPath vast = only_path("<path d='M0,0A1e200,1e190 0 0 1 20,5L10,-30z'/>");
+    EXPECT_EQ(vast.edges[0].kind, CurveKind::Line);  // its centre is beyond what a double holds
     const DrawnPath oval = only_path("<ellipse cx='50' cy='60' rx='30' ry='20'/>");
     for (const OutlineEdge& edge : oval.edges) EXPECT_EQ(edge.kind, CurveKind::Cubic);
     Panel ellipse;
