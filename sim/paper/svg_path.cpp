@@ -78,9 +78,7 @@ void draw_elliptical_arc(const Vec2d& from, const Vec2d& to, EllipticalArc arc, 
     if (keeps_circles && std::abs(arc.radii.x() - arc.radii.y()) < 1e-9 * arc.radii.x() && excess <= 1)
         return pen.arc(arc.radii.x(), arc.is_large, !arc.is_sweep, to);
     const double a = arc.radii.x(), b = arc.radii.y();
-    const double below = a * a * half.y() * half.y() + b * b * half.x() * half.x();
-    const double above = std::max(0.0, a * a * b * b - below);
-    const double factor = (arc.is_large == arc.is_sweep ? -1 : 1) * std::sqrt(above / below);
+    const double factor = (arc.is_large == arc.is_sweep ? -1 : 1) * std::sqrt(std::max(0.0, 1 - excess) / excess);
     const Vec2d centre_turned(factor * a * half.y() / b, -factor * b * half.x() / a);
     const Vec2d centre = tilt * centre_turned + (from + to) / 2;
     const Vec2d first = (half - centre_turned).cwiseQuotient(arc.radii);
