@@ -24,4 +24,19 @@ double distance_to_outline(const Vec2d& point, std::span<const Vec2d> outline) {
     return nearest;
 }
 
+bool segment_meets_box(const Vec2d& start, const Vec2d& end, const Eigen::AlignedBox2d& box) {
+    const Vec2d along = end - start;
+    double low = 0, high = 1;
+    for (const Eigen::Index axis : {0, 1}) {
+        const double below = box.min()[axis] - start[axis], above = box.max()[axis] - start[axis];
+        if (along[axis] == 0) {
+            if (below > 0 || above < 0) return false;
+            continue;
+        }
+        low = std::max(low, std::min(below / along[axis], above / along[axis]));
+        high = std::min(high, std::max(below / along[axis], above / along[axis]));
+    }
+    return low <= high;
+}
+
 }  // namespace selvedge::sim

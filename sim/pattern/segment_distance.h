@@ -1,5 +1,5 @@
 #pragma once
-// Distances of points from segments and closed polylines of the plane.
+// Distances of points from segments and closed polylines of the plane; segments and boxes.
 #include <span>
 
 #include "sim/core/math.h"
@@ -13,5 +13,8 @@ double distance_to_segment(const Vec2d& point, const Vec2d& start, const Vec2d& 
 
 // Infinite for a polyline without points.
 double distance_to_outline(const Vec2d& point, std::span<const Vec2d> outline);
+
+// Whether a point of the segment lies in the box or on its boundary.  (Liang and Barsky 1984)
+bool segment_meets_box(const Vec2d& start, const Vec2d& end, const Eigen::AlignedBox2d& box);
 
 }  // namespace selvedge::sim

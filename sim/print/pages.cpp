@@ -7,6 +7,7 @@
 
 #include "sim/core/error.h"
 #include "sim/pattern/outline.h"
+#include "sim/pattern/segment_distance.h"
 
 namespace selvedge::sim {
 namespace {
@@ -25,25 +26,9 @@ constexpr std::array kSizes = std::to_array<NamedSize>({{"a4", "A4", 210, 297},
                                                         {"legal", "Legal", 215.9, 355.6},
                                                         {"tabloid", "Tabloid", 279.4, 431.8}});
 
-// Whether a segment has a point in the box. (Liang and Barsky 1984)
-bool meets(const Eigen::AlignedBox2d& box, const Vec2d& from, const Vec2d& to) {
-    double low = 0, high = 1;
-    const Vec2d along = to - from;
-    for (const Eigen::Index axis : {0, 1}) {
-        const double below = box.min()[axis] - from[axis], above = box.max()[axis] - from[axis];
-        if (along[axis] == 0) {
-            if (below > 0 || above < 0) return false;
-            continue;
-        }
-        low = std::max(low, std::min(below / along[axis], above / along[axis]));
-        high = std::min(high, std::max(below / along[axis], above / along[axis]));
-    }
-    return low <= high;
-}
-
 bool shows(const Eigen::AlignedBox2d& area, const std::vector<Vec2d>& outline) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
-        if (meets(area, outline[i], outline[(i + 1) % outline.size()])) return true;
+        if (segment_meets_box(outline[i], outline[(i + 1) % outline.size()], area)) return true;
     }
     return is_inside(area.center(), outline);
 }

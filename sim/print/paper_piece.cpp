@@ -25,24 +25,10 @@ std::vector<Vec2d> sewing_line(const Panel& panel, double chord_error) {
 
 // ---- Where a label and a grain line have room.
 
-// A rectangle with sides along x and y, inside a closed line?
 bool is_rectangle_inside(const Eigen::AlignedBox2d& box, const std::vector<Vec2d>& outline) {
     if (!is_inside(box.center(), outline)) return false;
     for (std::size_t i = 0; i < outline.size(); ++i) {
-        // A segment of the outline that enters the rectangle (Liang and Barsky 1984).
-        const Vec2d from = outline[i], along = outline[(i + 1) % outline.size()] - from;
-        double low = 0, high = 1;
-        for (const Eigen::Index axis : {0, 1}) {
-            const double at_min = box.min()[axis] - from[axis], at_max = box.max()[axis] - from[axis];
-            if (along[axis] == 0) {
-                if (at_min > 0 || at_max < 0) high = -1;
-                continue;
-            }
-            const double a = at_min / along[axis], b = at_max / along[axis];
-            low = std::max(low, std::min(a, b));
-            high = std::min(high, std::max(a, b));
-        }
-        if (low <= high) return false;
+        if (segment_meets_box(outline[i], outline[(i + 1) % outline.size()], box)) return false;
     }
     return true;
 }

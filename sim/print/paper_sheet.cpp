@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/pattern/segment_distance.h"
+
 namespace selvedge::sim {
 namespace {
 
@@ -97,16 +99,6 @@ std::vector<Vec2d> right_of(const std::vector<Vec2d>& line, double x) {
     return kept;
 }
 
-double distance_to(const std::vector<Vec2d>& line, const Vec2d& p) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const Vec2d &a = line[i], along = line[(i + 1) % line.size()] - a;
-        const double s = along.squaredNorm() > 0 ? std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) : 0;
-        least = std::min(least, (a + s * along - p).norm());
-    }
-    return least;
-}
-
 // The x of the vertical axis in which a closed line is its own mirror image; none if it is not.
 std::optional<double> axis_of(const std::vector<Vec2d>& line) {
     constexpr double kOff = 0.5e-3;  // m
@@ -114,7 +106,7 @@ std::optional<double> axis_of(const std::vector<Vec2d>& line) {
     for (const Vec2d& p : line) box.extend(p);
     const double x = box.center().x();
     const bool is_symmetric = std::ranges::all_of(line, [&](const Vec2d& p) {
-        return distance_to(line, {2 * x - p.x(), p.y()}) <= kOff;
+        return distance_to_outline({2 * x - p.x(), p.y()}, line) <= kOff;
     });
     return is_symmetric ? std::optional(x) : std::nullopt;
 }
