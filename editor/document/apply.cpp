@@ -149,13 +149,25 @@ Outcome run(sim::Pattern& pattern, const TranslateAll& command) {
 
 // --- commands on whole panels
 
-Outcome run(sim::Pattern& pattern, const AddPanels& command) {
+Outcome select_new(const sim::Pattern& pattern, const std::vector<int>& panels) {
     Outcome outcome{.selection = Selection{}};
-    for (const sim::Panel& panel : command.panels) {
-        const int index = add_panel(pattern, panel);
-        outcome.selection->panels.insert(pattern.panels[static_cast<std::size_t>(index)].name);
-    }
+    for (const int panel : panels)
+        outcome.selection->panels.insert(pattern.panels[static_cast<std::size_t>(panel)].name);
     return outcome;
+}
+
+Outcome select_new(const sim::Pattern& pattern, int panel) {
+    return select_new(pattern, std::vector<int>{panel});
+}
+
+std::vector<int> find_panels(const sim::Pattern& pattern, const std::vector<std::string>& names) {
+    std::vector<int> panels;
+    for (const std::string& name : names) panels.push_back(find_panel(pattern, name));
+    return panels;
+}
+
+Outcome run(sim::Pattern& pattern, const AddPanels& command) {
+    return select_new(pattern, add_panels(pattern, command.panels, command.seams));
 }
 
 Outcome run(sim::Pattern& pattern, const RenamePanel& command) {
@@ -165,12 +177,8 @@ Outcome run(sim::Pattern& pattern, const RenamePanel& command) {
     return {.selection = only(command.to), .rename = PanelRename{.from = command.panel, .to = command.to}};
 }
 
-Outcome select_new(const sim::Pattern& pattern, int panel) {
-    return {.selection = only(pattern.panels[static_cast<std::size_t>(panel)].name)};
-}
-
-Outcome run(sim::Pattern& pattern, const DuplicatePanel& command) {
-    return select_new(pattern, duplicate_panel(pattern, find_panel(pattern, command.panel), command.shift));
+Outcome run(sim::Pattern& pattern, const DuplicatePanels& command) {
+    return select_new(pattern, duplicate_panels(pattern, find_panels(pattern, command.panels), command.shift));
 }
 
 Outcome run(sim::Pattern& pattern, const SymmetricCopy& command) {
@@ -325,9 +333,7 @@ Outcome run(sim::Pattern& pattern, const RemoveParts& command) {
     for (const auto& [name, indices] : by_panel(command.vertices)) {
         remove_vertices(pattern, find_panel(pattern, name), indices);
     }
-    std::vector<int> panels;
-    for (const std::string& name : command.panels) panels.push_back(find_panel(pattern, name));
-    remove_panels(pattern, panels);
+    remove_panels(pattern, find_panels(pattern, command.panels));
     return {.selection = Selection{}};
 }
 

@@ -57,8 +57,8 @@ std::string label(const AddPanels& command) {
 std::string label(const RenamePanel&) {
     return "Rename panel";
 }
-std::string label(const DuplicatePanel&) {
-    return "Duplicate panel";
+std::string label(const DuplicatePanels& command) {
+    return counted("Duplicate", command.panels.size(), "panel");
 }
 std::string label(const SymmetricCopy&) {
     return "Symmetric copy";
@@ -202,6 +202,21 @@ void visit_fields(sim::OutlineEdge& edge, Visitor&& visit) {
     visit("label", edge.label);
     visit("allowance", edge.allowance);
     visit("allowance_corner", edge.allowance_corner);
+}
+
+template <class Visitor>
+void visit_fields(sim::SeamSide& side, Visitor&& visit) {
+    visit("panel", side.panel);
+    visit("edge", side.edge);
+}
+
+template <class Visitor>
+void visit_fields(sim::Seam& seam, Visitor&& visit) {
+    visit("first", seam.first);
+    visit("second", seam.second);
+    visit("is_reversed", seam.is_reversed);
+    visit("name", seam.name);
+    visit("is_eased", seam.is_eased);
 }
 
 template <class Visitor>

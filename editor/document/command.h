@@ -13,7 +13,7 @@
 namespace selvedge::editor {
 
 using Command = std::variant<RenamePattern, SetFabric, SetTartan, SetBody, SetEdgeLength, MatchSetts, TranslateAll,
-                             RemoveParts, AddPanels, RenamePanel, DuplicatePanel, SymmetricCopy, UnlinkPanel,
+                             RemoveParts, AddPanels, RenamePanel, DuplicatePanels, SymmetricCopy, UnlinkPanel,
                              MovePanels, TransformPanels, PlacePanel, PlacePanels, SetGrain, SetSettOffset, SetPins,
                              SetLayer, CutPanel, MergePanels, UnfoldPanel, MoveVertices, TransformVertices, SetCurve,
                              AddVertex, AddDart, AddInternalLine, SetInternalLine, AddNotch, MoveNotch, SewEdges,

@@ -175,14 +175,17 @@ struct MoveNotch {
 
 // Commands that change whole panels.
 
-// Adds panels under their names; a name in use gets a number.
+// Adds panels under their names; a name in use gets a number. `seams`: between them; a side's panel is a position in
+// `panels`.
 struct AddPanels {
     static constexpr const char* name = "add_panels";
     std::vector<sim::Panel> panels{};
+    std::vector<sim::Seam> seams{};
 
     template <class Visitor>
     void fields(Visitor&& visit) {
         visit("panels", panels);
+        visit("seams", seams);
     }
 };
 
@@ -198,15 +201,15 @@ struct RenamePanel {
     }
 };
 
-// `shift` is on the sheet, m.
-struct DuplicatePanel {
-    static constexpr const char* name = "duplicate_panel";
-    std::string panel{};
+// Copies panels with the seams among them. `shift` is on the sheet, m.
+struct DuplicatePanels {
+    static constexpr const char* name = "duplicate_panels";
+    std::vector<std::string> panels{};
     Vec2d shift = Vec2d::Zero();
 
     template <class Visitor>
     void fields(Visitor&& visit) {
-        visit("panel", panel);
+        visit("panels", panels);
         visit("shift", shift);
     }
 };

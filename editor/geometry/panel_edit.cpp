@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "editor/geometry/draft.h"
 #include "editor/geometry/edge_remap.h"
@@ -84,10 +86,48 @@ sim::Panel make_ellipse(const Vec2d& centre, const Vec2d& radii) {
 }
 
 int add_panel(sim::Pattern& pattern, sim::Panel panel) {
-    panel.name = free_panel_name(pattern, panel.name);
+    return add_panels(pattern, {std::move(panel)}, {}).front();
+}
+
+std::vector<sim::Seam> seams_among(const sim::Pattern& pattern, const std::vector<int>& panels) {
+    std::map<int, int> position;
+    for (std::size_t i = 0; i < panels.size(); ++i) position.emplace(panels[i], static_cast<int>(i));
+    std::vector<sim::Seam> seams;
+    for (sim::Seam seam : pattern.seams) {
+        const auto first = position.find(seam.first.panel);
+        const auto second = position.find(seam.second.panel);
+        if (first == position.end() || second == position.end()) continue;
+        seam.first.panel = first->second;
+        seam.second.panel = second->second;
+        seam.name.clear();
+        seams.push_back(std::move(seam));
+    }
+    return seams;
+}
+
+std::vector<int> add_panels(sim::Pattern& pattern, std::vector<sim::Panel> panels,
+                            const std::vector<sim::Seam>& seams) {
+    const auto has_panel = [&](const sim::SeamSide& side) {
+        return side.panel >= 0 && as_size(side.panel) < panels.size();
+    };
+    for (const sim::Seam& seam : seams) {
+        if (!has_panel(seam.first) || !has_panel(seam.second))
+            throw GeometryError("A seam has a panel that is missing");
+    }
     return edit_pattern(pattern, [&](sim::Pattern& draft) {
-        draft.panels.push_back(std::move(panel));
-        return static_cast<int>(draft.panels.size()) - 1;
+        const int before = static_cast<int>(draft.panels.size());
+        std::vector<int> added;
+        for (sim::Panel& panel : panels) {
+            panel.name = free_panel_name(draft, panel.name);
+            added.push_back(static_cast<int>(draft.panels.size()));
+            draft.panels.push_back(std::move(panel));
+        }
+        for (sim::Seam seam : seams) {
+            seam.first.panel += before;
+            seam.second.panel += before;
+            draft.seams.push_back(std::move(seam));
+        }
+        return added;
     });
 }
 
@@ -96,11 +136,15 @@ void remove_panels(sim::Pattern& pattern, const std::vector<int>& panels) {
     edit_pattern(pattern, [&](sim::Pattern& draft) { drop_panels(draft, panels); });
 }
 
-int duplicate_panel(sim::Pattern& pattern, int panel, const Vec2d& shift) {
-    sim::Panel copy = panel_of(pattern, panel);
-    copy.mirror_of.clear();
-    copy.sheet_position = sheet_positions(pattern)[as_size(panel)] + shift;
-    return add_panel(pattern, std::move(copy));
+std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>& panels, const Vec2d& shift) {
+    const std::vector<Vec2d> positions = sheet_positions(pattern);
+    std::vector<sim::Panel> copies;
+    for (const int panel : panels) {
+        sim::Panel& copy = copies.emplace_back(panel_of(std::as_const(pattern), panel));
+        copy.mirror_of.clear();
+        copy.sheet_position = positions[as_size(panel)] + shift;
+    }
+    return add_panels(pattern, std::move(copies), seams_among(pattern, panels));
 }
 
 // Cutting a panel in two.

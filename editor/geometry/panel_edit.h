@@ -26,8 +26,17 @@ int add_panel(sim::Pattern& pattern, sim::Panel panel);
 // Removes panels with their seams. Panels that mirror one of them lose their mirror link.
 void remove_panels(sim::Pattern& pattern, const std::vector<int>& panels);
 
-// Adds a copy without seams, moved on the sheet by `shift`. Returns its index.
-int duplicate_panel(sim::Pattern& pattern, int panel, const Vec2d& shift);
+// The seams that have both sides on these panels, darts too, without their names. A side's panel is a position in
+// `panels`.
+std::vector<sim::Seam> seams_among(const sim::Pattern& pattern, const std::vector<int>& panels);
+
+// Adds panels under free names, and seams between them as seams_among returns them. Returns the panels' indices.
+// Throws if an outline or a seam is invalid.
+std::vector<int> add_panels(sim::Pattern& pattern, std::vector<sim::Panel> panels, const std::vector<sim::Seam>& seams);
+
+// Adds copies with the seams among the panels, moved on the sheet by `shift`, m. Returns their indices, in the order of
+// `panels`. The copies have no mirror links.
+std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>& panels, const Vec2d& shift);
 
 // Adds the panel's mirror image for the other side of the body: its outline is mirrored, its 3D placement reflected
 // (x to -x), and its bounding box on the sheet is that of the panel, moved by `shift`. Of its seams only darts are

@@ -102,10 +102,9 @@ void SelectTool::begin_move(ToolContext& context, const SheetPointer& pointer) {
     const std::vector<PartRef> vertices = selected_vertices(context.geometry, moved_);
     moving_.moving = {vertices.begin(), vertices.end()};
     moving_.moving_panels = moved_.panels;
-    copied_.clear();
+    is_copying_ = pointer.modifiers.alt && !moved_.panels.empty();
     if (!moved_.panels.empty()) {
         held_ = nearest_vertex(context.geometry, moved_.panels, pressed_at_);
-        if (pointer.modifiers.alt && moved_.panels.size() == 1) copied_ = *moved_.panels.begin();
     } else {
         held_ = pressed_.kind == PickKind::Vertex ? pressed_.point
                                                   : context.geometry.vertex(vertices.front()).value_or(pressed_at_);
@@ -130,7 +129,7 @@ void SelectTool::drag(ToolContext& context, const SheetPointer& pointer) {
 void SelectTool::move_to(ToolContext& context, const SheetPointer& pointer) {
     SnapOptions options = snap_options(context, pointer.modifiers);
     options.moving = moving_.moving;
-    options.moving_panels = copied_.empty() ? moving_.moving_panels : context.document.selection().panels;
+    options.moving_panels = is_copying_ ? context.document.selection().panels : moving_.moving_panels;
     options.origin = held_;
     // Panels move by whole grid steps, so that they keep their offset from the grid.
     const bool moves_panels = !moved_.panels.empty();
@@ -141,8 +140,8 @@ void SelectTool::move_to(ToolContext& context, const SheetPointer& pointer) {
     if (moves_panels && options.is_on && snapped_.kind == SnapKind::None && context.grid > 0) {
         by_ = (way / context.grid).array().round() * context.grid;
     }
-    if (!copied_.empty()) {
-        context.document.preview(DuplicatePanel{copied_, by_});
+    if (is_copying_) {
+        context.document.preview(DuplicatePanels{{moved_.panels.begin(), moved_.panels.end()}, by_});
     } else if (const std::optional<Command> command = move_selected(context.geometry, moved_, by_)) {
         context.document.preview(*command);
     }

@@ -60,8 +60,8 @@ class SelectTool : public Tool {
     Vec2d by_ = Vec2d::Zero();
     SnapOptions moving_;
     Snap snapped_;
-    Selection moved_;     // the dragged parts
-    std::string copied_;  // the panel that an Alt-drag copies; empty: move
+    Selection moved_;          // the dragged parts
+    bool is_copying_ = false;  // an Alt-drag, which copies the panels of moved_
 };
 
 // Edit point: drags points, curve handles and points of internal lines; a double click on an edge adds a point.

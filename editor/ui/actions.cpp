@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "editor/geometry/panel_edit.h"
 #include "editor/tools/proposal_tool.h"
 #include "editor/tools/select_tool.h"
 #include "editor/tools/tool_host.h"
@@ -315,15 +316,20 @@ void with_seam(AppState& state, const std::function<Command(int)>& make) {
 }
 
 void copy_panels(AppState& state) {
-    state.clipboard.clear();
-    for (const sim::Panel& panel : state.workspace.document->pattern().panels) {
-        if (selected(state).panels.contains(panel.name)) state.clipboard.push_back(panel);
+    const sim::Pattern& pattern = state.workspace.document->pattern();
+    std::vector<int> copied;
+    state.clipboard = {};
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+        if (!selected(state).panels.contains(pattern.panels[p].name)) continue;
+        copied.push_back(static_cast<int>(p));
+        state.clipboard.panels.push_back(pattern.panels[p]);
     }
-    state.workspace.messages.note(std::to_string(state.clipboard.size()) + " panels copied");
+    state.clipboard.seams = seams_among(pattern, copied);
+    state.workspace.messages.note(std::to_string(copied.size()) + " panels copied");
 }
 
 void paste_panels(AppState& state) {
-    AddPanels command{.panels = state.clipboard};
+    AddPanels command = state.clipboard;
     for (sim::Panel& panel : command.panels) {
         panel.mirror_of.clear();
         if (panel.sheet_position) *panel.sheet_position += Vec2d(kBeside, -kBeside);
@@ -367,7 +373,7 @@ void add_clipboard(std::vector<Action>& actions) {
                        .title = "Paste panels",
                        .chords = {{key_of('V'), {.ctrl = true}}},
                        .run = paste_panels,
-                       .can = [](const AppState& state) { return !state.clipboard.empty(); }});
+                       .can = [](const AppState& state) { return !state.clipboard.panels.empty(); }});
     actions.push_back(
         {.id = "edit.duplicate",
          .menu = "Edit",
@@ -375,8 +381,8 @@ void add_clipboard(std::vector<Action>& actions) {
          .chords = {{key_of('D'), {.ctrl = true}}},
          .run =
              [](AppState& state) {
-                 const Vec2d shift = beside_selected(state);
-                 for_each_panel(state, [&](const std::string& name) -> Command { return DuplicatePanel{name, shift}; });
+                 const std::set<std::string>& panels = selected(state).panels;
+                 state.workspace.run(DuplicatePanels{{panels.begin(), panels.end()}, beside_selected(state)});
              },
          .can = has_panels});
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/document/command.h"
 #include "editor/frame/frame.h"
 #include "editor/frame/theme.h"
 #include "editor/tools/tool_host.h"
@@ -67,7 +68,7 @@ struct AppState {
     ActionFinder finder;
     FileBrowser browser;
     std::deque<Question> questions;
-    std::vector<sim::Panel> clipboard;
+    AddPanels clipboard;  // the copied panels, with the seams among them
     WidgetMap widgets;
     ShownViewport viewport;
     TimelineDrag timeline;

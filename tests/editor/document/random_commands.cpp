@@ -102,7 +102,7 @@ Command RandomCommands::on_panel(const sim::Pattern& pattern, int kind) {
         case 0:
             return RenamePanel{.panel = panel, .to = "panel_" + std::to_string(pick(40))};
         case 1:
-            return DuplicatePanel{.panel = panel, .shift = some_shift(0.5)};
+            return DuplicatePanels{.panels = {panel, some_panel(pattern)}, .shift = some_shift(0.5)};
         case 2:
             return SymmetricCopy{.panel = panel, .is_linked = pick(2) == 0, .shift = some_shift(0.5)};
         case 3:

@@ -116,7 +116,8 @@ TEST(CommandJson, every_command_survives) {
     panel.sheet_position = Vec2d(1, 2);
     panel.internal_lines = {{"pocket", {{0.05, 0.05}, {0.1, 0.05}}}};
     const std::vector<Command> commands{
-        AddPanels{.panels = {panel}},
+        AddPanels{.panels = {panel}, .seams = {{{0, 0}, {0, 1}, false, "tuck", true}}},
+        DuplicatePanels{.panels = {"a", "b"}, .shift = Vec2d(0.3, 0)},
         SetBody{.body = "mannequin:bust=92", .shifts = {Vec3d(0, 0.01, 0)}},
         TransformPanels{.panels = {"a", "b"}, .map = {.x_axis = {0, 1}, .y_axis = {-1, 0}}, .what = "Rotate"},
         SetEdgeLength{},
@@ -133,6 +134,8 @@ TEST(CommandJson, every_command_survives) {
     }
     const sim::Json json = to_json(commands[0]);
     EXPECT_EQ(std::get<AddPanels>(parse_command(sim::JsonView(json, "test"))).panels[0], panel);
+    EXPECT_EQ(std::get<AddPanels>(parse_command(sim::JsonView(json, "test"))).seams,
+              std::get<AddPanels>(commands[0]).seams);
 }
 
 TEST(CommandJson, says_where_it_is_wrong) {

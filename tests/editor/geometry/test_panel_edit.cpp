@@ -76,14 +76,40 @@ TEST(RemovePanels, takes_their_seams_and_frees_their_images) {
     EXPECT_EQ(pattern.panels[1].mirror_of, "");
 }
 
-TEST(DuplicatePanel, lies_beside_it_unsewn) {
+TEST(DuplicatePanels, one_lies_beside_it_unsewn) {
     sim::Pattern pattern = two_squares();
     const Vec2d at = sheet_positions(pattern)[1];
-    EXPECT_EQ(duplicate_panel(pattern, 1, {0, -2}), 2);
+    EXPECT_EQ(duplicate_panels(pattern, {1}, {0, -2}), std::vector<int>{2});
     EXPECT_EQ(pattern.panels[2].name, "right_2");
     EXPECT_TRUE(pattern.panels[2].sheet_position.value().isApprox(at + Vec2d(0, -2)));
     EXPECT_EQ(pattern.seams.size(), 1U);
     EXPECT_EQ(pattern.panels[2].vertices, pattern.panels[1].vertices);
+}
+
+TEST(DuplicatePanels, keep_their_darts_and_the_seams_among_them) {
+    sim::Pattern pattern = two_squares();
+    add_panel(pattern, unit_square("third"));
+    pattern.seams.push_back({{1, 1}, {2, 3}, false, "to_third", true});
+    insert_dart(pattern, {0, 0}, 0.3, 0.1, 0.4);
+    const sim::Seam dart = pattern.seams.back();
+    ASSERT_EQ(pattern.seams.size(), 3U);
+    const sim::Pattern before = pattern;
+    EXPECT_EQ(duplicate_panels(pattern, {1, 0}, {0, -2}), (std::vector<int>{3, 4}));
+    ASSERT_EQ(pattern.seams.size(), 5U);
+    EXPECT_TRUE(std::equal(before.seams.begin(), before.seams.end(), pattern.seams.begin()));
+    const sim::Seam& middle = before.seams[0];  // the dart has changed its edge
+    EXPECT_EQ(pattern.seams[3], (sim::Seam{{4, middle.first.edge}, {3, middle.second.edge}, true}));
+    EXPECT_EQ(pattern.seams[4], (sim::Seam{{4, dart.first.edge}, {4, dart.second.edge}, dart.is_reversed}));
+    EXPECT_TRUE(can_be_saved(pattern));
+}
+
+TEST(AddPanels, refuses_seams_of_panels_that_are_not_added) {
+    sim::Pattern pattern = two_squares();
+    const sim::Pattern before = pattern;
+    EXPECT_THROW(add_panels(pattern, {unit_square()}, {{{0, 0}, {1, 0}, true}}), GeometryError);
+    EXPECT_THROW(add_panels(pattern, {unit_square()}, {{{0, 0}, {-1, 0}, true}}), GeometryError);
+    EXPECT_THROW(add_panels(pattern, {unit_square()}, {{{0, 0}, {0, 4}, true}}), GeometryError);
+    EXPECT_TRUE(pattern == before);
 }
 
 // An L shape; edges: bottom, right, step, inner, top, left.

@@ -63,7 +63,8 @@ class Drafter {
             case 13:
                 return remove_panels(pattern, {at.panel});
             case 14:
-                return void(duplicate_panel(pattern, at.panel, shift));
+                return void(
+                    duplicate_panels(pattern, {at.panel, below(static_cast<int>(pattern.panels.size()))}, shift));
             case 15:
                 return void(symmetric_copy(pattern, at.panel, below(2) == 0, shift));
             case 16:

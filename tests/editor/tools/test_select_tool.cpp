@@ -72,6 +72,20 @@ TEST(SelectTool, an_alt_drag_leaves_a_copy) {
     EXPECT_TRUE(user.vertex(user.pattern().panels[2].name, 0).isApprox(Vec2d(0, 0.3), 1e-9));
 }
 
+TEST(SelectTool, an_alt_drag_of_several_panels_copies_their_seams) {
+    SheetUser user;
+    user.document.run(SewEdges{.first = {"left", 1}, .second = {"right", 3}});
+    user.document.run(AddDart{.panel = "left", .edge = 0, .t = 0.5, .width = 0.02, .depth = 0.05});
+    user.document.select({.panels = {"left", "right"}});
+    user.drag({0.1, 0.1}, {0.1, 0.4}, {.alt = true});
+    ASSERT_EQ(user.pattern().panels.size(), 4U);
+    ASSERT_EQ(user.pattern().seams.size(), 4U);
+    for (const sim::Seam& seam : {user.pattern().seams[2], user.pattern().seams[3]}) {
+        EXPECT_GE(seam.first.panel, 2);
+        EXPECT_GE(seam.second.panel, 2);
+    }
+}
+
 TEST(SelectTool, a_box_to_the_right_takes_what_is_inside) {
     SheetUser user;
     user.drag({-0.05, 0.25}, {0.45, -0.05});
