@@ -221,8 +221,8 @@ const PaintedScene& ScenePaint::painted(const std::shared_ptr<const render::Scen
             facts.clearance = measure_clearance(cloth.mesh.x, body_of(copy->bodies.front()));
         }
         painted_.legend = fill_show(*copy, facts);
-    } else if (!copy->cloths.empty()) {
-        copy->cloths.front().show = render::ShowMode::Plain;
+    } else {
+        for (render::ClothItem& cloth : copy->cloths) cloth.show = render::ShowMode::Plain;
     }
     painted_.scene = std::move(copy);
     return painted_;

@@ -22,6 +22,49 @@ constexpr sim::Rgb8 kQuietCloth{0xEC, 0xE9, 0xE3};
 constexpr sim::Rgb8 kHemColour{0x55, 0x55, 0x5A};
 constexpr float kBallShare = 0.19F;  // radius of a vertex of level 0 / length of a base edge
 
+// The cloths of a scene that are parts of the first one's garment, such as its panels of another fabric, and all their
+// triangles as one mesh: one scale and one legend hold for the whole garment.
+struct GarmentParts {
+    std::vector<ClothItem*> cloths;
+    std::optional<sim::DrawMesh> joined;  // if there are several
+
+    const sim::DrawMesh& mesh() const { return joined ? *joined : cloths.front()->mesh; }
+};
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+GarmentParts find_parts(Scene& scene) {
+    const sim::DrawMesh& first = scene.cloths.front().mesh;
+    GarmentParts parts;
+    for (ClothItem& cloth : scene.cloths) {
+        if (cloth.mesh.x == first.x && cloth.mesh.panel_names == first.panel_names) parts.cloths.push_back(&cloth);
+    }
+    if (parts.cloths.size() == 1) return parts;
+    parts.joined = first;
+    for (std::size_t i = 1; i < parts.cloths.size(); ++i) {
+        const sim::DrawMesh& mesh = parts.cloths[i]->mesh;
+        append(parts.joined->triangles, mesh.triangles);
+        append(parts.joined->u, mesh.u);
+        append(parts.joined->panel, mesh.panel);
+        append(parts.joined->level, mesh.level);
+        append(parts.joined->turned_corners, mesh.turned_corners);
+    }
+    return parts;
+}
+
+// `paint` has the places of all parts' triangles, one part after the other.
+void paint_parts(const GarmentParts& parts, const ClothPaint& paint) {
+    auto next = paint.places.begin();
+    for (ClothItem* cloth : parts.cloths) {
+        const auto end = next + static_cast<std::ptrdiff_t>(cloth->mesh.triangles.size());
+        cloth->paint = ClothPaint{.map = paint.map, .places = {next, end}};
+        next = end;
+    }
+}
+
 // Position of the i-th of n kinds along their colour map, 0..1.
 float place_of(std::size_t i, std::size_t n) {
     return n < 2 ? 0.0F : float(i) / float(n - 1);
@@ -76,31 +119,32 @@ const char* strain_title(ShowMode mode) {
 }
 
 // The map covers 99 % of the values; larger ones get the colours at its ends.
-Legend show_strain(ClothItem& cloth) {
+Legend show_strain(const GarmentParts& garment) {
     constexpr double min_limit = 0.01;
-    const std::vector<float> strain = chosen_strain(cloth.mesh, cloth.show);
+    const ShowMode mode = garment.cloths.front()->show;
+    const std::vector<float> strain = chosen_strain(garment.mesh(), mode);
     std::vector<double> sizes, values(strain.begin(), strain.end());
     for (const double value : values) sizes.push_back(std::abs(value));
     const double limit = round_up(std::max(sim::quantile(sizes, 0.99), min_limit));
-    ClothPaint paint{.map = diverging_map(), .places = smooth_in_panels(cloth.mesh, strain)};
+    ClothPaint paint{.map = diverging_map(), .places = smooth_in_panels(garment.mesh(), strain)};
     for (auto& corners : paint.places) {
         for (float& place : corners) place = 0.5F + 0.5F * place / static_cast<float>(limit);
     }
-    cloth.paint = std::move(paint);
-    return strain_legend(strain_title(cloth.show), limit, values);
+    paint_parts(garment, paint);
+    return strain_legend(strain_title(mode), limit, values);
 }
 
-Legend show_clearance(ClothItem& cloth, const std::vector<float>& clearance) {
-    SELVEDGE_ASSERT(clearance.size() == cloth.mesh.x.size());
+Legend show_clearance(const GarmentParts& garment, const std::vector<float>& clearance) {
+    SELVEDGE_ASSERT(clearance.size() == garment.mesh().x.size());
     constexpr double min_limit = 0.01;  // m
     const std::vector<double> values(clearance.begin(), clearance.end());
     const double limit = round_up(std::max(sim::quantile(values, 0.95), min_limit));
     ClothPaint paint{.map = sequential_map(), .places = {}};
-    for (const auto& [a, b, c] : cloth.mesh.triangles) {
+    for (const auto& [a, b, c] : garment.mesh().triangles) {
         const auto place = [&](std::uint32_t v) { return clearance[v] / static_cast<float>(limit); };
         paint.places.push_back({place(a), place(b), place(c)});
     }
-    cloth.paint = std::move(paint);
+    paint_parts(garment, paint);
     return clearance_legend(limit, values);
 }
 
@@ -111,8 +155,8 @@ std::string panel_name(const sim::DrawMesh& mesh, std::size_t panel) {
     return name;
 }
 
-Legend show_panels(ClothItem& cloth) {
-    const sim::DrawMesh& mesh = cloth.mesh;
+Legend show_panels(const GarmentParts& garment) {
+    const sim::DrawMesh& mesh = garment.mesh();
     const std::size_t panels =
         mesh.panel.empty() ? 1 : std::size_t{1} + *std::max_element(mesh.panel.begin(), mesh.panel.end());
     Legend legend{.title = "Panels"};
@@ -128,7 +172,7 @@ Legend show_panels(ClothItem& cloth) {
         const float place = place_of(panel % kMaxColours, paint.map.size());
         paint.places.push_back({place, place, place});
     }
-    cloth.paint = std::move(paint);
+    paint_parts(garment, paint);
     return legend;
 }
 
@@ -156,21 +200,21 @@ void add_lines(SolidItem& solid, const sim::DrawMesh& mesh, const SeamLine& line
     }
 }
 
-Legend show_seams(Scene& scene, float radius) {
-    ClothItem& cloth = scene.cloths.front();
-    cloth.colour = kQuietCloth;
-    const SeamLines lines = find_seam_lines(cloth.mesh);
+Legend show_seams(Scene& scene, const GarmentParts& garment, float radius) {
+    for (ClothItem* cloth : garment.cloths) cloth->colour = kQuietCloth;
+    const sim::DrawMesh& mesh = garment.mesh();
+    const SeamLines lines = find_seam_lines(mesh);
     Legend legend{.title = "Seams and hems"};
     SolidItem solid;
     for (std::size_t i = 0; i < lines.seams.size(); ++i) {
         const SeamLine& seam = lines.seams[i];
-        legend.rows.push_back({line_colour(i), seam_name(cloth.mesh, seam), centimetres(seam.length)});
-        add_lines(solid, cloth.mesh, seam, radius, line_colour(i));
+        legend.rows.push_back({line_colour(i), seam_name(mesh, seam), centimetres(seam.length)});
+        add_lines(solid, mesh, seam, radius, line_colour(i));
     }
     double hems = 0;
     for (const SeamLine& hem : lines.hems) {
         hems += hem.length;
-        add_lines(solid, cloth.mesh, hem, 0.5F * radius, kHemColour);
+        add_lines(solid, mesh, hem, 0.5F * radius, kHemColour);
     }
     if (!lines.hems.empty()) legend.rows.push_back({kHemColour, "hems", centimetres(hems)});
     scene.solids.push_back(std::move(solid));
@@ -198,11 +242,12 @@ std::vector<bool> drawn_vertices(const sim::DrawMesh& mesh) {
     return is_drawn;
 }
 
-Legend show_vertices(Scene& scene) {
-    ClothItem& cloth = scene.cloths.front();
-    const sim::DrawMesh& mesh = cloth.mesh;
-    cloth.colour = kQuietCloth;
-    cloth.ink = 0.45F;
+Legend show_vertices(Scene& scene, const GarmentParts& garment) {
+    const sim::DrawMesh& mesh = garment.mesh();
+    for (ClothItem* cloth : garment.cloths) {
+        cloth->colour = kQuietCloth;
+        cloth->ink = 0.45F;
+    }
     const float radius = kBallShare * base_edge(mesh);
     const std::vector<bool> is_drawn = drawn_vertices(mesh);
     std::vector<std::uint8_t> levels;
@@ -244,23 +289,25 @@ bool is_painted(ShowMode mode) {
 }
 
 std::optional<Legend> fill_show(Scene& scene, const ShowInput& facts) {
-    ClothItem& cloth = scene.cloths.front();
-    SELVEDGE_ASSERT(cloth.show != ShowMode::Hierarchy && (!wants_material(cloth.show) || !cloth.mesh.u.empty()));
-    switch (cloth.show) {
+    const ShowMode mode = scene.cloths.front().show;
+    if (!is_painted(mode) && mode != ShowMode::Level) return std::nullopt;
+    const GarmentParts garment = find_parts(scene);
+    SELVEDGE_ASSERT(mode != ShowMode::Hierarchy && (!wants_material(mode) || !garment.mesh().u.empty()));
+    switch (mode) {
         case ShowMode::Level:
-            return level_legend(cloth.mesh);
+            return level_legend(garment.mesh());
         case ShowMode::Vertices:
-            return show_vertices(scene);
+            return show_vertices(scene, garment);
         case ShowMode::StrainWarp:
         case ShowMode::StrainWeft:
         case ShowMode::Strain:
-            return show_strain(cloth);
+            return show_strain(garment);
         case ShowMode::Clearance:
-            return show_clearance(cloth, facts.clearance);
+            return show_clearance(garment, facts.clearance);
         case ShowMode::Panels:
-            return show_panels(cloth);
+            return show_panels(garment);
         case ShowMode::Seams:
-            return show_seams(scene, facts.line_radius);
+            return show_seams(scene, garment, facts.line_radius);
         default:
             return std::nullopt;
     }

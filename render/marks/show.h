@@ -24,8 +24,10 @@ bool wants_material(ShowMode mode);
 // Whether the mode comes after Plain: its colours stand for values or kinds, so it needs even light (even_light()).
 bool is_painted(ShowMode mode);
 
-// Fills in what the mode of the scene's first cloth shows. Returns the legend, if the mode has one. Pre: the mode is
-// not Hierarchy; the material coordinates and facts that the mode needs are given and finite.
+// Fills in what the mode of the scene's first cloth shows, for this cloth and all that are parts of the same garment
+// (the same vertices and panels, as when its panels are of several fabrics): they share one scale and one legend.
+// Returns the legend, if the mode has one. Pre: the parts have the same mode, which is not Hierarchy; the material
+// coordinates and facts that the mode needs are given and finite.
 std::optional<Legend> fill_show(Scene& scene, const ShowInput& facts = {});
 
 // The same for Hierarchy: the model replaces all cloths and solids of the scene.

@@ -61,6 +61,55 @@ TEST(Show, clearance_is_painted_per_vertex_from_the_figures_given) {
     EXPECT_NEAR(paint.places[0][2], 1, 1e-4F);
 }
 
+// The scene with a cloth for each of its two panels, as if they were of different fabrics.
+Scene in_two_fabrics(const Scene& scene) {
+    Scene two = scene;
+    two.cloths.push_back(two.cloths.front());
+    two.cloths[0].mesh = with_triangles(scene.cloths[0].mesh, {0, 1});
+    two.cloths[1].mesh = with_triangles(scene.cloths[0].mesh, {2, 3});
+    return two;
+}
+
+TEST(Show, panels_of_two_fabrics_share_one_scale_and_one_legend) {
+    for (const ShowMode mode :
+         {ShowMode::StrainWarp, ShowMode::StrainWeft, ShowMode::Strain, ShowMode::Clearance, ShowMode::Panels}) {
+        const ShowInput facts{.clearance = {0, 0.005F, 0.01F, 0.02F, 0.02F, 0.02F}};
+        Scene one = stretched(mode), two = in_two_fabrics(one);
+        const auto legend_of_one = fill_show(one, facts), legend_of_two = fill_show(two, facts);
+        const ClothPaint& whole = *one.cloths[0].paint;
+        for (std::size_t part = 0; part < 2; ++part) {
+            const auto& paint = two.cloths[part].paint;
+            ASSERT_TRUE(paint && paint->places.size() == 2) << "mode " << int(mode) << ", part " << part;
+            EXPECT_EQ(paint->map, whole.map);
+            for (std::size_t t = 0; t < 2; ++t) EXPECT_EQ(paint->places[t], whole.places[2 * part + t]);
+        }
+        ASSERT_EQ(legend_of_two->rows.size(), legend_of_one->rows.size());
+        EXPECT_EQ(legend_of_two->notes, legend_of_one->notes);
+    }
+}
+
+TEST(Show, a_seam_between_two_fabrics_is_no_hem_and_all_their_cloth_is_quiet) {
+    Scene one = stretched(ShowMode::Seams), two = in_two_fabrics(one);
+    const auto legend_of_one = fill_show(one), legend_of_two = fill_show(two);
+    ASSERT_EQ(legend_of_two->rows.size(), legend_of_one->rows.size());
+    for (std::size_t i = 0; i < legend_of_one->rows.size(); ++i)
+        EXPECT_EQ(legend_of_two->rows[i].figure, legend_of_one->rows[i].figure);
+    EXPECT_EQ(two.cloths[1].colour, one.cloths[0].colour);
+    Scene vertices = in_two_fabrics(stretched(ShowMode::Vertices)), of_one = stretched(ShowMode::Vertices);
+    fill_show(vertices);
+    fill_show(of_one);
+    EXPECT_EQ(vertices.solids, of_one.solids);
+    EXPECT_EQ(vertices.cloths[1].ink, of_one.cloths[0].ink);
+}
+
+TEST(Show, the_legend_of_levels_counts_the_triangles_of_all_fabrics) {
+    Scene scene = in_two_fabrics(stretched(ShowMode::Level));
+    const auto legend = fill_show(scene);
+    ASSERT_TRUE(legend && legend->rows.size() == 2);
+    EXPECT_EQ(legend->rows[0].figure, "2");
+    EXPECT_EQ(legend->rows[1].figure, "2");
+}
+
 TEST(Show, each_panel_has_one_colour_which_the_legend_names) {
     Scene scene = stretched(ShowMode::Panels);
     const auto legend = fill_show(scene);
