@@ -76,7 +76,9 @@ TEST(SelectTool, an_alt_drag_of_several_panels_copies_their_seams) {
     SheetUser user;
     user.document.run(SewEdges{.first = {"left", 1}, .second = {"right", 3}});
     user.document.run(AddDart{.panel = "left", .edge = 0, .t = 0.5, .width = 0.02, .depth = 0.05});
-    user.document.select({.panels = {"left", "right"}});
+    Selection both;
+    both.panels = {"left", "right"};
+    user.document.select(both);
     user.drag({0.1, 0.1}, {0.1, 0.4}, {.alt = true});
     ASSERT_EQ(user.pattern().panels.size(), 4U);
     ASSERT_EQ(user.pattern().seams.size(), 4U);
