@@ -201,16 +201,18 @@ struct RenamePanel {
     }
 };
 
-// Copies panels with the seams among them. `shift` is on the sheet, m.
+// Copies panels with the seams among them. `shift` is on the sheet, `move` in world space, m.
 struct DuplicatePanels {
     static constexpr const char* name = "duplicate_panels";
     std::vector<std::string> panels{};
     Vec2d shift = Vec2d::Zero();
+    Vec3d move = Vec3d::Zero();
 
     template <class Visitor>
     void fields(Visitor&& visit) {
         visit("panels", panels);
         visit("shift", shift);
+        visit("move", move);
     }
 };
 

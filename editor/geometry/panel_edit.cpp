@@ -9,6 +9,7 @@
 #include "editor/geometry/edge_remap.h"
 #include "editor/geometry/outline_edit.h"
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/free_room.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::editor {
@@ -136,13 +137,14 @@ void remove_panels(sim::Pattern& pattern, const std::vector<int>& panels) {
     edit_pattern(pattern, [&](sim::Pattern& draft) { drop_panels(draft, panels); });
 }
 
-std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>& panels, const Vec2d& shift) {
+std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>& panels, const CopyShift& shift) {
     const std::vector<Vec2d> positions = sheet_positions(pattern);
     std::vector<sim::Panel> copies;
     for (const int panel : panels) {
         sim::Panel& copy = copies.emplace_back(panel_of(std::as_const(pattern), panel));
         copy.mirror_of.clear();
-        copy.sheet_position = positions[as_size(panel)] + shift;
+        copy.sheet_position = positions[as_size(panel)] + shift.on_sheet;
+        copy.translation += shift.in_world;
     }
     return add_panels(pattern, std::move(copies), seams_among(pattern, panels));
 }
@@ -373,6 +375,23 @@ std::vector<Vec2d> sheet_positions(const sim::Pattern& pattern) {
         depth = std::max(depth, size.y());
     }
     return positions;
+}
+
+Vec2d free_shift(const sim::Pattern& pattern, const std::vector<sim::Panel>& panels) {
+    const auto box_at = [](const sim::Panel& panel, const Vec2d& position) {
+        const Eigen::AlignedBox2d box = outline_box(panel);
+        return Eigen::AlignedBox2d(box.min() + position, box.max() + position);
+    };
+    Eigen::AlignedBox2d moved;
+    for (const sim::Panel& panel : panels) moved.extend(box_at(panel, panel.sheet_position.value()));
+    const std::vector<Vec2d> positions = sheet_positions(pattern);
+    std::vector<sim::TakenMoves> taken;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const Eigen::AlignedBox2d box = box_at(pattern.panels[i], positions[i]);
+        if (box.min().y() >= moved.max().y() + kGap || box.max().y() <= moved.min().y() - kGap) continue;
+        taken.push_back(sim::moves_onto({moved.min().x(), moved.max().x()}, {box.min().x(), box.max().x()}, kGap));
+    }
+    return {nearest_free_move(std::move(taken), sim::MoveWay::Forward), 0};
 }
 
 }  // namespace selvedge::editor

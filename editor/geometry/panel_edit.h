@@ -34,9 +34,15 @@ std::vector<sim::Seam> seams_among(const sim::Pattern& pattern, const std::vecto
 // Throws if an outline or a seam is invalid.
 std::vector<int> add_panels(sim::Pattern& pattern, std::vector<sim::Panel> panels, const std::vector<sim::Seam>& seams);
 
-// Adds copies with the seams among the panels, moved on the sheet by `shift`, m. Returns their indices, in the order of
-// `panels`. The copies have no mirror links.
-std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>& panels, const Vec2d& shift);
+// By how much copies are moved away from their originals, m.
+struct CopyShift {
+    Vec2d on_sheet = Vec2d::Zero();
+    Vec3d in_world = Vec3d::Zero();
+};
+
+// Adds copies with the seams among the panels. Returns their indices, in the order of `panels`. The copies have no
+// mirror links.
+std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>& panels, const CopyShift& shift);
 
 // Adds the panel's mirror image for the other side of the body: its outline is mirrored, its 3D placement reflected
 // (x to -x), and its bounding box on the sheet is that of the panel, moved by `shift`. Of its seams only darts are
@@ -80,5 +86,9 @@ void insert_dart(sim::Pattern& pattern, sim::SeamSide at, double t, double width
 // The origin of each panel on the sheet, m: its sheet_position, if set; else its position in an automatic layout in
 // rows, in the order of the panels. Panels placed by the layout do not overlap each other.
 std::vector<Vec2d> sheet_positions(const sim::Pattern& pattern);
+
+// The shortest shift to the right, m, after which panels at their sheet_position, moved together, are 5 cm clear of the
+// pattern's panels. 0 if they are where they lie. Pre: each of `panels` has a sheet_position.
+Vec2d free_shift(const sim::Pattern& pattern, const std::vector<sim::Panel>& panels);
 
 }  // namespace selvedge::editor

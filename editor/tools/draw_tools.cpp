@@ -121,7 +121,7 @@ bool PolygonTool::is_done(const ToolContext&) const {
 }
 
 Command PolygonTool::command(const ToolContext& context) const {
-    return AddPanels{{placed_before_body(context.document.pattern(), outline_through(path_.points()))}};
+    return AddPanels{{placed_freely(context.document, context.drape, outline_through(path_.points()))}};
 }
 
 std::string PolygonTool::hint(const ToolContext&) const {
@@ -275,7 +275,7 @@ void BoxTool::make(ToolContext& context) {
         shape_ == BoxShape::Rectangle ? make_rectangle(-size / 2, size / 2) : make_ellipse(Vec2d(0, 0), size / 2);
     panel.name = "panel";
     panel.sheet_position = low + size / 2;
-    context.document.run(AddPanels{{placed_before_body(context.document.pattern(), panel)}});
+    context.document.run(AddPanels{{placed_freely(context.document, context.drape, panel)}});
 }
 
 bool BoxTool::cancel(ToolContext&) {
@@ -466,15 +466,6 @@ std::vector<Vec2d> polyline_through(const std::vector<PathPoint>& points, bool i
     if (!is_closed || panel.edges.empty()) line.push_back(panel.vertices.back());
     if (is_closed) line.push_back(panel.vertices.front());
     return line;
-}
-
-sim::Panel placed_before_body(const sim::Pattern& pattern, sim::Panel panel) {
-    constexpr double kChest = 0.7;    // fraction of the stature
-    constexpr double kBefore = 0.35;  // m, in front of the body's centre
-    constexpr double kLayer = 0.02;   // m, distance between successive panels
-    panel.translation =
-        Vec3d(0, kChest * pattern.body_height, kBefore + kLayer * static_cast<double>(pattern.panels.size()));
-    return panel;
 }
 
 }  // namespace selvedge::editor

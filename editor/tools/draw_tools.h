@@ -53,10 +53,6 @@ sim::Panel outline_through(std::vector<PathPoint> points);
 // The same path as a polyline, open or closed, for display.
 std::vector<Vec2d> polyline_through(const std::vector<PathPoint>& points, bool is_closed);
 
-// Places the panel in front of the body at chest height, so that it does not start inside the body. Each further panel
-// is placed 2 cm in front of the last.
-sim::Panel placed_before_body(const sim::Pattern& pattern, sim::Panel panel);
-
 // Base of the tools that draw a path. A click adds a point, Backspace removes the last one, Enter ends the path, a
 // typed length (cm) sets the next point.
 class PathTool : public Tool {

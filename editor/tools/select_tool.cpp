@@ -49,6 +49,15 @@ Vec2d nearest_vertex(const SheetGeometry& geometry, const std::set<std::string>&
     return best;
 }
 
+// The move in world space, m, after which copies of the panels stand beside all that is there.
+Vec3d move_beside(const ToolContext& context, const std::set<std::string>& panels) {
+    std::vector<sim::Panel> copies;
+    for (const sim::Panel& panel : context.document.pattern().panels) {
+        if (panels.contains(panel.name)) copies.push_back(panel);
+    }
+    return free_move(context.document, context.drape, copies);
+}
+
 }  // namespace
 
 bool is_selected(const Selection& selection, const Pick& picked) {
@@ -103,6 +112,7 @@ void SelectTool::begin_move(ToolContext& context, const SheetPointer& pointer) {
     moving_.moving = {vertices.begin(), vertices.end()};
     moving_.moving_panels = moved_.panels;
     is_copying_ = pointer.modifiers.alt && !moved_.panels.empty();
+    if (is_copying_) copy_move_ = move_beside(context, moved_.panels);
     if (!moved_.panels.empty()) {
         held_ = nearest_vertex(context.geometry, moved_.panels, pressed_at_);
     } else {
@@ -141,7 +151,7 @@ void SelectTool::move_to(ToolContext& context, const SheetPointer& pointer) {
         by_ = (way / context.grid).array().round() * context.grid;
     }
     if (is_copying_) {
-        context.document.preview(DuplicatePanels{{moved_.panels.begin(), moved_.panels.end()}, by_});
+        context.document.preview(DuplicatePanels{{moved_.panels.begin(), moved_.panels.end()}, by_, copy_move_});
     } else if (const std::optional<Command> command = move_selected(context.geometry, moved_, by_)) {
         context.document.preview(*command);
     }

@@ -60,8 +60,9 @@ class SelectTool : public Tool {
     Vec2d by_ = Vec2d::Zero();
     SnapOptions moving_;
     Snap snapped_;
-    Selection moved_;          // the dragged parts
-    bool is_copying_ = false;  // an Alt-drag, which copies the panels of moved_
+    Selection moved_;                  // the dragged parts
+    bool is_copying_ = false;          // an Alt-drag, which copies the panels of moved_
+    Vec3d copy_move_ = Vec3d::Zero();  // m, in world space, of the copies
 };
 
 // Edit point: drags points, curve handles and points of internal lines; a double click on an edge adds a point.

@@ -73,8 +73,9 @@ struct ToolContext {
     const SheetGeometry& geometry;
     Hover& hover;
     Messages& messages;
-    double px = 0.001;   // m, length of one interface px on the sheet
-    double grid = 0.01;  // m, snapping step; 0: no grid
+    const Drape* drape = nullptr;  // with the body that panels are placed around; null: there is none
+    double px = 0.001;             // m, length of one interface px on the sheet
+    double grid = 0.01;            // m, snapping step; 0: no grid
     bool is_snapping = true;
     std::optional<std::vector<double>> typed{};  // the numbers typed so far, if they can be parsed
     SheetPointer pointer{};                      // last mouse position

@@ -22,6 +22,7 @@ ToolContext ToolHost::context(ToolHostContext host) {
             .geometry = geometry_,
             .hover = host.hover,
             .messages = host.messages,
+            .drape = host.drape,
             .px = ui_scale_ / camera_.scale,
             .grid = grid_step(camera_, kGridStepAtLeast * ui_scale_),
             .is_snapping = is_snapping,

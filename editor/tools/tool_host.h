@@ -16,6 +16,7 @@ struct ToolHostContext {
     Document& document;
     Hover& hover;
     Messages& messages;
+    const Drape* drape = nullptr;
 };
 
 class ToolHost {
@@ -80,7 +81,10 @@ class ToolHost {
 // The context from a workspace.
 
 inline ToolHostContext tool_host_context(Workspace& workspace) {
-    return {.document = *workspace.document, .hover = workspace.hover, .messages = workspace.messages};
+    return {.document = *workspace.document,
+            .hover = workspace.hover,
+            .messages = workspace.messages,
+            .drape = &workspace.drape};
 }
 
 }  // namespace selvedge::editor

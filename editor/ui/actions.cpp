@@ -1,6 +1,7 @@
 #include "editor/ui/actions.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "editor/geometry/panel_edit.h"
 #include "editor/tools/proposal_tool.h"
@@ -289,8 +290,6 @@ bool run_action(AppState& state, const Action& action) {
 
 namespace {
 
-constexpr double kBeside = 0.05;  // m, gap between a panel and its copy
-
 const Selection& selected(const AppState& state) {
     return state.workspace.document->selection();
 }
@@ -304,10 +303,28 @@ bool has_one_seam(const AppState& state) {
     return selected(state).seams.size() == 1;
 }
 
-// The common offset of all copies, so that they lie beside the selected panels.
+// The selected panels, with their positions on the sheet, and their indices.
+struct SelectedPanels {
+    std::vector<sim::Panel> panels;
+    std::vector<int> indices;
+};
+
+SelectedPanels selected_panels(const AppState& state) {
+    SelectedPanels found;
+    const sim::Pattern& pattern = state.workspace.document->pattern();
+    const std::vector<Vec2d> positions = sheet_positions(pattern);
+    for (std::size_t p = 0; p < positions.size(); ++p) {
+        if (!selected(state).panels.contains(pattern.panels[p].name)) continue;
+        found.indices.push_back(static_cast<int>(p));
+        found.panels.push_back(pattern.panels[p]);
+        found.panels.back().sheet_position = positions[p];
+    }
+    return found;
+}
+
+// The common shift on the sheet of all copies, so that they lie beside all that is there.
 Vec2d beside_selected(const AppState& state) {
-    const SheetBox box = state.tools.geometry().box_of(selected(state));
-    return {box.isEmpty() ? 0.3 : box.sizes().x() + kBeside, 0};
+    return free_shift(state.workspace.document->pattern(), selected_panels(state).panels);
 }
 
 // Deleting a seam renumbers the others, so each command uses the first selected seam when it runs.
@@ -316,24 +333,31 @@ void with_seam(AppState& state, const std::function<Command(int)>& make) {
 }
 
 void copy_panels(AppState& state) {
-    const sim::Pattern& pattern = state.workspace.document->pattern();
-    std::vector<int> copied;
-    state.clipboard = {};
-    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-        if (!selected(state).panels.contains(pattern.panels[p].name)) continue;
-        copied.push_back(static_cast<int>(p));
-        state.clipboard.panels.push_back(pattern.panels[p]);
-    }
-    state.clipboard.seams = seams_among(pattern, copied);
-    state.workspace.messages.note(std::to_string(copied.size()) + " panels copied");
+    SelectedPanels copied = selected_panels(state);
+    state.clipboard = {.panels = std::move(copied.panels),
+                       .seams = seams_among(state.workspace.document->pattern(), copied.indices)};
+    state.workspace.messages.note(std::to_string(copied.indices.size()) + " panels copied");
 }
 
 void paste_panels(AppState& state) {
+    const Document& document = *state.workspace.document;
     AddPanels command = state.clipboard;
+    const Vec2d shift = free_shift(document.pattern(), command.panels);
+    const Vec3d move = free_move(document, &state.workspace.drape, command.panels);
     for (sim::Panel& panel : command.panels) {
         panel.mirror_of.clear();
-        if (panel.sheet_position) *panel.sheet_position += Vec2d(kBeside, -kBeside);
+        *panel.sheet_position += shift;
+        panel.translation += move;
     }
+    state.workspace.run(command);
+}
+
+void duplicate_selected(AppState& state) {
+    const Document& document = *state.workspace.document;
+    const std::vector<sim::Panel> panels = selected_panels(state).panels;
+    DuplicatePanels command{.shift = free_shift(document.pattern(), panels),
+                            .move = free_move(document, &state.workspace.drape, panels)};
+    for (const sim::Panel& panel : panels) command.panels.push_back(panel.name);
     state.workspace.run(command);
 }
 
@@ -374,17 +398,12 @@ void add_clipboard(std::vector<Action>& actions) {
                        .chords = {{key_of('V'), {.ctrl = true}}},
                        .run = paste_panels,
                        .can = [](const AppState& state) { return !state.clipboard.panels.empty(); }});
-    actions.push_back(
-        {.id = "edit.duplicate",
-         .menu = "Edit",
-         .title = "Duplicate panels",
-         .chords = {{key_of('D'), {.ctrl = true}}},
-         .run =
-             [](AppState& state) {
-                 const std::set<std::string>& panels = selected(state).panels;
-                 state.workspace.run(DuplicatePanels{{panels.begin(), panels.end()}, beside_selected(state)});
-             },
-         .can = has_panels});
+    actions.push_back({.id = "edit.duplicate",
+                       .menu = "Edit",
+                       .title = "Duplicate panels",
+                       .chords = {{key_of('D'), {.ctrl = true}}},
+                       .run = duplicate_selected,
+                       .can = has_panels});
 }
 
 void add_panels(std::vector<Action>& actions) {

@@ -12,6 +12,7 @@
 #include "sim/dress/own_pose.h"
 #include "sim/pattern/garments.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/place/free_place.h"
 
 namespace selvedge::editor {
 bool Workspace::run(const Command& command) {
@@ -44,6 +45,23 @@ void Messages::say(Message message) {
 
 void Messages::error(const GeometryError& error) {
     say({.kind = MessageKind::Error, .text = error.what(), .places = error.places()});
+}
+
+namespace {
+
+const sim::Body* body_of(const Drape* drape) {
+    return drape == nullptr ? nullptr : drape->current_body().body.get();
+}
+
+}  // namespace
+
+Vec3d free_move(const Document& document, const Drape* drape, const std::vector<sim::Panel>& panels) {
+    return sim::free_move(document.pattern(), panels, body_of(drape));
+}
+
+sim::Panel placed_freely(const Document& document, const Drape* drape, sim::Panel panel) {
+    place_freely(panel, document.pattern(), body_of(drape));
+    return panel;
 }
 
 const BodyJoint* chosen_joint(const Workspace& workspace) {

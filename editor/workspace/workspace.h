@@ -203,6 +203,11 @@ class Drape {
     sim::Session session_;
 };
 
+// sim::free_move and sim::place_freely (sim/place/free_place.h) for the document's pattern and the body that the drape
+// shows. `drape` null: there is no body.
+Vec3d free_move(const Document& document, const Drape* drape, const std::vector<sim::Panel>& panels);
+sim::Panel placed_freely(const Document& document, const Drape* drape, sim::Panel panel);
+
 // Display options of the 3D view.
 struct ViewOptions {
     render::ShowMode show = render::ShowMode::Tartan;

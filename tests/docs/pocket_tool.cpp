@@ -39,7 +39,7 @@ AddPanels PocketTool::command(const ToolContext& context) const {
     sim::Panel panel = make_rectangle(-size_ / 2, size_ / 2);
     panel.name = "pocket";
     panel.sheet_position = at_;
-    return {{placed_before_body(context.document.pattern(), panel)}};
+    return {{placed_freely(context.document, context.drape, panel)}};
 }
 
 void PocketTool::draw(const ToolContext&, ToolOverlay& overlay) const {

@@ -117,7 +117,7 @@ TEST(CommandJson, every_command_survives) {
     panel.internal_lines = {{"pocket", {{0.05, 0.05}, {0.1, 0.05}}}};
     const std::vector<Command> commands{
         AddPanels{.panels = {panel}, .seams = {{{0, 0}, {0, 1}, false, "tuck", true}}},
-        DuplicatePanels{.panels = {"a", "b"}, .shift = Vec2d(0.3, 0)},
+        DuplicatePanels{.panels = {"a", "b"}, .shift = Vec2d(0.3, 0), .move = Vec3d(0.4, 0, 0)},
         SetBody{.body = "mannequin:bust=92", .shifts = {Vec3d(0, 0.01, 0)}},
         TransformPanels{.panels = {"a", "b"}, .map = {.x_axis = {0, 1}, .y_axis = {-1, 0}}, .what = "Rotate"},
         SetEdgeLength{},

@@ -79,11 +79,22 @@ TEST(RemovePanels, takes_their_seams_and_frees_their_images) {
 TEST(DuplicatePanels, one_lies_beside_it_unsewn) {
     sim::Pattern pattern = two_squares();
     const Vec2d at = sheet_positions(pattern)[1];
-    EXPECT_EQ(duplicate_panels(pattern, {1}, {0, -2}), std::vector<int>{2});
+    EXPECT_EQ(duplicate_panels(pattern, {1}, {.on_sheet = {0, -2}, .in_world = {1, 0, 0}}), std::vector<int>{2});
     EXPECT_EQ(pattern.panels[2].name, "right_2");
     EXPECT_TRUE(pattern.panels[2].sheet_position.value().isApprox(at + Vec2d(0, -2)));
     EXPECT_EQ(pattern.seams.size(), 1U);
     EXPECT_EQ(pattern.panels[2].vertices, pattern.panels[1].vertices);
+    EXPECT_TRUE(pattern.panels[2].translation.isApprox(pattern.panels[1].translation + Vec3d(1, 0, 0)));
+}
+
+TEST(FreeShift, leads_past_the_panels_in_the_way) {
+    sim::Pattern pattern = two_squares();
+    pattern.panels[0].sheet_position = Vec2d(0, 0);
+    pattern.panels[1].sheet_position = Vec2d(1.2, 0.5);
+    std::vector<sim::Panel> copies{pattern.panels[0]};
+    EXPECT_TRUE(free_shift(pattern, copies).isApprox(Vec2d(2.25, 0))) << "the gap of 20 cm is too narrow";
+    copies[0].sheet_position = Vec2d(0, -1.1);
+    EXPECT_TRUE(free_shift(pattern, copies).isZero());
 }
 
 TEST(DuplicatePanels, keep_their_darts_and_the_seams_among_them) {
@@ -94,7 +105,7 @@ TEST(DuplicatePanels, keep_their_darts_and_the_seams_among_them) {
     const sim::Seam dart = pattern.seams.back();
     ASSERT_EQ(pattern.seams.size(), 3U);
     const sim::Pattern before = pattern;
-    EXPECT_EQ(duplicate_panels(pattern, {1, 0}, {0, -2}), (std::vector<int>{3, 4}));
+    EXPECT_EQ(duplicate_panels(pattern, {1, 0}, {.on_sheet = {0, -2}}), (std::vector<int>{3, 4}));
     ASSERT_EQ(pattern.seams.size(), 5U);
     EXPECT_TRUE(std::equal(before.seams.begin(), before.seams.end(), pattern.seams.begin()));
     const sim::Seam& middle = before.seams[0];  // the dart has changed its edge

@@ -63,8 +63,8 @@ class Drafter {
             case 13:
                 return remove_panels(pattern, {at.panel});
             case 14:
-                return void(
-                    duplicate_panels(pattern, {at.panel, below(static_cast<int>(pattern.panels.size()))}, shift));
+                return void(duplicate_panels(pattern, {at.panel, below(static_cast<int>(pattern.panels.size()))},
+                                             {.on_sheet = shift}));
             case 15:
                 return void(symmetric_copy(pattern, at.panel, below(2) == 0, shift));
             case 16:

@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "editor/geometry/panel_edit.h"
 #include "editor/ui/editor.h"
 #include "editor/ui/files.h"
 #include "editor/ui/script.h"
+#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/editor/ui/services_without_files.h"
 #include "tests/support/checkout.h"
@@ -48,6 +50,16 @@ class CopiesInEditor : public testing::Test {
         }
     }
 
+    Eigen::AlignedBox2d sheet_box(std::size_t panel, const std::vector<Vec2d>& positions) {
+        Eigen::AlignedBox2d box = outline_box(pattern().panels[panel]);
+        return box.translate(positions[panel]);
+    }
+    Eigen::AlignedBox3d world_box(std::size_t panel) {
+        Eigen::AlignedBox3d box;
+        for (const Vec2d& vertex : pattern().panels[panel].vertices) box.extend(pattern().panels[panel].place(vertex));
+        return box;
+    }
+
     Editor editor_{services_without_files(), {.drive = sim::SessionDrive::Caller, .is_steady = true}};
 };
 
@@ -62,6 +74,21 @@ TEST_F(CopiesInEditor, keep_darts_and_seams_when_duplicated_and_when_pasted) {
     select_all();
     play("key ctrl+c\nkey ctrl+v\nframes 2\n");
     expect_twice(panels, seams);
+}
+
+TEST_F(CopiesInEditor, neither_cover_their_originals_nor_each_other) {
+    const std::size_t panels = pattern().panels.size();
+    select_all();
+    play("key ctrl+c\nkey ctrl+d\nframes 2\nkey ctrl+v\nframes 2\n");
+    ASSERT_EQ(pattern().panels.size(), 3 * panels);
+    const std::vector<Vec2d> positions = sheet_positions(pattern());
+    for (std::size_t i = 0; i < 3 * panels; ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            if (i / panels == k / panels) continue;  // they were given like this
+            EXPECT_FALSE(sheet_box(i, positions).intersects(sheet_box(k, positions))) << i << " " << k;
+            EXPECT_FALSE(world_box(i).intersects(world_box(k))) << i << " " << k;
+        }
+    }
 }
 
 }  // namespace
