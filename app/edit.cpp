@@ -13,6 +13,7 @@
 #include "app/commands.h"
 #include "app/edit_loop.h"
 #include "app/editor_services.h"
+#include "app/fallback_fonts.h"
 #include "app/options.h"
 #include "app/picture.h"
 #include "editor/ui/files.h"
@@ -73,7 +74,7 @@ int run_window(const EditArguments& arguments) {
     };
     editor::Editor editor(
         make_editor_services({.state = state_of(arguments), .render_full_quality = render_full_quality}),
-        {.fonts = read_fonts()});
+        {.fonts = read_fonts(), .find_fonts = find_fallback_fonts});
     editor.set_clipboard(
         {[&] { return window.clipboard(); }, [&](const std::string& text) { window.set_clipboard(text); }});
     // What is wrong with the file is shown in the window.
@@ -107,7 +108,10 @@ render::Image play_script(const EditorScript& script) {
         throw sim::InputError("", "export", "a script takes pictures by 'screenshot'");
     };
     editor::Editor editor(make_editor_services({.state = script.state, .render_full_quality = render_full_quality}),
-                          {.drive = sim::SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true});
+                          {.drive = sim::SessionDrive::Caller,
+                           .fonts = read_fonts(),
+                           .find_fonts = find_fallback_fonts,
+                           .is_steady = true});
     open_at_start(editor, script.file);
     EditorSurface surface(editor);
     const auto shoot = [&](const std::string& file) { write_png(file, loop.screenshot()); };

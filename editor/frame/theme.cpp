@@ -17,19 +17,45 @@ ImVec4 mixed(const sim::Rgb8& a, const sim::Rgb8& b, float share) {
     return {x.x + (y.x - x.x) * share, x.y + (y.y - x.y) * share, x.z + (y.z - x.z) * share, 1};
 }
 
-ImFont* add_font(const std::string& bytes, float size_px) {
-    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-    // Latin with accents, dashes and quotes, arrows, mathematical signs.
-    static constexpr ImWchar kRanges[] = {0x20, 0x17F, 0x2010, 0x2044, 0x2190, 0x2193, 0x2200, 0x2265, 0};
-    ImFontConfig config;
-    config.SizePixels = size_px;
-    if (bytes.empty()) return atlas.AddFontDefault(&config);
+using Ranges = ImVector<ImWchar>;  // as kBasicLetters
+
+Ranges ranges_of(const Letters& letters, bool has_basic) {
+    ImFontGlyphRangesBuilder builder;
+    if (has_basic) builder.AddRanges(kBasicLetters.data());
+    for (const char32_t letter : letters) builder.AddChar(static_cast<ImWchar>(letter));
+    Ranges ranges;
+    builder.BuildRanges(&ranges);
+    return ranges;
+}
+
+ImFont* add_file(const std::string& bytes, float size_px, const Ranges& ranges, ImFontConfig config) {
     config.FontDataOwnedByAtlas = false;
-    config.OversampleH = 2;
-    config.OversampleV = 2;
     config.PixelSnapH = false;
     void* data = const_cast<char*>(bytes.data());  // ImGui only reads it
-    return atlas.AddFontFromMemoryTTF(data, static_cast<int>(bytes.size()), size_px, &config, kRanges);
+    return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(data, static_cast<int>(bytes.size()), size_px, &config,
+                                                      ranges.Data);
+}
+
+ImFont* add_font(const std::string& bytes, float size_px, const Ranges& ranges) {
+    ImFontConfig config;
+    config.SizePixels = size_px;
+    if (bytes.empty()) return ImGui::GetIO().Fonts->AddFontDefault(&config);
+    config.OversampleH = 2;
+    config.OversampleV = 2;
+    return add_file(bytes, size_px, ranges, config);
+}
+
+// The letters that the font added last lacks. One sample per pixel: there may be thousands of them.
+void add_fallbacks(const std::vector<FallbackFont>& fallbacks, float size_px, const Ranges& ranges) {
+    if (ranges.size() < 3) return;  // no range but the end
+    for (const FallbackFont& fallback : fallbacks) {
+        ImFontConfig config;
+        config.MergeMode = true;
+        config.FontNo = fallback.face;
+        config.OversampleH = 1;
+        config.OversampleV = 1;
+        add_file(fallback.bytes, size_px, ranges, config);
+    }
 }
 
 void set_sizes(ImGuiStyle& style, float scale) {
@@ -57,13 +83,21 @@ void set_sizes(ImGuiStyle& style, float scale) {
 
 }  // namespace
 
-Fonts load_fonts(const FontBytes& files, const Theme& theme, float scale) {
-    ImGui::GetIO().Fonts->Clear();
+Fonts load_fonts(const FontBytes& files, const Theme& theme, float scale, const Letters& letters) {
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
     const float size = std::round(theme.font_px * scale);
     const std::string& bold = files.bold.empty() ? files.regular : files.bold;
-    return {.regular = add_font(files.regular, size),
-            .bold = add_font(bold, size),
-            .large = add_font(bold, std::round(size * 1.6F))};
+    const Ranges all = ranges_of(letters, true), additional = ranges_of(letters, false);
+    Fonts fonts;
+    fonts.regular = add_font(files.regular, size, all);
+    add_fallbacks(files.fallbacks, size, additional);
+    fonts.bold = add_font(bold, size, all);
+    add_fallbacks(files.fallbacks, size, additional);
+    fonts.large = add_font(bold, std::round(size * 1.6F), all);
+    atlas.Build();  // reads the ranges
+    for (ImFont* font : {fonts.regular, fonts.bold}) make_digits_tabular(*font);
+    return fonts;
 }
 
 void apply_theme(const Theme& theme, float scale) {

@@ -1,8 +1,11 @@
 #pragma once
 // The editor's appearance: colours, fonts and ImGui style. Light greys, dark text, one accent colour. All sizes scale
 // with the font size, and so with the display scale. Also gives fonts tabular digits.
+#include <array>
 #include <string>
+#include <vector>
 
+#include "editor/frame/letters.h"
 #include "sim/tartan/sett.h"
 
 struct ImFont;
@@ -21,11 +24,23 @@ struct Theme {
     float font_px = 15;  // px, at display scale 1
 };
 
+// A font for letters that the interface's own fonts lack.
+struct FallbackFont {
+    std::string bytes{};  // of a TrueType or OpenType file
+    int face = 0;         // of a file with several
+};
+
 // The bytes of font files. Empty: ImGui's built-in font is used.
 struct FontBytes {
     std::string regular{};
     std::string bold{};
+    std::vector<FallbackFont> fallbacks{};  // for letters that those lack; the first one that has a letter is used
 };
+
+// The letters that the fonts always hold, as pairs of the first and the last one, ended by 0: Latin with accents,
+// dashes and quotes, arrows, mathematical signs.
+inline constexpr std::array<unsigned short, 9> kBasicLetters{0x20,   0x17F,  0x2010, 0x2044, 0x2190,
+                                                             0x2193, 0x2200, 0x2265, 0};
 
 struct Fonts {
     ImFont* regular = nullptr;
@@ -33,8 +48,9 @@ struct Fonts {
     ImFont* large = nullptr;  // titles
 };
 
-// Fills the font atlas of the current ImGui context. The bytes must outlive the atlas.
-Fonts load_fonts(const FontBytes& files, const Theme& theme, float scale);
+// Builds the font atlas of the current ImGui context, with these letters beside the basic ones as far as a font has
+// them. The bytes must outlive the atlas. Call between frames: pointers to the fonts before are no longer valid.
+Fonts load_fonts(const FontBytes& files, const Theme& theme, float scale, const Letters& letters = {});
 
 // Sets the style of the current ImGui context.
 void apply_theme(const Theme& theme, float scale);

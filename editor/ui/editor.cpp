@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "editor/frame/item.h"
@@ -14,6 +15,7 @@
 #include "editor/ui/actions.h"
 #include "editor/ui/bars.h"
 #include "editor/ui/files.h"
+#include "editor/ui/shown_text.h"
 #include "editor/ui/timeline.h"
 #include "editor/ui/ui_input.h"
 #include "editor/ui/widgets.h"
@@ -113,7 +115,9 @@ struct Editor::Impl {
     }
     ~Impl() { ImGui::DestroyContext(context); }
 
+    void update_letters(const std::vector<InputEvent>& events);
     void set_size(const FrameSize& size, double seconds);
+    void rebuild_fonts();
     void run_keys();
     void take_other_events(const std::vector<InputEvent>& events);
     void show_views(double seconds);
@@ -135,23 +139,51 @@ struct Editor::Impl {
     std::vector<Key> used_keys;  // consumed by a view in this frame
     UiTexture next_texture = kFirstFreeTexture;
     float scale = 0;
+    Letters letters;        // on screen so far, beyond the basic ones
+    Letters asked_letters;  // for which fonts were looked for
+    bool has_new_letters = false;
     int shown_document = 0;
     Clipboard clipboard;
     std::string clipboard_text;  // backing store of the text that ImGui reads
 };
 
-// Rebuilds the fonts if the scale changes, so that text stays sharp.
+// Collects the letters of the text that the next frame shows.
+void Editor::Impl::update_letters(const std::vector<InputEvent>& events) {
+    constexpr std::size_t kMaxLetters = 3000;  // bounds the font atlas; further letters stay question marks
+    const std::size_t before = letters.size();
+    const auto add = [this](std::string_view text) {
+        if (letters.size() < kMaxLetters) add_letters(text, letters);
+    };
+    visit_shown_text(state, add);
+    for (const InputEvent& event : events) add(event.text);
+    add(clipboard_text);
+    has_new_letters = letters.size() != before;
+}
+
+// Letters that the own fonts lack are looked for once, and the atlas is built again if fonts were found.
+void Editor::Impl::rebuild_fonts() {
+    state.fonts = load_fonts(options.fonts, state.theme, scale, letters);
+    Letters wanted;
+    for (const char32_t letter : without_glyph(letters, *state.fonts.regular)) {
+        if (asked_letters.insert(letter).second) wanted.insert(letter);
+    }
+    if (wanted.empty() || !options.find_fonts) return;
+    std::vector<FallbackFont> found = options.find_fonts(wanted);
+    if (found.empty()) return;
+    std::move(found.begin(), found.end(), std::back_inserter(options.fonts.fallbacks));
+    state.fonts = load_fonts(options.fonts, state.theme, scale, letters);
+}
+
+// Rebuilds the fonts if the scale changes, so that text stays sharp, and for new letters.
 void Editor::Impl::set_size(const FrameSize& size, double seconds) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size.width_px), static_cast<float>(size.height_px)};
     io.DeltaTime = std::max(1e-4F, static_cast<float>(seconds));
     const float wanted = size.scale * state.user_scale;
-    if (wanted == scale) return;
+    const bool has_new_scale = wanted != scale;
     scale = wanted;
-    state.fonts = load_fonts(options.fonts, state.theme, scale);
-    apply_theme(state.theme, scale);
-    io.Fonts->Build();
-    for (ImFont* font : {state.fonts.regular, state.fonts.bold}) make_digits_tabular(*font);
+    if (has_new_scale) apply_theme(state.theme, scale);
+    if (has_new_scale || has_new_letters) rebuild_fonts();
 }
 
 void Editor::Impl::take_other_events(const std::vector<InputEvent>& events) {
@@ -316,6 +348,7 @@ FrameOutput Editor::frame(const std::vector<InputEvent>& events, const FrameSize
     impl.output = {};
     impl.used_keys.clear();
     state.widgets.clear();
+    impl.update_letters(events);
     impl.set_size(size, seconds);
     impl.input.add(events);
     const std::vector<InputEvent> others = impl.input.begin_frame(ImGui::GetIO());

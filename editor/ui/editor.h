@@ -14,10 +14,14 @@
 
 namespace selvedge::editor {
 
+// Returns fonts that have as many of the letters as possible, the most suitable one first; none: there is none.
+using FontFinder = std::function<std::vector<FallbackFont>(const Letters& letters)>;
+
 struct EditorOptions {
     sim::SessionDrive drive = sim::SessionDrive::Thread;
-    FontBytes fonts{};       // owned by the editor
-    bool is_steady = false;  // no blinking caret: the same input gives the same images
+    FontBytes fonts{};        // owned by the editor
+    FontFinder find_fonts{};  // asked once for each letter that those lack; unset: such letters stay question marks
+    bool is_steady = false;   // no blinking caret: the same input gives the same images
 };
 
 struct FrameSize {

@@ -360,6 +360,12 @@ void FileBrowser::open(BrowseRequest request, const Services& services) {
     enter(folder_, services);
 }
 
+void FileBrowser::visit_text(const std::function<void(std::string_view)>& visit) const {
+    if (!is_open_) return;
+    visit(listing_.folder);
+    for (const FolderEntry& entry : listing_.entries) visit(entry.name);
+}
+
 // Stays in the current folder if the new one cannot be read.
 void FileBrowser::enter(const std::string& folder, const Services& services) {
     try {

@@ -3,6 +3,7 @@
 // in a bar; errors are shown as messages.
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "editor/ui/services.h"
@@ -64,6 +65,9 @@ class FileBrowser {
     bool is_open() const { return is_open_; }
 
     void show(AppState& state);
+
+    // The names that are listed, if it is open.
+    void visit_text(const std::function<void(std::string_view)>& visit) const;
 
  private:
     void show_entries(AppState& state);
