@@ -60,6 +60,10 @@ std::filesystem::path state_of(const EditArguments& arguments) {
 
 void open_at_start(editor::Editor& editor, const std::string& file) {
     if (file.empty()) return;
+    if (editor.state().services.is_photo(file)) {
+        editor.state().services.read_photo(file);  // likewise
+        return lay_photo(editor.state(), file);
+    }
     sim::PatternDocument source = sim::load_pattern(file);  // an invalid file ends the program
     open_loaded(editor.state(), std::move(source), file);
 }

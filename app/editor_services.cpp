@@ -7,6 +7,7 @@
 #include "app/import_garment.h"
 #include "app/print_files.h"
 #include "render/image/image.h"
+#include "render/image/photo.h"
 #include "sim/body/load_body.h"
 #include "sim/body/motion_file.h"
 #include "sim/core/error.h"
@@ -98,11 +99,21 @@ void write_export(const editor::ExportRequest& request, const EditorServicesOpti
     sim::write_file_atomically(request.file, encode_png(options.render_full_quality(scene)));
 }
 
-// SVG and DXF by their endings, FreeSewing's data by its content.
-bool is_drawing(const std::string& file) {
+std::string lower_ending(const std::string& file) {
     std::string ending = fs::path(file).extension().string();
     std::ranges::transform(ending, ending.begin(),
                            [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    return ending;
+}
+
+bool is_photo(const std::string& file) {
+    const std::string ending = lower_ending(file);
+    return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
+}
+
+// SVG and DXF by their endings, FreeSewing's data by its content.
+bool is_drawing(const std::string& file) {
+    const std::string ending = lower_ending(file);
     if (ending == ".svg" || ending == ".dxf") return true;
     if (ending != ".json") return false;
     try {
@@ -141,6 +152,9 @@ editor::Services make_editor_services(const EditorServicesOptions& options) {
     services.save = [](const std::string& file, const std::string& text) { sim::write_file_atomically(file, text); };
     services.is_drawing = is_drawing;
     services.import_drawing = import_drawing;
+    services.is_photo = is_photo;
+    services.read_photo = [](const std::string& file) { return render::read_photo(file); };
+    services.full_path = [](const std::string& file) { return fs::weakly_canonical(fs::absolute(file)).string(); };
     services.print = print_from_editor;
     services.list_folder = list_folder;
     services.exists = [](const std::string& file) { return fs::exists(file); };

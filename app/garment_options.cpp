@@ -89,6 +89,8 @@ sim::Pattern load_garments(const GarmentOptions& options, std::vector<std::strin
         std::ranges::move(put_over(pattern, outer), std::back_inserter(notes));
         pattern.name += " + " + outer.name;
     }
+    if (std::ranges::none_of(pattern.panels, &sim::Panel::is_worn))
+        throw sim::InputError(options.garment.string(), "pattern.panels", "no panel that is worn: nothing to dress");
     return pattern;
 }
 

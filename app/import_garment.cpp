@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <fstream>
 #include <numeric>
 
 #include "app/measured_body.h"
 #include "app/options.h"
+#include "render/image/photo.h"
 #include "sim/core/disjoint_sets.h"
 #include "sim/core/error.h"
 #include "sim/paper/drawing_file.h"
@@ -19,9 +21,20 @@ namespace selvedge::app {
 namespace {
 
 // The drawings of several files as one: parts whose names are taken get a number when they become panels.
+bool is_photo_file(const std::filesystem::path& file) {
+    std::array<char, 8> head{};
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(head.data(), head.size());
+    return render::is_photo({head.data(), static_cast<std::size_t>(stream.gcount())});
+}
+
 sim::Drawing read_drawings(const std::vector<std::filesystem::path>& files, std::vector<std::string>& notes) {
     sim::Drawing all;
     for (const std::filesystem::path& file : files) {
+        if (is_photo_file(file)) {
+            throw sim::InputError(file.string(), "",
+                                  "a photo: trace it in the editor, selvedge edit '" + file.string() + "'");
+        }
         sim::Drawing one = sim::read_drawing(file);
         notes.push_back(file.string() + ": " + one.format + ", " + std::to_string(one.parts.size()) +
                         (one.parts.size() == 1 ? " part" : " parts"));

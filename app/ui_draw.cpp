@@ -191,8 +191,12 @@ void UiDraw::hold(const editor::TextureUpload& picture) {
     const render::Image& image = picture.picture;
     SELVEDGE_ASSERT(picture.texture != kFont && image.width_px >= 1 && image.height_px >= 1);
     impl_->lent.erase(picture.texture);
-    impl_->owned.insert_or_assign(
-        picture.texture, make_texture(impl_->gl, image.width_px, image.height_px, image.pixels.data(), GL_REPEAT));
+    const GladGLContext& gl = impl_->gl;
+    impl_->owned.insert_or_assign(picture.texture,
+                                  make_texture(gl, image.width_px, image.height_px, image.pixels.data(), GL_REPEAT));
+    if (!picture.has_levels) return;
+    gl.GenerateMipmap(GL_TEXTURE_2D);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
 }
 
 void UiDraw::lend(editor::UiTexture number, const render::PictureTexture& picture) {

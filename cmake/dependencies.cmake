@@ -11,6 +11,8 @@ find_package(PNG REQUIRED)                     # render/image
 find_package(CLI11 REQUIRED)                   # app
 find_package(GTest REQUIRED)                   # tests
 find_package(PkgConfig REQUIRED)
+pkg_check_modules(turbojpeg REQUIRED IMPORTED_TARGET libturbojpeg>=2.1)  # render/image
+pkg_check_modules(exif REQUIRED IMPORTED_TARGET libexif>=0.6.24)  # render/image
 pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui>=1.86)  # editor, app/ui_draw
 pkg_check_modules(pugixml REQUIRED IMPORTED_TARGET pugixml>=1.13)  # sim/paper
 pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)  # sim/paper

@@ -114,6 +114,19 @@ Outcome run(sim::Pattern& pattern, const SetTartan& command) {
     return {};
 }
 
+Outcome run(sim::Pattern& pattern, const SetUnderlays& command) {
+    if (command.underlays.size() > sim::kMostUnderlays) {
+        throw GeometryError("At most " + std::to_string(sim::kMostUnderlays) + " photos can lie under the sheet");
+    }
+    for (const sim::Underlay& underlay : command.underlays) {
+        if (!(underlay.pixel_size >= sim::kSmallestPixel && underlay.pixel_size <= sim::kLargestPixel))
+            throw GeometryError("A pixel of a photo is from 0.001 mm to 1 m wide");
+        if (!(underlay.opacity >= 0 && underlay.opacity <= 1)) throw GeometryError("An opacity is from 0 to 1");
+    }
+    pattern.underlays = command.underlays;
+    return {};
+}
+
 Outcome run(sim::Pattern& pattern, const SetBody& command) {
     if (!command.shifts.empty() && command.shifts.size() != pattern.panels.size()) {
         throw GeometryError("A body's shifts are one for each panel");

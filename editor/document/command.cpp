@@ -31,6 +31,9 @@ std::string label(const SetFabric&) {
 std::string label(const SetTartan&) {
     return "Change tartan";
 }
+std::string label(const SetUnderlays& command) {
+    return command.what;
+}
 std::string label(const SetBody&) {
     return "Change body";
 }
@@ -202,6 +205,15 @@ void visit_fields(sim::OutlineEdge& edge, Visitor&& visit) {
     visit("label", edge.label);
     visit("allowance", edge.allowance);
     visit("allowance_corner", edge.allowance_corner);
+}
+
+template <class Visitor>
+void visit_fields(sim::Underlay& underlay, Visitor&& visit) {
+    visit("file", underlay.file);
+    visit("position", underlay.position);
+    visit("pixel_size", underlay.pixel_size);
+    visit("rotation", underlay.rotation);
+    visit("opacity", underlay.opacity);
 }
 
 template <class Visitor>

@@ -17,7 +17,7 @@ using Command = std::variant<RenamePattern, SetFabric, SetTartan, SetBody, SetEd
                              MovePanels, TransformPanels, PlacePanel, PlacePanels, SetGrain, SetSettOffset, SetPins,
                              SetLayer, CutPanel, MergePanels, UnfoldPanel, MoveVertices, TransformVertices, SetCurve,
                              AddVertex, AddDart, AddInternalLine, SetInternalLine, AddNotch, MoveNotch, SewEdges,
-                             SewRuns, ReverseSeam, NameSeam, AcceptEase, EvenSeam, PutOver, TakeOff>;
+                             SewRuns, ReverseSeam, NameSeam, AcceptEase, EvenSeam, PutOver, TakeOff, SetUnderlays>;
 
 // The label in the history: "Move 3 points".
 std::string label_of(const Command& command);

@@ -453,6 +453,19 @@ struct SetTartan {
     }
 };
 
+// Sets all photos under the sheet. `what`: the label in the history.
+struct SetUnderlays {
+    static constexpr const char* name = "set_underlays";
+    std::vector<sim::Underlay> underlays{};
+    std::string what = "Change photo";
+
+    template <class Visitor>
+    void fields(Visitor&& visit) {
+        visit("underlays", underlays);
+        visit("what", what);
+    }
+};
+
 // Sets the body that the panels are placed around, such as mannequin:sex=female,bust=92.
 struct SetBody {
     static constexpr const char* name = "set_body";

@@ -106,16 +106,9 @@ namespace {
 
 // The pattern without panels and seams.
 sim::Pattern rest_of(const sim::Pattern& pattern) {
-    sim::Pattern rest;
-    rest.name = pattern.name;
-    rest.fabric = pattern.fabric;
-    rest.tartan = pattern.tartan;
-    rest.sett_size = pattern.sett_size;
-    rest.sett_position = pattern.sett_position;
-    rest.matched_sett = pattern.matched_sett;
-    rest.body = pattern.body;
-    rest.body_height = pattern.body_height;
-    rest.edge_length = pattern.edge_length;
+    sim::Pattern rest = pattern;
+    rest.panels = {};  // also frees the memory, which clear() would keep
+    rest.seams = {};
     return rest;
 }
 

@@ -34,6 +34,7 @@ struct SceneRequest {
 struct TextureUpload {
     UiTexture texture = 0;
     render::Image picture;
+    bool has_levels = false;  // smaller levels are made of it, for a picture that is shown at any size
 };
 
 enum class MouseCursor { Arrow, Text, Hand, Cross, ResizeHorizontal, ResizeVertical, Hidden };

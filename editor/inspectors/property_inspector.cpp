@@ -604,6 +604,8 @@ void draw_properties(InspectorContext& context) {
     }
     draw_selected(context, selected);
     if (folding("Garment", Fold::Open)) draw_pattern_section(context);
+    if (!context.pattern().underlays.empty() && folding("Photos under the sheet", Fold::Open))
+        draw_underlays_section(context);
     if (has_garments_section(context) && folding("Worn over each other", Fold::Open)) draw_garments_section(context);
 }
 

@@ -7,6 +7,7 @@ namespace selvedge::editor {
 void draw_pattern_section(InspectorContext& context);
 void draw_garments_section(InspectorContext& context);       // those that are worn over each other
 bool has_garments_section(const InspectorContext& context);  // several, or one that is hidden
+void draw_underlays_section(InspectorContext& context);      // photos under the sheet
 void draw_panel_section(InspectorContext& context, const std::string& name);
 void draw_panels_section(InspectorContext& context);  // for several selected panels
 

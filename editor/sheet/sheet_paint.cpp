@@ -174,10 +174,10 @@ void draw_cloth(const SheetLook& look, const PanelShape& shape) {
     const PanelFace& face = look.faces.face(shape, look.pen.camera.scale);
     if (face.triangles.empty()) return;
     const bool has_sett = look.sett.texture != 0 && look.shows.cloth;
-    fill_plain(look, shape, has_sett ? colours.under_cloth : colours.plain_cloth);
+    fill_plain(look, shape, faded(has_sett ? colours.under_cloth : colours.plain_cloth, look.cloth_opacity));
     if (has_sett) {
         look.pen.list.PushTextureID(id_of(look.sett.texture));
-        fill(look, shape, face, faded({255, 255, 255, 255}, double(colours.cloth_strength)),
+        fill(look, shape, face, faded({255, 255, 255, 255}, double(colours.cloth_strength) * look.cloth_opacity),
              [&](const Vec2d& u) { return sett_uv(look.sett, shape.panel, u); });
         look.pen.list.PopTextureID();
     }

@@ -115,6 +115,7 @@ struct SheetLook {
     const std::set<std::string>& touched;  // panels with any selected part
     SettTexture sett;
     SheetVisibility shows;
+    double cloth_opacity = 1;  // less over photos that are traced
 };
 
 bool is_in_view(const SheetLook& look, const PanelShape& shape);

@@ -9,6 +9,7 @@
 #include "editor/sheet/panel_faces.h"
 #include "editor/sheet/sheet_paint.h"
 #include "editor/tools/select_tool.h"
+#include "editor/tools/underlay_tool.h"
 #include "sim/core/error.h"
 #include "sim/tartan/tartan_file.h"
 
@@ -31,8 +32,8 @@ std::vector<Key> pressed_keys() {
         if (ImGui::IsKeyPressed(static_cast<int>(key), is_repeating(key))) keys.push_back(key);
     };
     for (char letter = 'A'; letter <= 'Z'; ++letter) look_at(key_of(letter));
-    for (const Key key : {Key::Escape, Key::Enter, Key::KeypadEnter, Key::Backspace, Key::Delete, Key::Left, Key::Right,
-                          Key::Up, Key::Down}) {
+    for (const Key key : {Key::Escape, Key::Enter, Key::KeypadEnter, Key::Backspace, Key::Delete, Key::Tab, Key::Left,
+                          Key::Right, Key::Up, Key::Down}) {
         look_at(key);
     }
     return keys;
@@ -71,9 +72,19 @@ SheetView::Mouse SheetView::place(SheetContext& context) {
     return {is_valid ? Vec2d(double(at.x), double(at.y)) : last_at_, modifiers_now(), is_over};
 }
 
+SheetBox SheetView::content_box(const SheetContext& context) const {
+    SheetBox box = context.tools.geometry().box();
+    for (const sim::Underlay& underlay : context.host.document.pattern().underlays) {
+        if (!context.underlay_picture) break;
+        const Eigen::Vector2i size = context.underlay_picture(underlay.file).size_px;
+        for (const Vec2d& corner : underlay_corners(underlay, size.x(), size.y())) box.extend(corner);
+    }
+    return box;
+}
+
 void SheetView::frame_wanted(const SheetContext& context) {
     if (wants_frame_ == Frame::None) return;
-    SheetBox box = context.tools.geometry().box();
+    SheetBox box = content_box(context);
     if (wants_frame_ == Frame::Selected) {
         const SheetBox chosen = context.tools.geometry().box_of(context.host.document.selection());
         if (!chosen.isEmpty()) box = chosen;
@@ -89,13 +100,13 @@ void SheetView::frame_wanted(const SheetContext& context) {
     camera_.centre = inner.centre + Vec2d(-ruler, ruler) / (2 * inner.scale);
     if (!is_all) return;
     framed_ = camera_;
-    framed_box_ = context.tools.geometry().box();
+    framed_box_ = content_box(context);
 }
 
 // Keeps everything framed if the view is resized, as long as the camera and the bounding box are unchanged since
 // everything was framed.
 void SheetView::frame_again(const SheetContext& context) {
-    const SheetBox box = context.tools.geometry().box();
+    const SheetBox box = content_box(context);
     const bool is_same = camera_.centre == framed_.centre && camera_.scale == framed_.scale && !has_left_ &&
                          box.min() == framed_box_.min() && box.max() == framed_box_.max();
     if (is_same && camera_.view_size != framed_.view_size && wants_frame_ == Frame::None) frame_all();
@@ -197,6 +208,42 @@ SettTexture SheetView::sett_texture(SheetContext& context) {
     return {texture, Vec2d(repeat_size(*sett_), weft_repeat_size(*sett_)), pattern.sett_position};
 }
 
+// A texture whose photo is no longer held is taken for the next one.
+UiTexture SheetView::underlay_texture(SheetContext& context, const std::shared_ptr<const render::Photo>& photo) {
+    const auto is_of = [](const std::shared_ptr<const render::Photo>& wanted) {
+        return [wanted](const auto& held) { return held.first == wanted; };
+    };
+    auto found = std::ranges::find_if(underlay_textures_, is_of(photo));
+    if (found != underlay_textures_.end()) return found->second;
+    found = std::ranges::find_if(underlay_textures_, is_of(nullptr));
+    if (found == underlay_textures_.end())
+        found = underlay_textures_.insert(underlay_textures_.end(), {nullptr, context.take_texture()});
+    found->first = photo;
+    context.output.pictures.push_back({.texture = found->second, .picture = photo->image, .has_levels = true});
+    return found->second;
+}
+
+// Returns whether there are any.
+bool SheetView::draw_underlays(SheetContext& context, const SheetPen& pen) {
+    const std::vector<sim::Underlay>& underlays = context.host.document.pattern().underlays;
+    if (!context.underlay_picture || !context.take_texture) return false;
+    for (auto& [photo, texture] : underlay_textures_) {
+        if (photo && photo.use_count() == 1) photo.reset();  // of a document that was closed, or removed
+    }
+    bool has_any = false;
+    for (const sim::Underlay& underlay : underlays) {
+        const UnderlayPicture picture = context.underlay_picture(underlay.file);
+        if (!picture.photo) continue;
+        has_any = true;
+        const auto corners = underlay_corners(underlay, picture.size_px.x(), picture.size_px.y());
+        const auto texture = static_cast<std::uintptr_t>(underlay_texture(context, picture.photo));
+        pen.list.AddImageQuad(reinterpret_cast<ImTextureID>(texture), pen.px(corners[0]), pen.px(corners[1]),
+                              pen.px(corners[2]), pen.px(corners[3]), {0, 0}, {1, 0}, {1, 1}, {0, 1},
+                              packed(faded({255, 255, 255, 255}, underlay.opacity)));
+    }
+    return has_any;
+}
+
 void SheetView::draw(SheetContext& context, const Mouse& mouse) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Vec2d low = camera_.view_low, high = low + camera_.view_size;
@@ -206,6 +253,9 @@ void SheetView::draw(SheetContext& context, const Mouse& mouse) {
     const ToolOverlay overlay = context.tools.overlay(context.host);
     const std::set<std::string> touched = touched_panels(context.host.document.selection());
     faces_.begin_frame(geometry);
+    if (context.shows.grid) draw_grid(pen);
+    constexpr double kTracedThrough = 0.35;  // share of a panel's cloth over photos
+    const double cloth_opacity = draw_underlays(context, pen) ? kTracedThrough : 1;
     const SheetLook look{pen,
                          context.host.document.pattern(),
                          geometry,
@@ -215,8 +265,8 @@ void SheetView::draw(SheetContext& context, const Mouse& mouse) {
                          overlay,
                          touched,
                          sett_texture(context),
-                         context.shows};
-    if (context.shows.grid) draw_grid(pen);
+                         context.shows,
+                         cloth_opacity};
     std::vector<const PanelShape*> seen;
     for (const PanelShape& shape : geometry.panels()) {
         if (is_in_view(look, shape)) seen.push_back(&shape);

@@ -3,20 +3,30 @@
 //
 // Keep one instance while the document is open; call show() once per frame inside the ImGui child that it fills. The
 // wheel zooms to the cursor, a middle or right drag pans, F frames the selection, or everything.
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "editor/frame/frame.h"
 #include "editor/sheet/panel_faces.h"
 #include "editor/sheet/sheet_pen.h"
 #include "editor/tools/tool_host.h"
+#include "render/image/photo.h"
 #include "sim/tartan/sett.h"
 
 namespace selvedge::editor {
 
 // Number of textures that the sheet may use, from `first_texture` on.
 inline constexpr UiTexture kSheetTextures = 6;
+
+// The picture of a photo that lies under the sheet.
+struct UnderlayPicture {
+    std::shared_ptr<const render::Photo> photo{};  // null: there is none
+    Eigen::Vector2i size_px{0, 0};                 // to which sim::Underlay::pixel_size refers
+};
 
 struct SheetContext {
     ToolHostContext host;
@@ -27,6 +37,8 @@ struct SheetContext {
     bool takes_keys = true;  // false: ignore the keyboard. An active text field always takes precedence
     SheetColours colours{};
     SheetVisibility shows{};
+    std::function<UnderlayPicture(const std::string& file)> underlay_picture{};  // unset: there are none
+    std::function<UiTexture()> take_texture{};                                   // for the pictures of underlays
 };
 
 // Result of the frame's input.
@@ -61,6 +73,9 @@ class SheetView {
     void forward_mouse(SheetContext& context, const Mouse& mouse);
     void forward_keys(SheetContext& context, const Mouse& mouse, SheetResult& answer);
     SettTexture sett_texture(SheetContext& context);
+    SheetBox content_box(const SheetContext& context) const;
+    UiTexture underlay_texture(SheetContext& context, const std::shared_ptr<const render::Photo>& photo);
+    bool draw_underlays(SheetContext& context, const SheetPen& pen);
     void draw(SheetContext& context, const Mouse& mouse);
     void draw_readout(const SheetPen& pen, const Mouse& mouse) const;
 
@@ -80,6 +95,9 @@ class SheetView {
     std::optional<double> sett_size_;
     std::optional<sim::Sett> sett_;
     std::vector<int> held_sides_;  // px, per texture; 0: not made yet
+
+    // Of photos under the sheet; null: a texture that is free again.
+    std::vector<std::pair<std::shared_ptr<const render::Photo>, UiTexture>> underlay_textures_;
 };
 
 // The sheet's background: the grid, and the rulers at its top and left edge.

@@ -18,13 +18,14 @@ ToolHost::ToolHost() : tool_(default_tool().make()) {}
 
 ToolContext ToolHost::context(ToolHostContext host) {
     geometry_.update(host.document.pattern(), host.document.revision());
+    const bool is_traced = !host.document.pattern().underlays.empty();  // then points follow the photo, not the grid
     return {.document = host.document,
             .geometry = geometry_,
             .hover = host.hover,
             .messages = host.messages,
             .drape = host.drape,
             .px = ui_scale_ / camera_.scale,
-            .grid = grid_step(camera_, kGridStepAtLeast * ui_scale_),
+            .grid = is_traced ? 0 : grid_step(camera_, kGridStepAtLeast * ui_scale_),
             .is_snapping = is_snapping,
             .typed = typed_.numbers(),
             .pointer = pointer_};

@@ -7,6 +7,7 @@
 #include "editor/tools/proposal_tool.h"
 #include "editor/tools/select_tool.h"
 #include "editor/tools/tool_host.h"
+#include "editor/tools/underlay_tool.h"
 #include "editor/ui/app_state.h"
 #include "editor/ui/files.h"
 
@@ -57,12 +58,13 @@ void add_file_actions(std::vector<Action>& actions) {
                        .tip = "A garment file; files can be dropped on the window, too",
                        .chords = {ctrl('O')},
                        .run = browse_to_open});
-    actions.push_back({.id = "file.import",
-                       .menu = "File",
-                       .title = "Import...",
-                       .tip = "A pattern of another program: SVG, DXF, or FreeSewing's data; seams are proposed",
-                       .chords = {ctrl('I')},
-                       .run = browse_to_import});
+    actions.push_back(
+        {.id = "file.import",
+         .menu = "File",
+         .title = "Import...",
+         .tip = "A pattern of another program (SVG, DXF, FreeSewing's data), or a photo to trace (PNG, JPEG)",
+         .chords = {ctrl('I')},
+         .run = browse_to_import});
     actions.push_back(
         {.id = "file.wear_over",
          .menu = "File",
@@ -117,6 +119,13 @@ void add_selection_actions(std::vector<Action>& actions) {
          .begins_group = true,
          .run = [all](AppState& state) { press_on_sheet(state, all); },
          .can = [](const AppState& state) { return !state.workspace.document->pattern().panels.empty(); }});
+    actions.push_back(
+        {.id = "edit.fit_photo",
+         .menu = "Edit",
+         .title = "Fit photo",
+         .tip = "Click two points of the photo under the sheet and type how far apart they are",
+         .run = [](AppState& state) { state.tools.choose(tool_host_context(state.workspace), underlay_tool()); },
+         .can = [](const AppState& state) { return !state.workspace.document->pattern().underlays.empty(); }});
     actions.push_back({.id = "edit.delete",
                        .menu = "Edit",
                        .title = "Delete what is selected",

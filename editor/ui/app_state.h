@@ -14,6 +14,7 @@
 #include "editor/ui/action.h"
 #include "editor/ui/files.h"
 #include "editor/ui/services.h"
+#include "editor/ui/underlay_pictures.h"
 #include "editor/workspace/workspace.h"
 
 namespace selvedge::editor {
@@ -69,13 +70,15 @@ struct AppState {
     FileBrowser browser;
     std::deque<Question> questions;
     AddPanels clipboard;  // the copied panels, with the seams among them
+    UnderlayPictures underlays;
     WidgetMap widgets;
     ShownViewport viewport;
     TimelineDrag timeline;
     bool shows_start_page = true;
     bool wants_to_close = false;
-    float user_scale = 1;      // of the interface, multiplied by the screen's scale
-    int documents_opened = 0;  // so far: the views are reset with each one
+    float user_scale = 1;            // of the interface, multiplied by the screen's scale
+    bool wants_whole_sheet = false;  // the sheet's view is to show all of it in the next frame
+    int documents_opened = 0;        // so far: the views are reset with each one
 };
 
 // Starts a new journal that records the document's changes from now on.

@@ -215,12 +215,19 @@ void Editor::Impl::run_keys() {
 
 void Editor::Impl::show_sheet(const Rectangle& where) {
     begin_region("##sheet", where, {0, 0});
-    SheetContext sheet_context{.host = tool_host_context(state.workspace),
-                               .tools = state.tools,
-                               .output = output,
-                               .first_texture = kSheetTexture,
-                               .ui_scale = static_cast<double>(scale),
-                               .takes_keys = !state.finder.is_open() && !state.browser.is_open()};
+    SheetContext sheet_context{
+        .host = tool_host_context(state.workspace),
+        .tools = state.tools,
+        .output = output,
+        .first_texture = kSheetTexture,
+        .ui_scale = static_cast<double>(scale),
+        .takes_keys = !state.finder.is_open() && !state.browser.is_open(),
+        .underlay_picture =
+            [this](const std::string& file) {
+                return UnderlayPicture{state.underlays.find(file), state.underlays.size_px(file)};
+            },
+        .take_texture = [this] { return next_texture++; }};
+
     const SheetResult answer = sheet.show(sheet_context);
     used_keys.insert(used_keys.end(), answer.used_keys.begin(), answer.used_keys.end());
     if (answer.wants_menu) open_sheet_menu(state);
@@ -240,6 +247,10 @@ InspectorContext Editor::Impl::inspector_context() {
             .open_motion = [this] { browse_for_motion(state); },
             .open_pose = [this] { browse_for_pose(state); },
             .save_pose = [this] { browse_to_save_pose(state); },
+            .fit_photo =
+                [this] {
+                    if (const Action* action = find_action(state.actions, "edit.fit_photo")) run_action(state, *action);
+                },
             .show_timeline = [this] { state.layout.has_timeline = true; },
             .key_of =
                 [this](std::string_view id) {
@@ -355,9 +366,12 @@ FrameOutput Editor::frame(const std::vector<InputEvent>& events, const FrameSize
     ImGui::NewFrame();
     impl.take_other_events(others);
     state.workspace.drape.update(*state.workspace.document, state.workspace.messages);
+    state.underlays.update(state.workspace.document->pattern().underlays, state.services.read_photo,
+                           state.workspace.messages);
     impl.message_clock.update(state.workspace.messages, seconds);
-    if (impl.shown_document != state.documents_opened) {
+    if (impl.shown_document != state.documents_opened || state.wants_whole_sheet) {
         impl.shown_document = state.documents_opened;
+        state.wants_whole_sheet = false;
         impl.sheet.frame_all();
     }
     InspectorContext box = impl.inspector_context();

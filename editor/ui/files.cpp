@@ -3,10 +3,13 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <utility>
 
 #include "editor/frame/item.h"
 #include "editor/tools/tool_host.h"
+#include "editor/tools/underlay_tool.h"
 #include "editor/ui/app_state.h"
 #include "editor/ui/widgets.h"
 #include "sim/core/error.h"
@@ -128,6 +131,53 @@ void import_file(AppState& state, const std::string& file) {
     });
 }
 
+namespace {
+
+constexpr double kGuessedPhotoSide = 1;  // m, longer side of a photo that does not state its resolution
+
+// Right of all panels and photos, with its upper edge at theirs.
+Vec2d free_photo_place(const AppState& state, const Vec2d& size) {
+    SheetBox taken = state.tools.geometry().box();
+    for (const sim::Underlay& underlay : state.workspace.document->pattern().underlays) {
+        const Eigen::Vector2i px = state.underlays.size_px(underlay.file);
+        for (const Vec2d& corner : underlay_corners(underlay, px.x(), px.y())) taken.extend(corner);
+    }
+    constexpr double kGap = 0.05;  // m
+    if (taken.isEmpty()) return Vec2d::Zero();
+    return {taken.max().x() + kGap + size.x() / 2, taken.max().y() - size.y() / 2};
+}
+
+std::string size_text(const Vec2d& size) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.1f x %.1f cm", 100 * size.x(), 100 * size.y());
+    return text.data();
+}
+
+}  // namespace
+
+void lay_photo(AppState& state, const std::string& file) {
+    Document& document = *state.workspace.document;
+    document.commit();
+    try_to(state, [&] {
+        const render::Photo photo = state.services.read_photo(file);
+        const Vec2d px(photo.image.width_px, photo.image.height_px);
+        sim::Underlay underlay{.file = state.services.full_path(file),
+                               .pixel_size = photo.pixel_size.value_or(kGuessedPhotoSide / px.maxCoeff())};
+        underlay.position = free_photo_place(state, underlay.pixel_size * px);
+        SetUnderlays command{.underlays = document.pattern().underlays, .what = "Lay photo under the sheet"};
+        command.underlays.push_back(underlay);
+        if (!state.workspace.run(command)) return;
+        state.shows_start_page = false;
+        state.wants_whole_sheet = true;
+        state.tools.choose(tool_host_context(state.workspace), underlay_tool());
+        const std::string size = size_text(underlay.pixel_size * px);
+        state.workspace.messages.note("'" + name_in_folder(file) + "' is " +
+                                      (photo.pixel_size ? size + ", as its file says"
+                                                        : size + " for now: its file states no size. Click two points "
+                                                                 "and type their distance"));
+    });
+}
+
 void wear_over(AppState& state, const std::string& file) {
     state.workspace.document->commit();
     try_to(state, [&] { state.workspace.wear_over(state.services.load(file)); });
@@ -155,12 +205,14 @@ void recover_journal(AppState& state, const OrphanedJournal& journal) {
 }
 
 void take_dropped_file(AppState& state, const std::string& file) {
+    if (state.services.is_photo(file)) return lay_photo(state, file);
     if (state.services.is_drawing(file)) return import_file(state, file);
     if (file.ends_with(".json")) return open_file(state, file);
     const auto is_ending = [&](const std::string& ending) { return file.ends_with(ending); };
     if (std::ranges::any_of(body_endings(), is_ending)) return state.workspace.drape.show_body(file);
     state.workspace.messages.warn("'" + file +
-                                  "' is neither a garment (.json), a drawing (.svg, .dxf) nor a body (.obj, .glb)");
+                                  "' is neither a garment (.json), a drawing (.svg, .dxf), a photo (.png, .jpg) "
+                                  "nor a body (.obj, .glb)");
 }
 
 bool save(AppState& state) {
@@ -229,10 +281,13 @@ void browse_to_open(AppState& state) {
 }
 
 void browse_to_import(AppState& state) {
-    state.browser.open({.title = "Import a drawing",
+    const auto choose = [](AppState& current, const std::string& file) {
+        current.services.is_photo(file) ? lay_photo(current, file) : import_file(current, file);
+    };
+    state.browser.open({.title = "Import a drawing, or a photo to trace",
                         .verb = "Import",
-                        .endings = {".svg", ".dxf", ".json"},
-                        .choose = [](AppState& current, const std::string& file) { import_file(current, file); }},
+                        .endings = {".svg", ".dxf", ".json", ".png", ".jpg", ".jpeg", ".PNG", ".JPG", ".JPEG"},
+                        .choose = choose},
                        state.services);
 }
 

@@ -17,10 +17,12 @@ void open_loaded(AppState& state, sim::PatternDocument source, const std::string
 void open_file(AppState& state, const std::string& file);
 void open_example(AppState& state, const Example& example);
 void import_file(AppState& state, const std::string& file);  // a drawing of another program
+void lay_photo(AppState& state, const std::string& file);    // under the sheet, to be traced
 void wear_over(AppState& state, const std::string& file);    // puts another garment over the document's
 void recover_journal(AppState& state, const OrphanedJournal& journal);
 
-// Opens a garment file, imports a drawing or puts on a body file; reports any other file as unknown.
+// Opens a garment file, imports a drawing, lays a photo under the sheet or puts on a body file; reports any other file
+// as unknown.
 void take_dropped_file(AppState& state, const std::string& file);
 
 bool save(AppState& state);  // asks for a name if there is none; false: not saved (yet)

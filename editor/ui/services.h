@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "editor/document/journal.h"
+#include "editor/ui/underlay_pictures.h"
 #include "editor/workspace/workspace.h"
 #include "render/scene/scene.h"
 #include "sim/mesh/draw_mesh.h"
@@ -59,11 +60,14 @@ struct Services {
     std::function<sim::PatternDocument(const std::string& file)> load;
     std::function<bool(const std::string& file)> is_drawing;  // of another program, by its content
     std::function<ImportedDrawing(const std::string& file)> import_drawing;
+    std::function<bool(const std::string& file)> is_photo;  // PNG or JPEG, by its ending
+    PhotoReader read_photo;
     // Writes a pattern for the cutting table (.pdf, .svg, .dxf), and says what was written.
     std::function<std::string(const sim::Pattern& pattern, const std::string& file)> print;
     std::function<void(const std::string& file, const std::string& text)> save;  // atomic
     std::function<FolderListing(const std::string& folder)> list_folder;         // empty: the working directory
     std::function<bool(const std::string& file)> exists;
+    std::function<std::string(const std::string& file)> full_path;  // from the root folder
     std::function<void(const ExportRequest& request)> write_export;
     BodyMaker make_body = make_mannequin_body;
     MotionFinder find_motion = sim::find_motion;

@@ -130,12 +130,25 @@ struct MatchedSett {
     bool operator==(const MatchedSett&) const = default;
 };
 
-inline constexpr std::size_t kMostInterlinings = 16;              // of a panel
-inline constexpr int kHighestLayer = 1000;                        // of Panel::layer; the lowest is -kHighestLayer
-inline constexpr int kMostPieces = 1000;                          // of Panel::pieces
-inline constexpr int kMostNotchesTogether = 9;                    // of Notch::count
-inline constexpr double kWidestAllowance = 0.5;                   // m
-inline constexpr double kSmallestSett = 0.001, kLargestSett = 5;  // m, accepted range of Pattern::sett_size
+// A photo or scan that lies under the panels on the 2D sheet, to be traced.
+struct Underlay {
+    std::string file;                // PNG or JPEG: canonical path, or as it was named
+    Vec2d position = Vec2d::Zero();  // m, of its centre on the sheet
+    double pixel_size = 0.001;       // m, side of one of its pixels
+    double rotation = 0;             // rad, counter-clockwise
+    double opacity = 0.6;            // 0..1
+
+    bool operator==(const Underlay&) const = default;
+};
+
+inline constexpr std::size_t kMostUnderlays = 64;
+inline constexpr double kSmallestPixel = 1e-6, kLargestPixel = 1;  // m, of Underlay::pixel_size
+inline constexpr std::size_t kMostInterlinings = 16;               // of a panel
+inline constexpr int kHighestLayer = 1000;                         // of Panel::layer; the lowest is -kHighestLayer
+inline constexpr int kMostPieces = 1000;                           // of Panel::pieces
+inline constexpr int kMostNotchesTogether = 9;                     // of Notch::count
+inline constexpr double kWidestAllowance = 0.5;                    // m
+inline constexpr double kSmallestSett = 0.001, kLargestSett = 5;   // m, accepted range of Pattern::sett_size
 
 struct Pattern {
     std::string name;
@@ -151,7 +164,8 @@ struct Pattern {
     double body_height = 1.7199;  // m, stature of that body, feet at y = 0
     std::optional<double> edge_length;  // m, of the base mesh; none: the mesher's default
     double allowance = 0;               // m, between outlines and cut lines
-    std::string size = {};              // for which it was drafted: "40", "M"; empty: not named
+    std::vector<Underlay> underlays = {};
+    std::string size = {};  // for which it was drafted: "40", "M"; empty: not named
 
     bool operator==(const Pattern&) const = default;
 };

@@ -25,23 +25,31 @@ std::string garment_name(const std::string& file) {
     return name;
 }
 
-// The canonical path of a body file that a garment file names; as it is named if the garment has no file.
-std::string resolve_body(const std::string& body, const std::filesystem::path& file) {
-    if (!is_body_file(body) || file.empty()) return body;
+// The canonical path of a file that a garment file names; as it is named if the garment has no file.
+std::string resolve_file(const std::string& named, const std::filesystem::path& file) {
+    if (file.empty()) return named;
     std::error_code error;
     const std::filesystem::path path =
-        std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path() / body, error);
-    return error ? body : path.string();
+        std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path() / named, error);
+    return error ? named : path.string();
 }
 
-// Relative to the garment file if the body lies in its folder or below.
-std::string name_body(const std::string& body, const std::filesystem::path& file) {
-    if (!is_body_file(body) || file.empty()) return body;
+// Relative to the garment file if the named file lies in its folder or below.
+std::string name_file(const std::string& path, const std::filesystem::path& file) {
+    if (file.empty()) return path;
     std::error_code error;
     const std::filesystem::path folder =
         std::filesystem::weakly_canonical(std::filesystem::absolute(file), error).parent_path();
-    const std::string name = std::filesystem::path(body).lexically_relative(folder).string();
-    return error || name.empty() || name.starts_with("..") ? body : name;
+    const std::string name = std::filesystem::path(path).lexically_relative(folder).string();
+    return error || name.empty() || name.starts_with("..") ? path : name;
+}
+
+std::string resolve_body(const std::string& body, const std::filesystem::path& file) {
+    return is_body_file(body) ? resolve_file(body, file) : body;
+}
+
+std::string name_body(const std::string& body, const std::filesystem::path& file) {
+    return is_body_file(body) ? name_file(body, file) : body;
 }
 
 PatternReading examine(const Json& json, const std::string& file) {
@@ -49,6 +57,7 @@ PatternReading examine(const Json& json, const std::string& file) {
     check_shapes(reading, file, units_in_meter(json));
     reading.pattern.name = garment_name(file);
     reading.pattern.body = resolve_body(reading.pattern.body, file);
+    for (Underlay& underlay : reading.pattern.underlays) underlay.file = resolve_file(underlay.file, file);
     return reading;
 }
 
@@ -502,6 +511,7 @@ class Writer {
         write_seam_names(own);
         write_eased(own);
         write_body(own);
+        write_underlays(own);
         if (own.find("body_height") || pattern_.body_height != Pattern().body_height) {
             set_number(own["body_height"], units_ * pattern_.body_height);
         }
@@ -517,6 +527,25 @@ class Writer {
         const Json* found = own.find("body");
         if (found && found->is_string() && resolve_body(found->string(), file_) == pattern_.body) return;
         set_unless_default(own, "body", name_body(pattern_.body, file_), std::string());
+    }
+
+    void write_underlays(Json& own) const {
+        if (pattern_.underlays.empty()) return own.erase("underlays");
+        Json& list = own["underlays"];
+        if (!list.is_array()) list = Json::array();
+        list.elements().resize(pattern_.underlays.size());
+        for (std::size_t i = 0; i < pattern_.underlays.size(); ++i) {
+            const Underlay& underlay = pattern_.underlays[i];
+            Json& place = list.elements()[i];
+            if (!place.is_object()) place = Json::object();
+            const Json* named = place.find("file");
+            const bool is_same = named && named->is_string() && resolve_file(named->string(), file_) == underlay.file;
+            if (!is_same) place["file"] = name_file(underlay.file, file_);
+            set_numbers(place["position"], {units_ * underlay.position.x(), units_ * underlay.position.y()});
+            set_number(place["pixel_size"], units_ * underlay.pixel_size);
+            set_number_unless_zero(place, "rotation", underlay.rotation / kDegree);
+            set_number(place["opacity"], underlay.opacity);
+        }
     }
 
     void write_sett_place(Json& own) const {

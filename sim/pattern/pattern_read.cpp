@@ -78,7 +78,9 @@ class Reader : private FaultReader {
         const Node panels = pattern.member("panels");
         if (!panels) return error(pattern, "no key 'panels'");
         if (!expect(panels, Json::Kind::Object)) return;
-        if (panels.value->members().empty()) error(panels, "no panels");
+        // A garment of which there is only a photo to trace so far can be saved and opened.
+        const Json* own = root_.value->find("selvedge");
+        if (panels.value->members().empty() && !(own && own->find("underlays"))) error(panels, "no panels");
         for (const Json::Member& member : panels.value->members()) {
             const Node node{&member.value, json_path(panels.path, member.key)};
             panel_index_[member.key] = static_cast<int>(out_.pattern.panels.size());
@@ -319,6 +321,7 @@ class Reader : private FaultReader {
             }
         }
         if (const Node width = node.member("allowance")) pattern.allowance = read_allowance(*this, width).value_or(0);
+        if (const Node underlays = node.member("underlays")) read_underlays(underlays);
         if (const Node size = node.member("size")) pattern.size = text(size).value_or("");
         if (const Node edge = node.member("edge_length")) {
             pattern.edge_length = length(edge);
@@ -326,6 +329,34 @@ class Reader : private FaultReader {
                 error(edge, edge.value->number_text() + " is no edge length of a mesh: 0.5 to 50 cm are");
             }
         }
+    }
+
+    void read_underlays(const Node& list) {
+        if (!expect(list, Json::Kind::Array)) return;
+        if (list.size() > kMostUnderlays) {
+            return error(list, std::to_string(list.size()) + " underlays: at most " + std::to_string(kMostUnderlays) +
+                                   " are possible");
+        }
+        for (std::size_t i = 0; i < list.size(); ++i) read_underlay(list.element(i));
+    }
+
+    void read_underlay(const Node& node) {
+        if (!expect(node, Json::Kind::Object)) return;
+        Underlay underlay;
+        const Node file = node.member("file"), size = node.member("pixel_size");
+        if (!file) return error(node, "no key 'file'");
+        if (!size) return error(node, "no key 'pixel_size'");
+        underlay.file = text(file).value_or("");
+        underlay.pixel_size = length(size).value_or(underlay.pixel_size);
+        if (underlay.pixel_size < kSmallestPixel || underlay.pixel_size > kLargestPixel)
+            error(size, size.value->number_text() + " is no size of a pixel: 0.0001 to 100 cm are");
+        if (const Node position = node.member("position")) underlay.position = point(position).value_or(Vec2d::Zero());
+        if (const Node rotation = node.member("rotation")) underlay.rotation = number(rotation).value_or(0) * kDegree;
+        if (const Node opacity = node.member("opacity")) {
+            underlay.opacity = number(opacity).value_or(underlay.opacity);
+            if (underlay.opacity < 0 || underlay.opacity > 1) error(opacity, "an opacity is from 0 to 1");
+        }
+        out_.pattern.underlays.push_back(std::move(underlay));
     }
 
     void read_sett_size(const Node& node) {

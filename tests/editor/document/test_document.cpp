@@ -183,6 +183,22 @@ TEST(Document, the_selection_follows_what_is_there) {
     EXPECT_EQ(document.selection().panels, (std::set<std::string>{"front"}));
 }
 
+TEST(Document, undo_keeps_all_that_the_command_did_not_change) {
+    sim::PatternDocument source = shipped("tshirt.json");
+    source.pattern.allowance = 0.01;
+    source.pattern.size = "40";
+    source.pattern.underlays = {{.file = "front.jpg"}};
+    const sim::Pattern before = source.pattern;
+    Document document(std::move(source));
+    document.run(SetTartan{.tartan = "black_watch"});
+    document.undo();
+    EXPECT_EQ(document.pattern(), before);
+    document.run(SetUnderlays{});
+    document.undo();
+    EXPECT_EQ(document.pattern(), before);
+    EXPECT_THROW(document.run(SetUnderlays{.underlays = {{.file = "a", .pixel_size = 0}}}), GeometryError);
+}
+
 TEST(Document, matching_at_seams_is_a_command) {
     Document document(shipped("tshirt.json"));
     document.run(SetTartan{.tartan = "black_watch"});

@@ -121,6 +121,7 @@ TEST(CommandJson, every_command_survives) {
         SetBody{.body = "mannequin:bust=92", .shifts = {Vec3d(0, 0.01, 0)}},
         TransformPanels{.panels = {"a", "b"}, .map = {.x_axis = {0, 1}, .y_axis = {-1, 0}}, .what = "Rotate"},
         SetEdgeLength{},
+        SetUnderlays{.underlays = {{.file = "a.png", .position = Vec2d(1, 2), .pixel_size = 0.002, .opacity = 0.5}}},
         SewRuns{.first = {{"a", 1, 0.25, 1}}, .second = {{"b", 2, 0, 0.5}, {"b", 3, 0, 1}}, .is_reversed = false},
         PlacePanel{.panel = "a", .translation = Vec3d(1, 2, 3), .wrap_radius = 0.2},
         SetTartan{.tartan = "K/8 R24 W/4", .size = 0.1, .position = Vec2d(0.01, 0)},

@@ -12,6 +12,8 @@ namespace selvedge::editor {
 inline Services services_without_files() {
     Services services;
     services.list_folder = [](const std::string&) { return FolderListing{}; };
+    services.is_photo = [](const std::string&) { return false; };
+    services.full_path = [](const std::string& file) { return file; };
     services.recent_files = [] { return std::vector<std::string>(); };
     services.remember_file = [](const std::string&) {};
     services.begin_journal = [](const std::string&) {};

@@ -128,6 +128,28 @@ std::string for_body(const std::string& body) {
     return replaced(sample_text(), R"("pattern": {)", R"("selvedge": {"body": ")" + body + R"("}, "pattern": {)");
 }
 
+TEST(PatternFile, keeps_what_lies_under_the_sheet_beside_itself) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder / "mine.json";
+    PatternDocument document = parse_pattern(sample_text(), file.string());
+    const std::string picture = (std::filesystem::canonical(file.parent_path()) / "photos" / "front.jpg").string();
+    document.pattern.underlays = {{.file = picture,
+                                   .position = Vec2d(0.25, -0.5),
+                                   .pixel_size = 0.0002,
+                                   .rotation = 90 * kDegree,
+                                   .opacity = 0.4}};
+    save_pattern(document, file);
+    const PatternDocument again = load_pattern(file);
+    ASSERT_EQ(again.pattern.underlays.size(), 1U);
+    EXPECT_EQ(again.pattern.underlays[0].file, picture);
+    EXPECT_TRUE(again.pattern.underlays[0].position.isApprox(Vec2d(0.25, -0.5)));
+    EXPECT_NEAR(again.pattern.underlays[0].pixel_size, 0.0002, 1e-12);
+    EXPECT_NEAR(again.pattern.underlays[0].rotation, 90 * kDegree, 1e-12);
+    EXPECT_EQ(again.pattern.underlays[0].opacity, 0.4);
+    EXPECT_EQ(again.json.find("selvedge")->find("underlays")->elements()[0].find("file")->string(), "photos/front.jpg");
+    EXPECT_EQ(write_pattern(again, file), write_pattern(document, file));
+}
+
 TEST(PatternFile, names_a_body_file_relative_to_itself) {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder / "shirt.json";
