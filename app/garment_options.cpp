@@ -101,8 +101,38 @@ std::vector<std::filesystem::path> input_files(const GarmentOptions& options, co
     return inputs;
 }
 
+namespace {
+
+// The pattern as the options change its looks: one fabric or one tartan for all panels, or another size and place of
+// its tartan.
+sim::Pattern shown_pattern(sim::Pattern pattern, const GarmentOptions& options, const PictureOptions& picture) {
+    if (!options.fabric.empty()) {
+        pattern.fabric = options.fabric;
+        for (sim::Panel& panel : pattern.panels) panel.fabric.clear();
+    }
+    if (picture.design) {
+        pattern.surface = picture.design;
+        for (sim::Panel& panel : pattern.panels) panel.surface = pattern.surface;
+    }
+    const auto place = [&](std::optional<sim::SurfaceDesign>& surface) {
+        if (!surface) return;
+        if (picture.sett_size) surface->size = picture.sett_size;
+        if (picture.sett_position) surface->position = *picture.sett_position;
+    };
+    place(pattern.surface);
+    for (sim::Panel& panel : pattern.panels) place(panel.surface);
+    if (picture.sett_size) pattern.sett_size = picture.sett_size;
+    if (picture.sett_position) pattern.sett_position = *picture.sett_position;
+    return pattern;
+}
+
+}  // namespace
+
 void fill_in(GarmentOptions& options, BodyOptions& body, PictureOptions& picture, const sim::Pattern& pattern) {
     if (!options.fabric.empty()) options.dress.fabric = sim::find_fabric(options.fabric);
+    picture.pattern = std::make_shared<const sim::Pattern>(shown_pattern(pattern, options, picture));
+    picture.looks = std::make_shared<render::ClothLooks>(render::ClothLooks::Unknown::Fail);
+    picture.looks->read(*picture.pattern);
     if (!picture.sett && !picture.sett_size) picture.sett_size = pattern.sett_size;
     if (!picture.sett && !pattern.tartan.empty()) picture.sett = sim::find_tartan(pattern.tartan);
     if (!picture.sett_position) picture.sett_position = pattern.sett_position;

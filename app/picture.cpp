@@ -67,6 +67,15 @@ Vec2d parse_sett_position(const std::string& text) {
            100;
 }
 
+sim::SurfaceDesign parse_design(const std::string& text) {
+    if (text == "test") return {.kind = sim::DesignKind::Test};
+    if (sim::is_colour_text(text)) return {.kind = sim::DesignKind::Colour, .source = text};
+    if (text.starts_with('#')) throw sim::InputError("", "--design", "'" + text + "' is no colour: #RRGGBB is");
+    sim::SurfaceDesign design{.kind = sim::DesignKind::Picture, .source = text};
+    render::picture_of(design);  // throws if it cannot be read
+    return design;
+}
+
 // Returns the value, or throws an error that lists the known ones.
 template <class T>
 T known(const std::optional<T>& value, const std::string& option, const std::string& text, const std::string& names) {
@@ -135,9 +144,16 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     add("--tartan",
         std::string("A shipped tartan or a threadcount, such as 'B/24 W4 B24 R/2' (default the pattern's, or ") +
             sim::kDefaultTartan + ")",
-        [&](Text text) { options.sett = sim::find_tartan(text); })
+        [&](Text text) {
+            options.sett = sim::find_tartan(text);
+            options.design = sim::SurfaceDesign{.source = text};
+        })
         ->type_name("NAME");
-    add("--sett-size", "Size of the tartan's repeat in cm (default its own)", [&](Text text) {
+    add("--design", "What the cloth shows instead of a tartan: a colour #RRGGBB, a PNG or JPEG file, or test",
+        [&](Text text) { options.design = parse_design(text); })
+        ->type_name("COLOUR|FILE|test")
+        ->excludes("--tartan");
+    add("--sett-size", "Size of a repeat of the tartan or design in cm (default its own)", [&](Text text) {
         options.sett_size = parse_sett_size(text);
     })->type_name("CM");
     add("--sett-position", "Where the sett begins, across and along the grain in cm (default 0,0)", [&](Text text) {
@@ -269,6 +285,12 @@ render::SubjectFrame make_frame(const render::Scene& scene, const PictureOptions
     return frame;
 }
 
+// Divides the cloth into parts that look alike.
+void divide(render::Scene& scene, const PictureOptions& options) {
+    if (!options.pattern || options.show == render::ShowMode::Hierarchy) return;
+    scene.cloths = options.looks->parts(scene.cloths.front(), *options.pattern);
+}
+
 // Strain and hierarchy modes show the simulated triangles. A rotating subject has no back faces to coarsen, because it
 // is seen from all sides.
 void curve(render::Scene& scene, const RenderSubject& subject, const PictureOptions& options,
@@ -356,6 +378,7 @@ Layout compose(const RenderSubject& subject, const PictureOptions& options, cons
         scene.camera = render::camera_at(eye, target, render::at_all_turns(scene_points(scene), layout.axis, turns));
     }
     curve(scene, subject, options, turns);
+    divide(scene, options);
     if (options.show != render::ShowMode::Hierarchy) layout.legend = fill(scene, subject, options);
     if (layout.legend) {
         const render::LegendPlace place = find_legend_place(
@@ -379,6 +402,7 @@ Layout moved(const Layout& first, const RenderSubject& subject, const PictureOpt
     scene.camera.eye += by;
     scene.camera.target += by;
     curve(scene, subject, options, {0});
+    divide(scene, options);
     layout.legend = fill(scene, subject, options);
     set_light(scene, options);
     scene.background = first.scene.background;

@@ -1,16 +1,20 @@
 #pragma once
 // Draws a picture of a garment and a body, and declares the picture options that dress and render share.
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/options.h"
 #include "render/draw/renderer.h"
 #include "render/image/image.h"
+#include "render/looks/cloth_looks.h"
 #include "render/marks/legend.h"
 #include "render/scene/scene.h"
 #include "sim/body/body.h"
 #include "sim/mesh/draw_mesh.h"
 #include "sim/pattern/fabric.h"
+#include "sim/pattern/pattern.h"
 #include "sim/tartan/sett.h"
 
 namespace CLI {
@@ -34,8 +38,12 @@ struct PictureOptions {
     std::optional<double> sett_size;     // m, of one repeat; none: the tartan's own size
     std::optional<Vec2d> sett_position;  // m, (weft, warp); none: zero
     bool is_transparent = false;
-    render::Material material{};  // light response of the cloth
-    SurfaceChoice surface{};      // the simulated triangles, or a curved surface over them
+    render::Material material{};                 // light response of the cloth
+    std::optional<sim::SurfaceDesign> design{};  // of all panels, by --tartan or --design; none: the pattern's
+    // What each panel looks like: fabrics and surface designs of this pattern; null: the sett and the material above.
+    std::shared_ptr<const sim::Pattern> pattern{};
+    std::shared_ptr<render::ClothLooks> looks{};  // keeps what was read for it; set if `pattern` is
+    SurfaceChoice surface{};                      // the simulated triangles, or a curved surface over them
 };
 
 // Adds --size, --samples, --supersample, --view, --camera, --frame, --show, --tartan, --sett-size, --sett-position,

@@ -22,6 +22,7 @@ struct RenderArguments {
     PictureOptions picture;
     TurntableOptions turntable;
     bool is_quiet = false;
+    std::string fabric;  // empty: the default
 };
 
 void check_outputs(const RenderArguments& arguments) {
@@ -31,7 +32,20 @@ void check_outputs(const RenderArguments& arguments) {
     check_turntable(arguments.turntable, arguments.picture);
 }
 
-int render(const RenderArguments& arguments) {
+// A mesh has no pattern: with a design, it is drawn as if its pattern had no more than that.
+void show_design(PictureOptions& picture, const std::string& fabric) {
+    if (!picture.design) return;
+    sim::SurfaceDesign design = *picture.design;
+    design.size = picture.sett_size;
+    design.position = picture.sett_position.value_or(Vec2d::Zero());
+    picture.looks = std::make_shared<render::ClothLooks>(render::ClothLooks::Unknown::Fail);
+    sim::Pattern pattern;
+    pattern.fabric = fabric;
+    pattern.surface = design;
+    picture.pattern = std::make_shared<const sim::Pattern>(std::move(pattern));
+}
+
+int render(RenderArguments& arguments) {
     check_outputs(arguments);
     check_can_draw(arguments.picture);
     check_can_show(arguments.picture.show, !arguments.body.source.empty(), false);
@@ -39,6 +53,7 @@ int render(const RenderArguments& arguments) {
     std::optional<sim::Body> body;
     if (!arguments.body.source.empty()) body = make_body(arguments.body).body;
     const RenderSubject subject{.garment = garment, .body = body ? &*body : nullptr};
+    show_design(arguments.picture, arguments.fabric);
     if (!arguments.output.empty()) {
         write_png(arguments.output, draw_picture(subject, arguments.picture));
         std::printf("wrote %s\n", arguments.output.c_str());
@@ -66,6 +81,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
             "--fabric",
             [arguments](const std::string& name) {
                 arguments->picture.material = render::material_of(sim::find_fabric(name));
+                arguments->fabric = name;
             },
             "A shipped fabric or a fabric file: how it takes light")
         ->type_name("NAME|FILE");
@@ -76,6 +92,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
         "  selvedge render tshirt.obj --body body.obj -o tshirt.png --view three-quarter\n"
         "  selvedge render tshirt.glb -o mesh.png --show edges --size 2048x2048\n"
         "  selvedge render tshirt.glb -o check.png --tartan 'K/8 W/8' --sett-size 4\n"
+        "  selvedge render tshirt.glb -o roses.png --design roses.jpg --sett-size 12\n"
         "  selvedge render tshirt.glb --body body.obj -o side.png --camera 60,-10,2 --frame garment\n"
         "  selvedge render tshirt.glb --body body.obj --turntable tshirt.mp4 --size 720x960");
     command->callback([arguments, &exit_code] { exit_code = render(*arguments); });

@@ -193,7 +193,13 @@ void UiDraw::hold(const editor::TextureUpload& picture) {
     impl_->lent.erase(picture.texture);
     const GladGLContext& gl = impl_->gl;
     impl_->owned.insert_or_assign(picture.texture,
-                                  make_texture(gl, image.width_px, image.height_px, image.pixels.data(), GL_REPEAT));
+                                  make_texture(gl, image.width_px, image.height_px, image.pixels.data(),
+                                               picture.around ? GL_CLAMP_TO_BORDER : GL_REPEAT));
+    if (picture.around) {
+        const auto& [red, green, blue] = *picture.around;
+        const std::array<float, 4> border{float(red) / 255, float(green) / 255, float(blue) / 255, 1};
+        gl.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, border.data());
+    }
     if (!picture.has_levels) return;
     gl.GenerateMipmap(GL_TEXTURE_2D);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);

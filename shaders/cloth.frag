@@ -7,10 +7,15 @@ in vec2 v_touch;
 in float v_paint;
 flat in uint v_marks;
 
-uniform int show;          // 0 tartan, 1 level, 2 edges, 3 plain, 4 painted
+uniform int show;          // 0 tartan or picture, 1 level, 2 edges, 3 plain, 4 painted
 uniform vec3 cloth_colour;
 uniform vec3 level_colours[8];
 uniform float line_px;     // px, half the width of an edge's line
+uniform int has_picture;   // 1: a picture is printed on the cloth
+uniform sampler2D cloth_picture;
+uniform vec3 picture_u;    // from (weft, warp, 1) to its texture coordinates
+uniform vec3 picture_v;
+uniform vec3 picture_ground;
 uniform sampler2D paint_map;
 uniform int paint_colours;
 uniform float edge_ink;    // 0..1, darkness of edges on plain and painted cloth
@@ -49,7 +54,15 @@ vec3 painted() {
                at - float(below));
 }
 
+// Ink goes only partly through to the wrong side.
+vec3 printed(float side) {
+    vec3 place = vec3(v_place, 1.0);
+    vec3 ink = texture(cloth_picture, vec2(dot(picture_u, place), dot(picture_v, place))).rgb;
+    return side > 0.0 ? ink : mix(ink, picture_ground, 0.6);
+}
+
 vec3 cloth_albedo(float side) {
+    if (show == 0 && has_picture != 0) return 0.94 * printed(side) + 0.008;
     if (show == 0) return 0.94 * tartan(v_place, side) + 0.008;  // even black yarn reflects a little light
     if (show == 1) return level_colours[min(v_marks & 255u, 7u)];
     if (show == 4) return painted();

@@ -6,8 +6,8 @@ layout(location = 2) in vec2 place;  // (weft, warp) in m, or the position along
 layout(location = 3) in uint marks;  // as in cloth.vert
 
 uniform mat4 camera;
-uniform vec2 place_scale;
-uniform vec2 place_offset;
+uniform vec3 place_u;  // from (place, 1) to texture coordinates
+uniform vec3 place_v;
 uniform vec3 cloth_colour;  // sRGB; white if the picture gives the colour
 uniform vec3 level_colours[8];
 uniform float level_share;  // 1: coloured by level
@@ -34,7 +34,7 @@ void main() {
     vec3 colour = mix(cloth_colour, level_colours[min(marks & 255u, 7u)], level_share);
     v_front = colour * light_on(normal, 0.8, 1.0);
     v_back = colour * light_on(-normal, 0.5, 0.35);
-    v_place = place * place_scale + place_offset;
+    v_place = vec2(dot(place_u, vec3(place, 1.0)), dot(place_v, vec3(place, 1.0)));
     int corner = gl_VertexID % 3;
     uint lines = all_lines != 0 ? 7u : (marks >> 8 | marks >> 11) & 7u;
     vec3 heights = vec3(corner == 0, corner == 1, corner == 2);

@@ -109,6 +109,7 @@ Outcome run(sim::Pattern& pattern, const SetTartan& command) {
         throw GeometryError("A repeat of a tartan is from 0.1 to 500 cm");
     }
     pattern.tartan = command.tartan;
+    pattern.surface.reset();  // which would hide it
     pattern.sett_size = command.size;
     pattern.sett_position = command.position;
     return {};
@@ -124,6 +125,43 @@ Outcome run(sim::Pattern& pattern, const SetUnderlays& command) {
         if (!(underlay.opacity >= 0 && underlay.opacity <= 1)) throw GeometryError("An opacity is from 0 to 1");
     }
     pattern.underlays = command.underlays;
+    return {};
+}
+
+void check_design(const sim::SurfaceDesign& design) {
+    if (design.size && !(*design.size >= sim::kSmallestDesign && *design.size <= sim::kLargestDesign))
+        throw GeometryError("A repeat is from 0.1 to 500 cm");
+    if (design.kind == sim::DesignKind::Colour && !sim::is_colour_text(design.source))
+        throw GeometryError("'" + design.source + "' is no colour: #RRGGBB is");
+    if (!design.ground.empty() && !sim::is_colour_text(design.ground))
+        throw GeometryError("'" + design.ground + "' is no colour: #RRGGBB is");
+    if (design.kind == sim::DesignKind::Picture && design.source.empty()) throw GeometryError("Choose a picture first");
+    if (design.kind == sim::DesignKind::Tartan && !design.source.empty())
+        as_geometry_error([&] { return sim::find_tartan(design.source); });
+}
+
+Outcome run(sim::Pattern& pattern, const SetAllowance& command) {
+    if (command.width && !(*command.width >= 0 && *command.width <= sim::kWidestAllowance))
+        throw GeometryError("A seam allowance is from 0 to 50 cm");
+    if (command.panel.empty()) {
+        pattern.allowance = command.width.value_or(0);
+        return {};
+    }
+    sim::Panel& panel = panel_of(pattern, command.panel);
+    if (!command.edge) {
+        panel.allowance = command.width;
+        return {};
+    }
+    edge_of(pattern, {command.panel, *command.edge});  // throws if there is none
+    sim::OutlineEdge& edge = panel.edges[static_cast<std::size_t>(*command.edge)];
+    edge.allowance = command.width;
+    edge.allowance_corner = command.corner;
+    return {};
+}
+
+Outcome run(sim::Pattern& pattern, const SetSurface& command) {
+    if (command.surface) check_design(*command.surface);
+    (command.panel.empty() ? pattern.surface : panel_of(pattern, command.panel).surface) = command.surface;
     return {};
 }
 

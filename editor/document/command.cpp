@@ -34,6 +34,12 @@ std::string label(const SetTartan&) {
 std::string label(const SetUnderlays& command) {
     return command.what;
 }
+std::string label(const SetAllowance&) {
+    return "Change allowance";
+}
+std::string label(const SetSurface&) {
+    return "Change surface";
+}
 std::string label(const SetBody&) {
     return "Change body";
 }
@@ -217,6 +223,17 @@ void visit_fields(sim::Underlay& underlay, Visitor&& visit) {
 }
 
 template <class Visitor>
+void visit_fields(sim::SurfaceDesign& design, Visitor&& visit) {
+    visit("design_kind", design.kind);
+    visit("source", design.source);
+    visit("size", design.size);
+    visit("position", design.position);
+    visit("rotation", design.rotation);
+    visit("repeats", design.is_repeated);
+    visit("ground", design.ground);
+}
+
+template <class Visitor>
 void visit_fields(sim::SeamSide& side, Visitor&& visit) {
     visit("panel", side.panel);
     visit("edge", side.edge);
@@ -270,6 +287,7 @@ void visit_fields(sim::Panel& panel, Visitor&& visit) {
     visit("is_worn", panel.is_worn);
     visit("wrap_radius", panel.wrap_radius);
     visit("mirror_of", panel.mirror_of);
+    visit("surface", panel.surface);
     visit("sheet_position", panel.sheet_position);
 }
 
@@ -313,6 +331,9 @@ template <class T>
 requires std::is_enum_v<T> sim::Json encode(T value) {
     return sim::Json(sim::name_of_value(value));
 }
+
+template <Record T>
+sim::Json encode(const T& value);
 
 template <class T>
 sim::Json encode(const std::optional<T>& value) {

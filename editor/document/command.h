@@ -12,12 +12,13 @@
 
 namespace selvedge::editor {
 
-using Command = std::variant<RenamePattern, SetFabric, SetTartan, SetBody, SetEdgeLength, MatchSetts, TranslateAll,
-                             RemoveParts, AddPanels, RenamePanel, DuplicatePanels, SymmetricCopy, UnlinkPanel,
-                             MovePanels, TransformPanels, PlacePanel, PlacePanels, SetGrain, SetSettOffset, SetPins,
-                             SetLayer, CutPanel, MergePanels, UnfoldPanel, MoveVertices, TransformVertices, SetCurve,
-                             AddVertex, AddDart, AddInternalLine, SetInternalLine, AddNotch, MoveNotch, SewEdges,
-                             SewRuns, ReverseSeam, NameSeam, AcceptEase, EvenSeam, PutOver, TakeOff, SetUnderlays>;
+using Command =
+    std::variant<RenamePattern, SetFabric, SetTartan, SetBody, SetEdgeLength, MatchSetts, TranslateAll, RemoveParts,
+                 AddPanels, RenamePanel, DuplicatePanels, SymmetricCopy, UnlinkPanel, MovePanels, TransformPanels,
+                 PlacePanel, PlacePanels, SetGrain, SetSettOffset, SetPins, SetLayer, CutPanel, MergePanels,
+                 UnfoldPanel, MoveVertices, TransformVertices, SetCurve, AddVertex, AddDart, AddInternalLine,
+                 SetInternalLine, AddNotch, MoveNotch, SewEdges, SewRuns, ReverseSeam, NameSeam, AcceptEase, EvenSeam,
+                 PutOver, TakeOff, SetUnderlays, SetSurface, SetAllowance>;
 
 // The label in the history: "Move 3 points".
 std::string label_of(const Command& command);

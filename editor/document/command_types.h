@@ -453,6 +453,37 @@ struct SetTartan {
     }
 };
 
+// Sets the seam allowance, m, of an edge, of a panel (`edge` none) or of the pattern (`panel` empty). `width` none: an
+// edge has the panel's, a panel the pattern's; the pattern has 0. `corner`: of an edge only.
+struct SetAllowance {
+    static constexpr const char* name = "set_allowance";
+    std::string panel{};
+    std::optional<int> edge{};
+    std::optional<double> width{};
+    sim::AllowanceCorner corner = sim::AllowanceCorner::Mitred;
+
+    template <class Visitor>
+    void fields(Visitor&& visit) {
+        visit("panel", panel);
+        visit("edge", edge);
+        visit("width", width);
+        visit("corner", corner);
+    }
+};
+
+// Sets what the panel shows; `panel` empty: the pattern. `surface` none: what its fabric, or the tartan, says.
+struct SetSurface {
+    static constexpr const char* name = "set_surface";
+    std::string panel{};
+    std::optional<sim::SurfaceDesign> surface{};
+
+    template <class Visitor>
+    void fields(Visitor&& visit) {
+        visit("panel", panel);
+        visit("surface", surface);
+    }
+};
+
 // Sets all photos under the sheet. `what`: the label in the history.
 struct SetUnderlays {
     static constexpr const char* name = "set_underlays";

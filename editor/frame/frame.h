@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "render/image/image.h"
 #include "render/scene/scene.h"
 #include "sim/core/math.h"
+#include "sim/tartan/sett.h"
 
 namespace selvedge::editor {
 
@@ -33,8 +35,9 @@ struct SceneRequest {
 // An image to upload as a repeating texture. It stays until another image with the same number replaces it.
 struct TextureUpload {
     UiTexture texture = 0;
-    render::Image picture;
-    bool has_levels = false;  // smaller levels are made of it, for a picture that is shown at any size
+    render::Image picture{};
+    std::optional<sim::Rgb8> around{};  // the colour around a picture that is placed once; none: it repeats
+    bool has_levels = false;            // smaller levels are made of it, for a picture that is shown at any size
 };
 
 enum class MouseCursor { Arrow, Text, Hand, Cross, ResizeHorizontal, ResizeVertical, Hidden };

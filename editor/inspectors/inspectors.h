@@ -118,6 +118,7 @@ struct InspectorContext {
     std::function<void()> open_motion{};        // the same for a motion
     std::function<void()> open_pose{};          // the same for a pose
     std::function<void()> save_pose{};          // opens a file dialog to save the pose of the body
+    std::function<void()> open_picture{};       // opens a file dialog for a picture that the panels show; may be unset
     std::function<void()> fit_photo{};          // chooses the tool that fits photos under the sheet; may be unset
     std::function<void()> show_timeline{};      // shows the timeline of the motion; may be unset
     std::function<std::string(std::string_view action)> key_of{};  // "Ctrl+Z" for an action's id; unset or empty: none

@@ -487,6 +487,7 @@ void draw_match(InspectorContext& context) {
 void draw_materials(InspectorContext& context) {
     ImGui::PushID("materials");
     if (folding("Fabric", Fold::Open)) draw_fabric(context);
+    if (folding("Surface", Fold::Open)) draw_surface(context);
     if (folding("Tartan", Fold::Open)) {
         draw_tartan_list(context);
         draw_threadcount(context);

@@ -15,6 +15,9 @@ namespace selvedge::editor {
 // The search box and the list of matching tartans; a click selects one.
 void draw_tartan_list(InspectorContext& context);
 
+// What the selected panels show, or the garment: tartan, colour, picture or test pattern.
+void draw_surface(InspectorContext& context);
+
 // The threadcount field, with a preview of the weave while typing, and the error if the text is invalid.
 void draw_threadcount(InspectorContext& context);
 

@@ -180,6 +180,16 @@ void draw_cloth(InspectorContext& context, const sim::Panel& panel) {
                                          .most = 100},
                                         "Layer");
     apply_edit(context, layer, SetLayer{.panel = name, .layer = static_cast<int>(layer.value.value_or(0))});
+    const NumberEdit allowance = number_row(context,
+                                            {.name = "panel.allowance",
+                                             .value = panel.allowance,
+                                             .tip = "Between the outline and the cut line. Empty: the garment's.",
+                                             .least = 0,
+                                             .most = sim::kWidestAllowance,
+                                             .may_be_empty = true,
+                                             .standing_for = context.pattern().allowance},
+                                            "Allowance");
+    apply_edit(context, allowance, SetAllowance{.panel = name, .width = allowance.value});
 }
 
 std::string mirror_of(const sim::Pattern& pattern, const sim::Panel& panel) {
@@ -427,6 +437,41 @@ void draw_vertices_section(InspectorContext& context) {
     ImGui::PopID();
 }
 
+namespace {
+
+void draw_allowance(InspectorContext& context, const PartRef& edge, const sim::Panel& panel,
+                    const sim::OutlineEdge& curve) {
+    const NumberEdit width = number_row(context,
+                                        {.name = "edge.allowance",
+                                         .value = curve.allowance,
+                                         .tip = "Between this edge and the cut line. Empty: the panel's.",
+                                         .least = 0,
+                                         .most = sim::kWidestAllowance,
+                                         .may_be_empty = true,
+                                         .standing_for = panel.allowance.value_or(context.pattern().allowance)},
+                                        "Allowance");
+    SetAllowance command{
+        .panel = edge.panel, .edge = edge.index, .width = width.value, .corner = curve.allowance_corner};
+    if (width) return apply_edit(context, width, command);
+    const std::array<std::string, 3> corners{"Mitred", "Squared", "Mirrored"};
+    const auto chosen = static_cast<std::size_t>(curve.allowance_corner);
+    row_label(
+        context, "Its corners",
+        "Mitred: both cut lines go on to where they meet. Squared: at a right angle to the edge. Mirrored: turned "
+        "up, the allowance covers the panel, as at a hem.");
+    const int now = choice_box(context, {.name = "edge.allowance_corner",
+                                         .shown = corners[chosen],
+                                         .items = corners,
+                                         .chosen = static_cast<int>(chosen),
+                                         .width_px = field_width()});
+    if (now < 0) return;
+    command.width = curve.allowance;
+    command.corner = static_cast<sim::AllowanceCorner>(now);
+    context.workspace.run(command);
+}
+
+}  // namespace
+
 void draw_edge_section(InspectorContext& context, const PartRef& edge) {
     const auto found = find(context.pattern(), edge.panel);
     if (!found || static_cast<std::size_t>(edge.index) >= found->panel.edges.size()) return;
@@ -440,6 +485,7 @@ void draw_edge_section(InspectorContext& context, const PartRef& edge) {
     draw_kind(context, edge, shown, curve);
     draw_controls(context, edge, shown, curve);
     if (curve.kind == sim::CurveKind::Arc) draw_arc(context, edge, shown, curve);
+    draw_allowance(context, edge, panel, curve);
     draw_seam_of(context, shown, edge.index);
     ImGui::PopID();
 }
@@ -590,6 +636,14 @@ void draw_pattern_section(InspectorContext& context) {
                                           .standing_for = kUsualEdgeLength},
                                          "Mesh edges");
     apply_edit(context, length, SetEdgeLength{length.value});
+    const NumberEdit allowance = number_row(context,
+                                            {.name = "pattern.allowance",
+                                             .value = pattern.allowance,
+                                             .tip = "Seam allowance of all panels that have none of their own.",
+                                             .least = 0,
+                                             .most = sim::kWidestAllowance},
+                                            "Allowance");
+    apply_edit(context, allowance, SetAllowance{.width = allowance.value});
     fact(context, "Parts", counted(pattern.panels.size(), "panel") + ", " + counted(pattern.seams.size(), "seam"),
          "What the garment consists of.");
     ImGui::PopID();

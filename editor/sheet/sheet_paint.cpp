@@ -17,12 +17,13 @@ ImTextureID id_of(UiTexture texture) {
     return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
 }
 
-// Texture coordinates (weft, warp) in units of the repeat.
-ImVec2 sett_uv(const SettTexture& sett, const sim::Panel& panel, const Vec2d& u) {
+// Texture coordinates of a panel point.
+ImVec2 cloth_uv(const ClothTexture& cloth, const sim::Panel& panel, const Vec2d& u) {
     const double c = std::cos(panel.grain_angle), s = std::sin(panel.grain_angle);
     const Vec2d turned(c * u.x() + s * u.y(), -s * u.x() + c * u.y());
-    const Vec2d place = (turned + panel.sett_offset - sett.position).cwiseQuotient(sett.repeat);
-    return {static_cast<float>(place.x()), static_cast<float>(place.y())};
+    const Vec2d place = turned + panel.sett_offset;
+    const Vec3f at(static_cast<float>(place.x()), static_cast<float>(place.y()), 1);
+    return {cloth.rows[0].dot(at), cloth.rows[1].dot(at)};
 }
 
 template <class Place>
@@ -169,16 +170,31 @@ bool is_in_view(const SheetLook& look, const PanelShape& shape) {
     return !shape.box.isEmpty() && visible_box(look.pen.camera).intersects(shape.sheet_box());
 }
 
+void draw_cut_line(const SheetLook& look, const PanelShape& shape) {
+    const sim::CutLine* cut = look.cut_lines != nullptr && look.shows.allowances
+                                  ? look.cut_lines->find(shape.panel, look.pattern.allowance)
+                                  : nullptr;
+    if (cut == nullptr || cut->outline.empty()) return;
+    std::vector<Vec2d> line = on_sheet(shape, cut->outline);
+    line.push_back(line.front());
+    look.pen.line(line, look.pen.colours.cut, 1);
+    for (const sim::NotchLine& notch : cut->notches) {
+        const std::array<Vec2d, 2> out{shape.on_sheet(notch.on_outline), shape.on_sheet(notch.on_cut)};
+        look.pen.line(out, look.pen.colours.cut, 1);
+    }
+}
+
 void draw_cloth(const SheetLook& look, const PanelShape& shape) {
     const SheetColours& colours = look.pen.colours;
     const PanelFace& face = look.faces.face(shape, look.pen.camera.scale);
     if (face.triangles.empty()) return;
-    const bool has_sett = look.sett.texture != 0 && look.shows.cloth;
-    fill_plain(look, shape, faded(has_sett ? colours.under_cloth : colours.plain_cloth, look.cloth_opacity));
-    if (has_sett) {
-        look.pen.list.PushTextureID(id_of(look.sett.texture));
+    const ClothTexture cloth = look.cloth_of && look.shows.cloth ? look.cloth_of(shape.panel) : ClothTexture{};
+    const bool is_plain = cloth.texture == 0;
+    fill_plain(look, shape, faded(is_plain ? colours.plain_cloth : colours.under_cloth, look.cloth_opacity));
+    if (!is_plain) {
+        look.pen.list.PushTextureID(id_of(cloth.texture));
         fill(look, shape, face, faded({255, 255, 255, 255}, double(colours.cloth_strength) * look.cloth_opacity),
-             [&](const Vec2d& u) { return sett_uv(look.sett, shape.panel, u); });
+             [&](const Vec2d& u) { return cloth_uv(cloth, shape.panel, u); });
         look.pen.list.PopTextureID();
     }
     if (look.selection.panels.contains(shape.panel.name)) fill_plain(look, shape, colours.accent_fill);

@@ -10,6 +10,7 @@
 namespace selvedge::editor {
 
 // Drawn below the seams.
+void draw_cut_line(const SheetLook& look, const PanelShape& shape);  // with its notches; nothing without allowance
 void draw_cloth(const SheetLook& look, const PanelShape& shape);
 void draw_outline(const SheetLook& look, const PanelShape& shape);
 

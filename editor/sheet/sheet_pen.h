@@ -2,6 +2,7 @@
 // Drawing on the sheet: positions in m on the sheet, line widths in px of the interface, anti-aliased. Also holds the
 // sheet's colours and the data that its drawing functions share.
 #include <imgui.h>
+#include <functional>
 #include <set>
 #include <span>
 #include <string>
@@ -10,6 +11,8 @@
 #include "editor/document/document.h"
 #include "editor/document/selection.h"
 #include "editor/frame/frame.h"
+#include "editor/sheet/cloth_textures.h"
+#include "editor/sheet/cut_lines.h"
 #include "editor/sheet/panel_faces.h"
 #include "editor/tools/sheet_geometry.h"
 #include "editor/tools/tool.h"
@@ -31,6 +34,7 @@ struct SheetColours {
 
     render::Rgba8 ink{0x26, 0x29, 0x2E, 0xFF};          // outlines, names
     render::Rgba8 faint_ink{0x26, 0x29, 0x2E, 0x80};    // grainlines, internal lines
+    render::Rgba8 cut{0x26, 0x29, 0x2E, 0xA0};          // cut lines
     render::Rgba8 plain_cloth{0xEF, 0xEA, 0xDF, 0xE8};  // panels without a tartan
     render::Rgba8 under_cloth{0xFF, 0xFF, 0xFF, 0xFF};  // below a tartan
     float cloth_strength = 0.40F;                       // opacity of the tartan: ink and seams stay legible
@@ -94,14 +98,8 @@ struct SheetVisibility {
     bool cloth = true;  // tartans; otherwise plain
     bool names = true;  // names and grainlines
     bool seams = true;
+    bool allowances = true;
     bool grid = true;
-};
-
-// A texture of one repeat of a sett.
-struct SettTexture {
-    UiTexture texture = 0;           // 0: no tartan is drawn
-    Vec2d repeat = Vec2d(1, 1);      // m, repeat across the warp's stripes and across the weft's
-    Vec2d position = Vec2d::Zero();  // m, origin of the repeat in panel coordinates
 };
 
 struct SheetLook {
@@ -113,9 +111,10 @@ struct SheetLook {
     const Hover& hover;
     const ToolOverlay& overlay;
     const std::set<std::string>& touched;  // panels with any selected part
-    SettTexture sett;
     SheetVisibility shows;
-    double cloth_opacity = 1;  // less over photos that are traced
+    double cloth_opacity = 1;                                         // less over photos that are traced
+    std::function<ClothTexture(const sim::Panel& panel)> cloth_of{};  // unset: plain cloth
+    CutLines* cut_lines = nullptr;                                    // null: none are drawn
 };
 
 bool is_in_view(const SheetLook& look, const PanelShape& shape);

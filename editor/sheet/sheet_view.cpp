@@ -10,8 +10,6 @@
 #include "editor/sheet/sheet_paint.h"
 #include "editor/tools/select_tool.h"
 #include "editor/tools/underlay_tool.h"
-#include "sim/core/error.h"
-#include "sim/tartan/tartan_file.h"
 
 namespace selvedge::editor {
 namespace {
@@ -181,33 +179,6 @@ SheetResult SheetView::show(SheetContext& context) {
     return answer;
 }
 
-// Empty if the pattern names no tartan or an unknown one.
-SettTexture SheetView::sett_texture(SheetContext& context) {
-    const sim::Pattern& pattern = context.host.document.pattern();
-    if (held_sides_.empty() || pattern.tartan != sett_name_ || pattern.sett_size != sett_size_) {
-        held_sides_.assign(kSheetTextures, 0);
-        sett_name_ = pattern.tartan;
-        sett_size_ = pattern.sett_size;
-        sett_.reset();
-        try {
-            if (!sett_name_.empty()) sett_ = sim::find_tartan(sett_name_);
-        } catch (const sim::InputError&) {
-            return {};  // already reported when it was set
-        }
-        if (sett_ && sett_size_ && *sett_size_ > 0) sett_ = with_repeat_size(*sett_, *sett_size_);
-    }
-    if (!sett_ || !context.shows.cloth) return {};
-    const int side = sett_tile_side(repeat_size(*sett_) * camera_.scale);
-    const auto slot =
-        std::min<std::size_t>(static_cast<std::size_t>(std::lround(std::log2(side / 32.0))), kSheetTextures - 1);
-    const UiTexture texture = context.first_texture + static_cast<UiTexture>(slot);
-    if (held_sides_[slot] != side) {
-        context.output.pictures.push_back({.texture = texture, .picture = sett_tile(*sett_, side)});
-        held_sides_[slot] = side;
-    }
-    return {texture, Vec2d(repeat_size(*sett_), weft_repeat_size(*sett_)), pattern.sett_position};
-}
-
 // A texture whose photo is no longer held is taken for the next one.
 UiTexture SheetView::underlay_texture(SheetContext& context, const std::shared_ptr<const render::Photo>& photo) {
     const auto is_of = [](const std::shared_ptr<const render::Photo>& wanted) {
@@ -256,6 +227,11 @@ void SheetView::draw(SheetContext& context, const Mouse& mouse) {
     if (context.shows.grid) draw_grid(pen);
     constexpr double kTracedThrough = 0.35;  // share of a panel's cloth over photos
     const double cloth_opacity = draw_underlays(context, pen) ? kTracedThrough : 1;
+    cloth_textures_.begin_frame();
+    const auto cloth_of = [&](const sim::Panel& panel) {
+        return cloth_textures_.find(context.output, context.first_texture, context.host.document.pattern(), panel,
+                                    camera_.scale);
+    };
     const SheetLook look{pen,
                          context.host.document.pattern(),
                          geometry,
@@ -264,13 +240,15 @@ void SheetView::draw(SheetContext& context, const Mouse& mouse) {
                          context.host.hover,
                          overlay,
                          touched,
-                         sett_texture(context),
                          context.shows,
-                         cloth_opacity};
+                         cloth_opacity,
+                         cloth_of,
+                         &cut_lines_};
     std::vector<const PanelShape*> seen;
     for (const PanelShape& shape : geometry.panels()) {
         if (is_in_view(look, shape)) seen.push_back(&shape);
     }
+    for (const PanelShape* shape : seen) draw_cut_line(look, *shape);
     for (const PanelShape* shape : seen) draw_cloth(look, *shape), draw_outline(look, *shape);
     draw_seams(look);
     for (const PanelShape* shape : seen) draw_marks(look, *shape);

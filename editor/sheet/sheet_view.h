@@ -11,16 +11,14 @@
 #include <vector>
 
 #include "editor/frame/frame.h"
+#include "editor/sheet/cloth_textures.h"
+#include "editor/sheet/cut_lines.h"
 #include "editor/sheet/panel_faces.h"
 #include "editor/sheet/sheet_pen.h"
 #include "editor/tools/tool_host.h"
 #include "render/image/photo.h"
-#include "sim/tartan/sett.h"
 
 namespace selvedge::editor {
-
-// Number of textures that the sheet may use, from `first_texture` on.
-inline constexpr UiTexture kSheetTextures = 6;
 
 // The picture of a photo that lies under the sheet.
 struct UnderlayPicture {
@@ -32,9 +30,9 @@ struct SheetContext {
     ToolHostContext host;
     ToolHost& tools;
     FrameOutput& output;
-    UiTexture first_texture = 1;
-    double ui_scale = 1;     // framebuffer px per px of the interface
-    bool takes_keys = true;  // false: ignore the keyboard. An active text field always takes precedence
+    UiTexture first_texture = 1;  // of kSheetTextures
+    double ui_scale = 1;          // framebuffer px per px of the interface
+    bool takes_keys = true;       // false: ignore the keyboard. An active text field always takes precedence
     SheetColours colours{};
     SheetVisibility shows{};
     std::function<UnderlayPicture(const std::string& file)> underlay_picture{};  // unset: there are none
@@ -72,7 +70,6 @@ class SheetView {
     void navigate(const Mouse& mouse, SheetResult& answer);
     void forward_mouse(SheetContext& context, const Mouse& mouse);
     void forward_keys(SheetContext& context, const Mouse& mouse, SheetResult& answer);
-    SettTexture sett_texture(SheetContext& context);
     SheetBox content_box(const SheetContext& context) const;
     UiTexture underlay_texture(SheetContext& context, const std::shared_ptr<const render::Photo>& photo);
     bool draw_underlays(SheetContext& context, const SheetPen& pen);
@@ -90,11 +87,8 @@ class SheetView {
     bool has_left_ = false;  // the left button was pressed inside the view
     bool is_double_ = false;
 
-    // The displayed sett, and the sizes of its textures.
-    std::string sett_name_;
-    std::optional<double> sett_size_;
-    std::optional<sim::Sett> sett_;
-    std::vector<int> held_sides_;  // px, per texture; 0: not made yet
+    ClothTextures cloth_textures_;
+    CutLines cut_lines_;
 
     // Of photos under the sheet; null: a texture that is free again.
     std::vector<std::pair<std::shared_ptr<const render::Photo>, UiTexture>> underlay_textures_;

@@ -247,6 +247,7 @@ InspectorContext Editor::Impl::inspector_context() {
             .open_motion = [this] { browse_for_motion(state); },
             .open_pose = [this] { browse_for_pose(state); },
             .save_pose = [this] { browse_to_save_pose(state); },
+            .open_picture = [this] { browse_for_picture(state); },
             .fit_photo =
                 [this] {
                     if (const Action* action = find_action(state.actions, "edit.fit_photo")) run_action(state, *action);

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "editor/frame/item.h"
+#include "editor/geometry/outline_edit.h"
 #include "editor/tools/tool_host.h"
 #include "editor/tools/underlay_tool.h"
 #include "editor/ui/app_state.h"
@@ -332,6 +335,36 @@ void browse_to_print(AppState& state, const std::string& ending) {
                         .name = name + ending,
                         .choose = [ending](AppState& current,
                                            const std::string& file) { print_to(current, with_ending(file, ending)); }},
+                       state.services);
+}
+
+namespace {
+
+void show_picture(AppState& state, const std::string& file) {
+    const std::set<std::string> selected = state.workspace.document->selection().panels;  // a copy
+    try_to(state, [&] {
+        state.services.read_photo(file);  // so that a file that is none is refused
+        const auto show = [&](const std::string& panel) {
+            const auto& pattern = state.workspace.document->pattern();
+            const std::optional<int> index = panel.empty() ? std::nullopt : panel_index(pattern, panel);
+            const auto& before = index ? pattern.panels[static_cast<std::size_t>(*index)].surface : pattern.surface;
+            sim::SurfaceDesign design = before.value_or(sim::SurfaceDesign{});
+            design.kind = sim::DesignKind::Picture;
+            design.source = state.services.full_path(file);
+            state.workspace.run(SetSurface{.panel = panel, .surface = design});
+        };
+        if (selected.empty()) show("");
+        for (const std::string& panel : selected) show(panel);
+    });
+}
+
+}  // namespace
+
+void browse_for_picture(AppState& state) {
+    state.browser.open({.title = "Choose a picture that the cloth shows",
+                        .verb = "Show",
+                        .endings = {".png", ".jpg", ".jpeg", ".PNG", ".JPG", ".JPEG"},
+                        .choose = [](AppState& current, const std::string& file) { show_picture(current, file); }},
                        state.services);
 }
 

@@ -39,6 +39,7 @@ void browse_to_wear_over(AppState& state);
 void browse_to_save(AppState& state);
 void browse_to_export(AppState& state, const std::string& ending);
 void browse_to_print(AppState& state, const std::string& ending);
+void browse_for_picture(AppState& state);  // that the selected panels show, or the garment
 void browse_for_body(AppState& state);
 void browse_for_motion(AppState& state);
 void browse_for_pose(AppState& state);

@@ -5,10 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "sim/core/error.h"
 #include "sim/mesh/draw_mesh.h"
 #include "sim/pattern/garments.h"
-#include "sim/tartan/tartan_file.h"
 
 namespace selvedge::editor {
 namespace {
@@ -17,26 +15,6 @@ constexpr float kEdgeInk = 0.55F;
 // A body that moves is drawn this much smaller: the triangles of the cloth on it have their corners 0.3 mm outside, and
 // their middles dip into what is round.
 constexpr float kDrawnInside = 0.0015F;  // m
-
-// The fabric name of each panel of the mesh.
-std::vector<std::string> fabrics_of(const sim::DrawMesh& mesh, const sim::Pattern& pattern) {
-    std::vector<std::string> names(std::max<std::size_t>(1, mesh.panel_names.size()), pattern.fabric);
-    for (std::size_t i = 0; i < mesh.panel_names.size(); ++i) {
-        const auto panel = std::find_if(pattern.panels.begin(), pattern.panels.end(),
-                                        [&](const sim::Panel& known) { return known.name == mesh.panel_names[i]; });
-        if (panel != pattern.panels.end() && !panel->fabric.empty()) names[i] = panel->fabric;
-    }
-    return names;
-}
-
-// The triangles made of `fabric`, with all vertices.
-sim::DrawMesh part_of(const sim::DrawMesh& mesh, const std::vector<std::string>& fabrics, const std::string& fabric) {
-    std::vector<std::size_t> kept;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (fabrics[panel_of(mesh, t)] == fabric) kept.push_back(t);
-    }
-    return with_triangles(mesh, kept);
-}
 
 // Without the panels of these garments.
 sim::DrawMesh without(const sim::DrawMesh& mesh, const sim::Pattern& pattern, const std::set<std::string>& garments) {
@@ -69,31 +47,7 @@ bool may_be_curved(const ViewOptions& look) {
     return look.is_curved && shows_surface && !look.has_edges;
 }
 
-// An unknown fabric falls back to the default one; the inspector reports it.
-const sim::Fabric& ViewportScene::fabric(const std::string& name) {
-    const auto known = fabrics_.find(name);
-    if (known != fabrics_.end()) return known->second;
-    sim::Fabric fabric;
-    try {
-        fabric = sim::find_fabric(name);
-    } catch (const sim::InputError&) {
-        fabric.name = name;
-    }
-    return fabrics_.emplace(name, std::move(fabric)).first->second;
-}
-
-void ViewportScene::update_sett(const sim::Pattern& pattern) {
-    if (sett_ && pattern.tartan == tartan_ && pattern.sett_size == sett_size_) return;
-    tartan_ = pattern.tartan;
-    sett_size_ = pattern.sett_size;
-    try {
-        sett_ = sim::find_tartan(tartan_.empty() ? sim::kDefaultTartan : tartan_);
-    } catch (const sim::InputError&) {
-        sett_ = sim::find_tartan(sim::kDefaultTartan);
-    }
-    if (sett_size_ && *sett_size_ > 0) sett_ = with_repeat_size(std::move(*sett_), *sett_size_);
-}
-
+// What is unknown looks like the default; the inspector reports it.
 void ViewportScene::update_cloth(const ViewportSceneInput& input) {
     cloths_.clear();
     const sim::DrawMesh& all = input.curved ? *input.curved : input.garment.mesh();
@@ -101,24 +55,12 @@ void ViewportScene::update_cloth(const ViewportSceneInput& input) {
     if (!input.look.hidden_garments.empty()) visible = without(all, input.pattern, input.look.hidden_garments);
     const sim::DrawMesh& mesh = visible ? *visible : all;
     if (!is_sound(mesh)) return;
-    update_sett(input.pattern);
-    const std::vector<std::string> names = fabrics_of(mesh, input.pattern);
-    const std::set<std::string> distinct(names.begin(), names.end());
-    for (const std::string& name : distinct) {
-        const sim::Fabric& made_of = fabric(name);
-        render::ClothItem item;
-        item.mesh = distinct.size() == 1 ? mesh : part_of(mesh, names, name);
-        if (item.mesh.triangles.empty()) continue;
-        item.sett = *sett_;
-        item.sett_position = input.pattern.sett_position.cast<float>();
-        item.show = input.look.show;
-        item.material = render::material_of(made_of);
-        if (input.look.has_edges) {
-            if (item.show == render::ShowMode::Plain) item.show = render::ShowMode::Edges;
-            item.ink = kEdgeInk;
-        }
-        cloths_.push_back(std::move(item));
+    render::ClothItem item{.mesh = mesh, .sett = {}, .show = input.look.show};
+    if (input.look.has_edges) {
+        if (item.show == render::ShowMode::Plain) item.show = render::ShowMode::Edges;
+        item.ink = kEdgeInk;
     }
+    cloths_ = looks_.parts(item, input.pattern);
 }
 
 void ViewportScene::update_body(const ViewportSceneInput& input) {

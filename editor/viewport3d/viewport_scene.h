@@ -1,7 +1,6 @@
 #pragma once
 // Builds the Scene of the 3D view from the workspace. Returns the same pointer as long as nothing has changed, so that
 // the renderer can cache what it derives from the scene.
-#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -9,7 +8,7 @@
 
 #include "editor/viewport3d/viewport_marks.h"
 #include "editor/workspace/workspace.h"
-#include "sim/pattern/fabric.h"
+#include "render/looks/cloth_looks.h"
 
 namespace selvedge::editor {
 
@@ -45,8 +44,6 @@ class ViewportScene {
 
     void update_cloth(const ViewportSceneInput& input);
     void update_body(const ViewportSceneInput& input);
-    void update_sett(const sim::Pattern& pattern);
-    const sim::Fabric& fabric(const std::string& name);
 
     ViewportColours colours_;
     std::shared_ptr<const render::Scene> scene_;
@@ -57,10 +54,7 @@ class ViewportScene {
     std::shared_ptr<const std::vector<Vec3f>> body_positions_;
     std::vector<render::BodyItem> bodies_;
     std::vector<render::ClothItem> cloths_;
-    std::string tartan_;
-    std::optional<double> sett_size_;
-    std::optional<sim::Sett> sett_;  // from tartan_ and sett_size_
-    std::map<std::string, sim::Fabric> fabrics_;
+    render::ClothLooks looks_{render::ClothLooks::Unknown::Replace};
 };
 
 // Whether the curved surface can stand for the cloth. The other modes show data of the simulated triangles.

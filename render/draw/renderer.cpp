@@ -20,7 +20,7 @@ namespace {
 constexpr float kBodyShrink = 0.001F;
 
 // Texture units.
-constexpr int kShadowMaskUnit = 0, kSettUnit = 1, kPaintUnit = 7;
+constexpr int kShadowMaskUnit = 0, kSettUnit = 1, kPaintUnit = 7, kPictureUnit = 8;
 
 constexpr std::array<sim::Rgb8, kLevelColours> kLevels{{{0x3F, 0x6C, 0x9E},
                                                         {0x53, 0xB3, 0xA4},
@@ -227,6 +227,7 @@ struct Renderer::Impl {
         cloth.use();
         set_light(cloth, frame);
         cloth.set("sett_sums", kSettUnit);
+        cloth.set("cloth_picture", kPictureUnit);
         cloth.set("line_px", 0.55F * float(frame.options.supersample));
         for (int level = 0; level < kLevelColours; ++level) {
             cloth.set(("level_colours[" + std::to_string(level) + "]").c_str(), to_linear(level_colour(level)));
@@ -239,6 +240,12 @@ struct Renderer::Impl {
         gl.BindTexture(GL_TEXTURE_2D, buffer.sett_sums.id());
         cloth.set("show", cloth_look(buffer.show, buffer.paint));
         bind_paint(gl, cloth, buffer.paint, kPaintUnit);
+        gl.ActiveTexture(GL_TEXTURE0 + kPictureUnit);
+        gl.BindTexture(GL_TEXTURE_2D, buffer.picture.id());
+        cloth.set("has_picture", buffer.has_picture ? 1 : 0);
+        cloth.set("picture_u", buffer.picture_rows[0]);
+        cloth.set("picture_v", buffer.picture_rows[1]);
+        cloth.set("picture_ground", buffer.picture_ground);
         cloth.set("cloth_colour", buffer.colour);
         cloth.set("warp_threads", std::max(buffer.warp.threads(), 1));
         cloth.set("weft_threads", std::max(buffer.weft.threads(), 1));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "render/draw/picture_texture.h"
 #include "render/gl/context.h"
 #include "render/scene/colour.h"
 #include "sim/core/assert.h"
@@ -90,9 +91,16 @@ ClothBuffer make_cloth_buffer(const GladGLContext& gl, const ClothItem& item,
     buffer.vertex_count = static_cast<int>(vertices.size());
     buffer.colour = to_linear(item.colour);
     buffer.material = item.material;
-    const bool can_weave = !item.sett.stripes.empty() && !item.mesh.u.empty();
-    buffer.show = item.show == ShowMode::Tartan && !can_weave ? ShowMode::Plain : item.show;
-    if (buffer.show == ShowMode::Tartan) upload_setts(gl, item, buffer);
+    const bool can_show = (item.picture || !item.sett.stripes.empty()) && !item.mesh.u.empty();
+    buffer.show = item.show == ShowMode::Tartan && !can_show ? ShowMode::Plain : item.show;
+    buffer.has_picture = buffer.show == ShowMode::Tartan && item.picture.has_value();
+    if (buffer.has_picture) {
+        buffer.picture = make_picture_texture(gl, *item.picture, TexelLight::Linear);
+        buffer.picture_rows = picture_rows(*item.picture);
+        buffer.picture_ground = to_linear(item.picture->ground);
+    } else if (buffer.show == ShowMode::Tartan) {
+        upload_setts(gl, item, buffer);
+    }
     return buffer;
 }
 

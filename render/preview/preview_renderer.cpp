@@ -11,6 +11,7 @@
 
 #include "render/draw/cloth_vertices.h"
 #include "render/draw/light_uniforms.h"
+#include "render/draw/picture_texture.h"
 #include "render/draw/renderer.h"
 #include "render/draw/scene_buffers.h"
 #include "render/gl/context.h"
@@ -174,23 +175,25 @@ struct PreviewRenderer::Impl {
     void draw_cloth(const PreviewCloth& drawn, const ClothItem& item) const {
         const bool is_level = item.show == ShowMode::Level;
         const bool has_edges = is_level || item.show == ShowMode::Edges || item.ink > 0;
-        const bool has_picture = drawn.is_woven() || drawn.is_painted();
+        const bool has_picture = drawn.is_woven() || drawn.is_printed() || drawn.is_painted();
         cloth.set("cloth_colour", has_picture ? Vec3f(1, 1, 1) : as_floats(item.colour));
         cloth.set("level_share", is_level ? 1.0F : 0.0F);
         cloth.set("all_lines", has_edges ? 1 : 0);
         cloth.set("ink", has_edges ? std::max(kEdgeInk * (item.ink > 0 ? item.ink : 1), kSeamInk) : kSeamInk);
-        Vec2f scale(1, 1), offset(0, 0);
-        if (drawn.is_woven()) {
+        std::array<Vec3f, 2> rows{Vec3f(1, 0, 0), Vec3f(0, 1, 0)};
+        if (drawn.is_printed()) {
+            rows = picture_rows(*item.picture);
+        } else if (drawn.is_woven()) {
             const float spacing = static_cast<float>(item.sett.thread_spacing) * item.sett_scale;
-            scale = Vec2f(1 / (spacing * float(drawn.threads()[0])), 1 / (spacing * float(drawn.threads()[1])));
-            offset = -item.sett_position.cwiseProduct(scale);
+            const Vec2f scale(1 / (spacing * float(drawn.threads()[0])), 1 / (spacing * float(drawn.threads()[1])));
+            rows = {Vec3f(scale.x(), 0, -item.sett_position.x() * scale.x()),
+                    Vec3f(0, scale.y(), -item.sett_position.y() * scale.y())};
         } else if (drawn.is_painted()) {
             const auto colours = float(item.paint->map.size());
-            scale = Vec2f((colours - 1) / colours, 1);
-            offset = Vec2f(0.5F / colours, 0);
+            rows[0] = Vec3f((colours - 1) / colours, 0, 0.5F / colours);
         }
-        cloth.set("place_scale", scale);
-        cloth.set("place_offset", offset);
+        cloth.set("place_u", rows[0]);
+        cloth.set("place_v", rows[1]);
         gl.BindTexture(GL_TEXTURE_2D, drawn.picture());
         gl.BindVertexArray(drawn.vertex_array());
         gl.DrawArrays(GL_TRIANGLES, 0, drawn.vertex_count());
@@ -276,12 +279,14 @@ bool has_same_topology(const sim::DrawMesh& a, const sim::DrawMesh& b) {
 bool is_same_fixed(const ClothItem& a, const ClothItem& b) {
     return is_same(a.mesh.level, b.mesh.level) && a.mesh.panel_grain_angles == b.mesh.panel_grain_angles &&
            a.mesh.panel_sett_offsets == b.mesh.panel_sett_offsets && a.show == b.show &&
-           a.paint.has_value() == b.paint.has_value() && (!a.paint || is_same(a.paint->places, b.paint->places));
+           a.picture.has_value() == b.picture.has_value() && a.paint.has_value() == b.paint.has_value() &&
+           (!a.paint || is_same(a.paint->places, b.paint->places));
 }
 
 bool is_same_picture(const ClothItem& a, const ClothItem& b) {
-    return a.show == b.show && a.sett == b.sett && a.paint.has_value() == b.paint.has_value() &&
-           a.mesh.u.empty() == b.mesh.u.empty() && (!a.paint || a.paint->map == b.paint->map);
+    return a.picture == b.picture && a.show == b.show && a.sett == b.sett &&
+           a.paint.has_value() == b.paint.has_value() && a.mesh.u.empty() == b.mesh.u.empty() &&
+           (!a.paint || a.paint->map == b.paint->map);
 }
 
 // For one panel: from material coordinates to the fabric's (weft, warp).
@@ -336,8 +341,15 @@ void PreviewCloth::update(const ClothItem& item, const ClothItem* before) {
 }
 
 void PreviewCloth::fill_picture(const ClothItem& item) {
-    is_woven_ = item.show == ShowMode::Tartan && !item.sett.stripes.empty() && !item.mesh.u.empty();
+    const bool has_place = item.show == ShowMode::Tartan && !item.mesh.u.empty();
+    is_printed_ = has_place && item.picture.has_value();
+    is_woven_ = has_place && !is_printed_ && !item.sett.stripes.empty();
     is_painted_ = item.show > ShowMode::Plain && item.paint.has_value();
+    if (is_printed_) {
+        gl_.ActiveTexture(GL_TEXTURE0);
+        picture_ = make_picture_texture(gl_, *item.picture, TexelLight::Srgb);
+        return;
+    }
     if (is_woven_) {
         threads_ = {sum_warp(item.sett).threads(), sum_weft(item.sett).threads()};
         picture_ = upload_preview_weave(gl_, preview_weave(item.sett));
@@ -361,7 +373,7 @@ void PreviewCloth::fill_fixed(const ClothItem& item) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
             std::array<float, 2> place{0, 0};
             if (is_painted_) place = {item.paint->places[t][corner], 0.5F};
-            if (is_woven_) place = turn.place_of(mesh.u[t][corner]);
+            if (is_woven_ || is_printed_) place = turn.place_of(mesh.u[t][corner]);
             fixed_vertices_.push_back({place, marks});
         }
     }

@@ -45,6 +45,7 @@ class PreviewCloth {
     int vertex_count() const { return vertex_count_; }
     unsigned picture() const { return picture_.id(); }
     bool is_woven() const { return is_woven_; }
+    bool is_printed() const { return is_printed_; }
     bool is_painted() const { return is_painted_; }
     std::array<int, 2> threads() const { return threads_; }  // in one repeat of warp and weft
 
@@ -66,6 +67,7 @@ class PreviewCloth {
     std::vector<std::array<Vec3f, 2>> corners_;  // position, normal
     int vertex_count_ = 0;
     bool is_woven_ = false;
+    bool is_printed_ = false;
     bool is_painted_ = false;
     std::array<int, 2> threads_{1, 1};
 };

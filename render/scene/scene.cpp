@@ -75,6 +75,14 @@ Light even_light(const Camera& camera) {
     return light;
 }
 
+// Row 0 of an image is its top, and v grows downwards.
+std::array<Vec3f, 2> picture_rows(const ClothPicture& picture) {
+    const float c = std::cos(picture.rotation), s = std::sin(picture.rotation);
+    const Vec2f across = Vec2f(c, s) / picture.size.x(), up = Vec2f(-s, c) / picture.size.y();
+    return {Vec3f(across.x(), across.y(), -across.dot(picture.position)),
+            Vec3f(-up.x(), -up.y(), 1 + up.dot(picture.position))};
+}
+
 Material material_of(const sim::Fabric& fabric) {
     return {.gloss = static_cast<float>(fabric.gloss),
             .roughness = static_cast<float>(fabric.roughness),

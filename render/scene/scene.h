@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "render/image/image.h"
 #include "render/scene/camera.h"
 #include "sim/body/body.h"
 #include "sim/core/math.h"
@@ -57,11 +58,28 @@ struct Material {
 // How a fabric takes light.
 Material material_of(const sim::Fabric& fabric);
 
+// A picture that is printed on cloth, by its material coordinates.
+struct ClothPicture {
+    std::shared_ptr<const Image> image{};  // opaque
+    Vec2f size{0.2F, 0.2F};                // m, of the whole picture
+    Vec2f position{0, 0};                  // m, (weft, warp): its lower left corner
+    float rotation = 0;                    // rad, counter-clockwise about the position
+    bool is_repeated = true;               // false: placed once
+    sim::Rgb8 ground{0xF4, 0xF1, 0xEA};    // around one that is placed once, and the tint of its wrong side
+
+    bool operator==(const ClothPicture&) const = default;
+};
+
+// From a place on the cloth (m, weft and warp) to texture coordinates (u, v): u = rows[0] . (weft, warp, 1). Row 0 of
+// the image is at v = 0.
+std::array<Vec3f, 2> picture_rows(const ClothPicture& picture);
+
 struct ClothItem {
     sim::DrawMesh mesh;
     sim::Sett sett;
-    Vec2f sett_position{0, 0};  // m, in the fabric's (weft, warp) directions: start of the first stripe
-    float sett_scale = 1;       // factor on the sett's own repeat
+    Vec2f sett_position{0, 0};              // m, in the fabric's (weft, warp) directions: start of the first stripe
+    float sett_scale = 1;                   // factor on the sett's own repeat
+    std::optional<ClothPicture> picture{};  // in the mode Tartan, instead of the sett
     ShowMode show = ShowMode::Tartan;
     sim::Rgb8 colour{0xE4, 0xDF, 0xD3};  // if no tartan is woven
     Material material{};

@@ -28,6 +28,10 @@ constexpr EnumNames<AllowanceCorner, 3> names_of(AllowanceCorner) {
     return {{"mitred", "squared", "mirrored"}};
 }
 
+constexpr EnumNames<DesignKind, 4> names_of(DesignKind) {
+    return {{"tartan", "colour", "picture", "test"}};
+}
+
 // The word for a value of one of these enumerations.
 template <class T>
 constexpr std::string_view name_of_value(T value) {

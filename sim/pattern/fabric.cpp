@@ -7,6 +7,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
+#include "sim/pattern/fault.h"
 
 namespace selvedge::sim {
 
@@ -50,6 +51,19 @@ std::string joined(const std::vector<std::string>& names) {
     return text;
 }
 
+// Lengths are in metres, as in the rest of the file; a picture's path is relative to it.
+SurfaceDesign read_surface(const JsonView& view) {
+    FaultReader reader(view.file());
+    reader.units_in_meter = 1;
+    SurfaceDesign design = read_design(reader, {&view.value(), view.path()});
+    for (const Fault& fault : reader.take_faults()) throw InputError(fault.file, fault.place, fault.problem);
+    if (design.kind == DesignKind::Picture) {
+        const std::filesystem::path folder = std::filesystem::absolute(view.file()).parent_path();
+        design.source = (folder / design.source).lexically_normal().string();
+    }
+    return design;
+}
+
 Fabric read_fabric(const JsonView& root, const std::string& file) {
     Fabric fabric;
     fabric.name = root.has("name") ? root.at("name").string() : std::filesystem::path(file).stem().string();
@@ -57,6 +71,7 @@ Fabric read_fabric(const JsonView& root, const std::string& file) {
         if (!root.has(figure.key) && !figure.is_required) continue;
         fabric.*figure.value = root.at(figure.key).number_between(figure.least, figure.most);
     }
+    if (root.has("surface")) fabric.surface = read_surface(root.at("surface"));
     return fabric;
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 // The physical properties of a fabric, and the fabrics that ship with the program. Warp yarns run parallel to the
 // panel's grainline, weft yarns perpendicular to it. The file format is in patterns/FORMAT.md.
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "sim/core/file.h"
+#include "sim/pattern/surface_design.h"
 
 namespace selvedge::sim {
 
@@ -28,6 +30,7 @@ struct Fabric {
     double gloss = 0.008;           // appearance: specular reflectance, 0..1
     double roughness = 0.35;        // width of the highlight, 0..1
     double sheen = 0.045;           // reflectance of surface fibres at grazing angles, 0..1
+    std::optional<SurfaceDesign> surface = {};  // what it shows; none: what the pattern says
 
     bool operator==(const Fabric&) const = default;
 };

@@ -86,6 +86,19 @@ void keep_fabrics(Pattern& outer, const Pattern& pattern) {
     }
 }
 
+// What the outer garment shows stays with its panels.
+void keep_surfaces(Pattern& outer, const Pattern& pattern) {
+    std::optional<SurfaceDesign> shown = outer.surface;
+    const bool is_other_tartan =
+        outer.tartan != pattern.tartan || outer.sett_size != pattern.sett_size || pattern.surface.has_value();
+    if (!shown && is_other_tartan && !outer.tartan.empty())
+        shown = SurfaceDesign{.source = outer.tartan, .size = outer.sett_size, .position = outer.sett_position};
+    if (!shown || shown == pattern.surface) return;
+    for (Panel& panel : outer.panels) {
+        if (!panel.surface) panel.surface = shown;
+    }
+}
+
 std::vector<std::string> note_differences(const Pattern& pattern, const Pattern& outer) {
     std::vector<std::string> notes;
     const auto note = [&](const std::string& what) {
@@ -93,7 +106,6 @@ std::vector<std::string> note_differences(const Pattern& pattern, const Pattern&
                         "', over which it is worn: that of '" + pattern.name + "' counts");
     };
     if (outer.body != pattern.body || (outer.body.empty() && outer.body_height != pattern.body_height)) note("body");
-    if (outer.tartan != pattern.tartan || outer.sett_size != pattern.sett_size) note("tartan");
     if (outer.edge_length != pattern.edge_length) note("edge length");
     return notes;
 }
@@ -137,6 +149,7 @@ std::vector<std::string> put_over(Pattern& pattern, Pattern outer) {
     name_panels(outer, pattern);
     name_seams(outer, pattern);
     keep_fabrics(outer, pattern);
+    keep_surfaces(outer, pattern);
     const auto first = static_cast<int>(pattern.panels.size());
     for (Seam& seam : outer.seams) {
         seam.first.panel += first;

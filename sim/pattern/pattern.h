@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sim/core/math.h"
+#include "sim/pattern/surface_design.h"
 
 namespace selvedge::sim {
 
@@ -85,9 +86,10 @@ struct Panel {
     bool is_worn = true;                   // false: it is cut, but takes no part in the drape, as a pocket or a facing
     double wrap_radius = 0;  // m; 0: the panel starts flat. Otherwise it starts bent to a cylinder of this radius, with
                              // the axis parallel to the panel's y, behind x = 0 on the fabric's wrong side
-    std::string mirror_of = {};                // this panel is kept a mirror image of that panel; empty: of none
-    std::string label = {};                    // GarmentCode's part of the body: "body", "leg", "arm"; or anything
-    std::optional<Vec2d> sheet_position = {};  // m, of the panel's origin on the 2D sheet; none: automatic layout
+    std::string mirror_of = {};                 // this panel is kept a mirror image of that panel; empty: of none
+    std::string label = {};                     // GarmentCode's part of the body: "body", "leg", "arm"; or anything
+    std::optional<SurfaceDesign> surface = {};  // what it shows; none: its fabric's or the pattern's
+    std::optional<Vec2d> sheet_position = {};   // m, of the panel's origin on the 2D sheet; none: automatic layout
 
     // The world position, m, of the panel point u (panel frame, m).
     Vec3d place(const Vec2d& u) const;
@@ -158,6 +160,7 @@ struct Pattern {
     std::string tartan;                            // name or threadcount; empty: the default
     std::optional<double> sett_size = {};          // m, warp repeat; none: the size in the tartan
     Vec2d sett_position = Vec2d::Zero();           // m, (weft, warp): origin of the sett, for all panels
+    std::optional<SurfaceDesign> surface = {};     // of all panels without their own; none: the tartan
     std::optional<MatchedSett> matched_sett = {};  // none: the sett was not matched
     std::string body;             // of this placement: "mannequin:sex=female", or the canonical path of a file, in
                                   // whose own frame the panels are placed; empty: GarmentCode's

@@ -58,6 +58,11 @@ PatternReading examine(const Json& json, const std::string& file) {
     reading.pattern.name = garment_name(file);
     reading.pattern.body = resolve_body(reading.pattern.body, file);
     for (Underlay& underlay : reading.pattern.underlays) underlay.file = resolve_file(underlay.file, file);
+    const auto resolve = [&](std::optional<SurfaceDesign>& surface) {
+        if (surface && surface->kind == DesignKind::Picture) surface->source = resolve_file(surface->source, file);
+    };
+    resolve(reading.pattern.surface);
+    for (Panel& panel : reading.pattern.panels) resolve(panel.surface);
     return reading;
 }
 
@@ -397,6 +402,7 @@ class Writer {
             own["interlinings"] = Json::array();
             for (const std::string& fabric : panel.interlinings) own["interlinings"].push_back(fabric);
         }
+        write_surface(own, panel.surface);
         set_number_unless_zero(own, "layer", panel.layer);
         set_unless_default(own, "garment", panel.garment, std::string());
         if (own.find("pins") || !panel.pins.empty()) write_pins(own["pins"], panel);
@@ -507,6 +513,7 @@ class Writer {
         set_unless_default(own, "fabric", pattern_.fabric, std::string());
         set_unless_default(own, "tartan", pattern_.tartan, std::string());
         write_sett_place(own);
+        write_surface(own, pattern_.surface);
         write_matched_sett(own);
         write_seam_names(own);
         write_eased(own);
@@ -546,6 +553,29 @@ class Writer {
             set_number_unless_zero(place, "rotation", underlay.rotation / kDegree);
             set_number(place["opacity"], underlay.opacity);
         }
+    }
+
+    void write_surface(Json& own, const std::optional<SurfaceDesign>& surface) const {
+        if (!surface) return own.erase("surface");
+        Json& place = own["surface"];
+        if (!place.is_object()) place = Json::object();
+        place["kind"] = std::string(name_of_value(surface->kind));
+        const auto keep = [&](const char* key, DesignKind kind, const std::string& text) {
+            if (surface->kind != kind || text.empty()) return place.erase(key);
+            place[key] = text;
+        };
+        keep("tartan", DesignKind::Tartan, surface->source);
+        keep("colour", DesignKind::Colour, surface->source);
+        const Json* file = place.find("file");
+        const bool is_same = file && file->is_string() && resolve_file(file->string(), file_) == surface->source;
+        if (!is_same) keep("file", DesignKind::Picture, name_file(surface->source, file_));
+        if (!surface->size) place.erase("size");
+        if (surface->size) set_number(place["size"], units_ * *surface->size);
+        const Vec2d position = units_ * surface->position;
+        if (place.find("position") || !position.isZero(0)) set_numbers(place["position"], {position.x(), position.y()});
+        set_number_unless_zero(place, "rotation", surface->rotation / kDegree);
+        if (place.find("repeats") || !surface->is_repeated) place["repeats"] = Json(surface->is_repeated);
+        set_unless_default(place, "ground", surface->ground, std::string());
     }
 
     void write_sett_place(Json& own) const {

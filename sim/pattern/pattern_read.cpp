@@ -116,6 +116,7 @@ class Reader : private FaultReader {
         if (const Node offset = node.member("sett_offset")) panel.sett_offset = point(offset).value_or(Vec2d::Zero());
         if (const Node fabric = node.member("fabric")) panel.fabric = read_fabric_name(fabric);
         if (const Node interlinings = node.member("interlinings")) read_interlinings(interlinings, panel);
+        if (const Node surface = node.member("surface")) panel.surface = read_design(*this, surface);
         if (const Node layer = node.member("layer")) {
             const auto value = number(layer);
             if (value && (*value != std::floor(*value) || std::abs(*value) > kHighestLayer)) {
@@ -308,6 +309,7 @@ class Reader : private FaultReader {
         if (const Node position = node.member("sett_position")) {
             pattern.sett_position = point(position).value_or(Vec2d::Zero());
         }
+        if (const Node surface = node.member("surface")) pattern.surface = read_design(*this, surface);
         if (const Node matched = node.member("matched_sett")) read_matched_sett(matched);
         if (const Node names = node.member("seam_names")) read_seam_names(names);
         if (const Node eased = node.member("eased")) read_eased(eased);

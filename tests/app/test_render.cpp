@@ -50,6 +50,23 @@ class RenderCommand : public testing::Test {
     ScratchFolder folder_;
 };
 
+TEST_F(RenderCommand, shows_a_colour_a_picture_or_the_test_pattern) {
+    render::Image blue(4, 4, render::Rgba8{20, 40, 200, 255});
+    write_png(folder_ / "blue.png", blue);
+    ASSERT_EQ(render("-o tartan.png").exit_code, 0);
+    ASSERT_EQ(render("--design '#1428C8' -o colour.png").exit_code, 0);
+    ASSERT_EQ(render("--design blue.png --sett-size 10 -o picture.png").exit_code, 0);
+    ASSERT_EQ(render("--design test -o test.png").exit_code, 0);
+    const auto middle = [&](const std::string& name) { return picture(name).at(32, 32); };
+    EXPECT_GT(middle("colour.png")[2], 2 * middle("colour.png")[0]);
+    EXPECT_GT(middle("picture.png")[2], 2 * middle("picture.png")[0]);
+    EXPECT_FALSE(picture("test.png") == picture("tartan.png"));
+    expect_refused("--design '#12' -o bad.png", "'#12' is no colour");
+    expect_refused("--design none.png -o bad.png", "none.png");
+    expect_refused("--design garment.obj -o bad.png", "neither a PNG nor a JPEG");
+    expect_refused("--design test --tartan gingham -o bad.png", "--tartan");
+}
+
 TEST_F(RenderCommand, a_curved_surface_is_another_picture_and_flat_with_its_own_triangles_is_not) {
     ASSERT_EQ(render("--show plain -o own.png").exit_code, 0);
     ASSERT_EQ(render("--show plain --surface flat --surface-level 0 -o flat.png").exit_code, 0);

@@ -199,6 +199,39 @@ TEST(Document, undo_keeps_all_that_the_command_did_not_change) {
     EXPECT_THROW(document.run(SetUnderlays{.underlays = {{.file = "a", .pixel_size = 0}}}), GeometryError);
 }
 
+TEST(Document, allowances_are_of_an_edge_a_panel_or_the_garment) {
+    Document document(shipped("tshirt.json"));
+    document.run(SetAllowance{.width = 0.01});
+    document.run(SetAllowance{.panel = "front", .width = 0.015});
+    document.run(SetAllowance{.panel = "front", .edge = 0, .width = 0.03, .corner = sim::AllowanceCorner::Mirrored});
+    const sim::Panel& front = document.pattern().panels[0];
+    EXPECT_EQ(document.pattern().allowance, 0.01);
+    EXPECT_EQ(front.allowance, 0.015);
+    EXPECT_EQ(front.edges[0].allowance, 0.03);
+    EXPECT_EQ(front.edges[0].allowance_corner, sim::AllowanceCorner::Mirrored);
+    document.run(SetAllowance{.panel = "front", .edge = 0});
+    EXPECT_FALSE(document.pattern().panels[0].edges[0].allowance);
+    EXPECT_THROW(document.run(SetAllowance{.width = 0.6}), GeometryError);
+    EXPECT_THROW(document.run(SetAllowance{.panel = "front", .edge = 99, .width = 0.01}), GeometryError);
+}
+
+TEST(Document, what_panels_show_is_checked) {
+    Document document(shipped("tshirt.json"));
+    const sim::SurfaceDesign red{.kind = sim::DesignKind::Colour, .source = "#FF0000"};
+    document.run(SetSurface{.panel = "front", .surface = red});
+    EXPECT_EQ(document.pattern().panels[0].surface, red);
+    document.run(SetSurface{.surface = red});
+    document.run(SetTartan{.tartan = "gingham"});
+    EXPECT_FALSE(document.pattern().surface) << "a tartan that is chosen is shown";
+    const auto refused = [&](const sim::SurfaceDesign& design) {
+        EXPECT_THROW(document.run(SetSurface{.surface = design}), GeometryError) << design.source;
+    };
+    refused({.kind = sim::DesignKind::Colour, .source = "red"});
+    refused({.kind = sim::DesignKind::Picture});
+    refused({.kind = sim::DesignKind::Test, .size = 0.0});
+    refused({.source = "Q5 nonsense"});
+}
+
 TEST(Document, matching_at_seams_is_a_command) {
     Document document(shipped("tshirt.json"));
     document.run(SetTartan{.tartan = "black_watch"});

@@ -141,9 +141,11 @@ TEST(Workspace, tells_what_it_assumes_about_a_garment_that_is_worn_over_another)
     Workspace workspace(shipped_pattern("tshirt.json"), sim::SessionDrive::Caller, make_mannequin_body);
     sim::PatternDocument skirt = shipped_pattern("skirt.json");
     skirt.pattern.tartan = "gingham";
+    skirt.pattern.edge_length = 0.03;
     EXPECT_TRUE(workspace.wear_over(skirt));
     ASSERT_EQ(workspace.messages.count(), 1U);
-    EXPECT_NE(workspace.messages.all().back().text.find("another tartan"), std::string::npos);
+    EXPECT_NE(workspace.messages.all().back().text.find("another edge length"), std::string::npos);
+    EXPECT_EQ(workspace.document->pattern().panels.back().surface.value().source, "gingham");
     EXPECT_EQ(workspace.document->pattern().tartan, "royal_stewart");
     workspace.document->undo();
     EXPECT_EQ(workspace.document->pattern(), shipped_pattern("tshirt.json").pattern);

@@ -90,6 +90,39 @@ TEST(SheetPictures, an_armhole_with_selection_and_handles) {
     EXPECT_TRUE(picture.shows(kColours.handle, stage.vertex("front", 2), 8)) << "a handle at its end";
 }
 
+// Below the lower edge of a square, outside of it, by its allowance.
+TEST(SheetPictures, an_allowance_shows_as_the_cut_line) {
+    SheetFixture stage(shipped_pattern("two_squares"));
+    const std::string name = stage.document.pattern().panels[0].name;
+    stage.shows.names = stage.shows.grid = stage.shows.seams = false;
+    const Vec2d middle = (stage.vertex(name, 0) + stage.vertex(name, 1)) / 2;
+    const Vec2d along = (stage.vertex(name, 1) - stage.vertex(name, 0)).normalized(), out(along.y(), -along.x());
+    constexpr double kWidth = 0.03;
+    stage.frame();
+    EXPECT_FALSE(SheetPicture(stage, "without_allowance").shows_line(middle + kWidth * out));
+    stage.document.run(SetAllowance{.panel = name, .width = kWidth});
+    stage.frame();
+    EXPECT_TRUE(SheetPicture(stage, "allowance").shows_line(middle + kWidth * out));
+    stage.document.run(SetAllowance{.panel = name, .edge = 0, .width = 0.0});
+    stage.frame();
+    EXPECT_FALSE(SheetPicture(stage, "no_allowance_of_an_edge").shows_line(middle + kWidth * out));
+}
+
+TEST(SheetPictures, a_panel_with_a_colour_of_its_own) {
+    SheetFixture stage(shipped_pattern("two_squares"));
+    const std::string name = stage.document.pattern().panels[0].name;
+    stage.shows.names = stage.shows.grid = stage.shows.seams = false;
+    stage.document.run(
+        SetSurface{.panel = name, .surface = sim::SurfaceDesign{.kind = sim::DesignKind::Colour, .source = "#C01818"}});
+    stage.frame();
+    const SheetColours colours;
+    const auto over_white = [&](int part) {  // at the strength of cloth on the sheet
+        return static_cast<std::uint8_t>(255 - colours.cloth_strength * float(255 - part));
+    };
+    const Vec2d middle = (stage.vertex(name, 0) + stage.vertex(name, 2)) / 2;
+    EXPECT_TRUE(SheetPicture(stage, "red").shows({over_white(0xC0), over_white(0x18), over_white(0x18), 255}, middle));
+}
+
 TEST(SheetPictures, sewing_in_progress) {
     sim::PatternDocument source = shipped_pattern("tshirt");
     source.pattern.seams.erase(source.pattern.seams.begin(), source.pattern.seams.begin() + 2);

@@ -91,17 +91,33 @@ TEST(PutOver, keeps_the_fabrics_of_both) {
     for (std::size_t p = 0; p < 6; ++p) EXPECT_EQ(pattern.panels[p].fabric, expected[p]);
 }
 
-TEST(PutOver, says_where_the_outer_garment_names_another_body_tartan_or_edge_length) {
+TEST(PutOver, says_where_the_outer_garment_names_another_body_or_edge_length) {
     Pattern pattern = sample("shirt"), vest = sample("vest");
     vest.body = "mannequin:sex=male";
     vest.tartan = "black_watch";
     vest.edge_length = 0.02;
     const Names notes = put_over(pattern, vest);
-    ASSERT_EQ(notes.size(), 3U);
+    ASSERT_EQ(notes.size(), 2U);
     EXPECT_EQ(notes[0], "'vest' names another body than 'shirt', over which it is worn: that of 'shirt' counts");
     EXPECT_TRUE(pattern.body.empty());
     EXPECT_TRUE(pattern.tartan.empty());
     EXPECT_FALSE(pattern.edge_length);
+}
+
+TEST(PutOver, the_outer_garment_keeps_what_it_shows) {
+    Pattern pattern = sample("shirt"), vest = sample("vest"), coat = sample("coat");
+    pattern.tartan = "gingham";
+    vest.tartan = "black_watch";
+    vest.sett_size = 0.1;
+    vest.panels[1].surface = SurfaceDesign{.kind = DesignKind::Test};
+    coat.surface = SurfaceDesign{.kind = DesignKind::Colour, .source = "#203040"};
+    put_over(pattern, vest);
+    put_over(pattern, coat);
+    ASSERT_EQ(pattern.panels.size(), 6U);
+    EXPECT_FALSE(pattern.panels[0].surface);
+    EXPECT_EQ(pattern.panels[2].surface, (SurfaceDesign{.source = "black_watch", .size = 0.1}));
+    EXPECT_EQ(pattern.panels[3].surface, vest.panels[1].surface);
+    EXPECT_EQ(pattern.panels[4].surface, coat.surface);
 }
 
 TEST(PutOver, refuses_a_layer_beyond_the_highest) {
