@@ -79,6 +79,8 @@ void add_print_command(CLI::App& app, int& exit_code) {
                      "Seam allowance in mm where panel and edge name none (default: the garment's)")
         ->type_name("MM")
         ->check(CLI::Range(0.0, 100.0));
+    command->add_flag("--on-fold", arguments->settings.is_on_fold,
+                      "Symmetric panels as halves to cut on a fold; in a PDF");
     command->add_flag("--all-pieces", arguments->settings.prints_all,
                       "Draw mirror images, too, instead of \"cut 1 pair\"; SVG and DXF always do");
     command->add_flag("--astm", arguments->settings.is_astm,

@@ -37,7 +37,8 @@ std::string write_pdf(const sim::Pattern& pattern, const PrintSettings& settings
     const sim::PrintedPdf printed = print_pdf(pattern, {.paper = sim::parse_page_size(settings.paper),
                                                         .layers = choose_layers(settings.layers),
                                                         .is_one_page = settings.is_one_page,
-                                                        .draws_mirror_images = settings.prints_all});
+                                                        .draws_mirror_images = settings.prints_all,
+                                                        .are_halved = settings.is_on_fold});
     if (settings.is_one_page) {
         done = "one page";
     } else {

@@ -16,6 +16,7 @@ struct PrintSettings {
     double fabric_width = 1.5;             // m, of a cutting layout
     bool is_one_page = false;
     bool prints_all = false;  // also mirror images, in a PDF
+    bool is_on_fold = false;  // halves of symmetric panels, in a PDF
     bool is_layout = false;
     bool is_one_way = false;
     bool is_folded = false;

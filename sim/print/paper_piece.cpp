@@ -147,20 +147,74 @@ std::vector<std::string> label_of(const Pattern& pattern, const Panel& panel, co
     if (!garment.empty()) lines.push_back(garment + (pattern.size.empty() ? "" : ", size " + pattern.size));
     if (garment.empty() && !pattern.size.empty()) lines.push_back("size " + pattern.size);
     lines.push_back(cut_text(panel, piece.cut_from_fabric, are_pairs));
+    if (piece.is_on_fold) lines.back() += " on fold";
     const std::string& fabric = panel.fabric.empty() ? pattern.fabric : panel.fabric;
     if (!fabric.empty()) lines.back() += " of " + fabric;
     for (const std::string& interlining : panel.interlinings) lines.push_back("fuse with " + interlining);
     const bool has_fold =
         std::ranges::any_of(panel.internal_lines, [](const InternalLine& line) { return line.use == LineUse::Fold; });
-    if (has_fold) lines.emplace_back("fold along the marked line");
+    if (has_fold && !piece.is_on_fold) lines.emplace_back("fold along the marked line");
     return lines;
 }
 
-PaperPiece piece_of(const Pattern& pattern, std::size_t index, bool are_pairs, double chord_error) {
+// ---- Halves to cut on a fold.
+
+bool has_upright_grain(const Panel& panel) {
+    return std::abs(std::sin(panel.grain_angle)) < 1e-6;
+}
+
+// The parts of an open line right of an upright.
+std::vector<PaperLine> open_right_of(const PaperLine& line, double x) {
+    std::vector<PaperLine> parts;
+    std::vector<Vec2d> part;
+    const auto end_part = [&] {
+        if (part.size() > 1) parts.push_back({line.layer, part});
+        part.clear();
+    };
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+        const Vec2d& to = line.points[i];
+        if (i > 0 && (line.points[i - 1].x() >= x) != (to.x() >= x)) {
+            const Vec2d& from = line.points[i - 1];
+            part.push_back(from + (to - from) * (x - from.x()) / (to.x() - from.x()));
+            if (to.x() < x) end_part();
+        }
+        if (to.x() >= x) part.push_back(to);
+    }
+    end_part();
+    return parts;
+}
+
+// The half right of the axis; the axis itself is a fold line.
+void halve(PaperPiece& piece, double axis) {
+    constexpr double kOnAxis = 1e-4;  // m
+    piece.cut = right_of(piece.cut, axis);
+    piece.sew = right_of(piece.sew, axis);
+    std::erase_if(piece.notches, [&](const NotchLine& notch) { return notch.on_outline.x() < axis - kOnAxis; });
+    std::erase_if(piece.drill_points, [&](const Vec2d& point) { return point.x() < axis - kOnAxis; });
+    std::vector<PaperLine> lines;
+    for (const PaperLine& line : piece.lines) {
+        const bool is_axis = line.layer == PaperLayer::Fold && std::ranges::all_of(line.points, [&](const Vec2d& p) {
+                                 return std::abs(p.x() - axis) < kOnAxis;
+                             });
+        if (is_axis) continue;
+        for (PaperLine& part : open_right_of(line, axis)) lines.push_back(std::move(part));
+    }
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vec2d& p : piece.cut) {
+        if (p.x() > axis + kOnAxis) continue;
+        low = std::min(low, p.y());
+        high = std::max(high, p.y());
+    }
+    lines.push_back({PaperLayer::Fold, {Vec2d(axis, low), Vec2d(axis, high)}});
+    piece.lines = std::move(lines);
+    piece.is_on_fold = true;
+}
+
+PaperPiece piece_of(const Pattern& pattern, std::size_t index, bool are_pairs, const PaperPieceOptions& options) {
     const Panel& panel = pattern.panels[index];
     PaperPiece piece{.panel = static_cast<int>(index), .cut_from_fabric = panel.pieces * (are_pairs ? 2 : 1)};
-    const CutLine cut = cut_line(panel, {.pattern_allowance = pattern.allowance, .chord_error = chord_error});
-    piece.sew = sewing_line(panel, chord_error);
+    const CutLine cut = cut_line(panel, {.pattern_allowance = pattern.allowance, .chord_error = options.chord_error});
+    piece.sew = sewing_line(panel, options.chord_error);
     piece.has_allowance = std::ranges::any_of(
         panel.edges, [&](const OutlineEdge& edge) { return allowance_of(panel, edge, pattern.allowance) > 0; });
     piece.cut = piece.has_allowance ? cut.outline : piece.sew;
@@ -170,6 +224,9 @@ PaperPiece piece_of(const Pattern& pattern, std::size_t index, bool are_pairs, d
         if (line.points.size() < 2) continue;
         piece.lines.push_back({line.use == LineUse::Fold ? PaperLayer::Fold : PaperLayer::Internal, line.points});
     }
+    const std::optional<double> axis =
+        options.are_halved && has_upright_grain(panel) ? fold_axis(piece.cut) : std::nullopt;
+    if (axis) halve(piece, *axis);
     piece.label.lines = label_of(pattern, panel, piece, are_pairs);
     const std::vector<Vec2d> spots = spots_in(piece.sew);
     place_label(piece.label, piece.sew, spots);
@@ -179,6 +236,27 @@ PaperPiece piece_of(const Pattern& pattern, std::size_t index, bool are_pairs, d
 }
 
 }  // namespace
+
+std::vector<Vec2d> right_of(const std::vector<Vec2d>& line, double x) {
+    std::vector<Vec2d> kept;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const Vec2d &a = line[i], &b = line[(i + 1) % line.size()];
+        if (a.x() >= x) kept.push_back(a);
+        if ((a.x() >= x) != (b.x() >= x)) kept.push_back(a + (b - a) * (x - a.x()) / (b.x() - a.x()));
+    }
+    return kept;
+}
+
+std::optional<double> fold_axis(const std::vector<Vec2d>& line) {
+    constexpr double kOff = 0.5e-3;  // m
+    Eigen::AlignedBox2d box;
+    for (const Vec2d& p : line) box.extend(p);
+    const double x = box.center().x();
+    const bool is_symmetric = std::ranges::all_of(line, [&](const Vec2d& p) {
+        return distance_to_outline({2 * x - p.x(), p.y()}, line) <= kOff;
+    });
+    return is_symmetric ? std::optional(x) : std::nullopt;
+}
 
 std::string_view layer_name(PaperLayer layer) {
     return kLayerNames[static_cast<std::size_t>(layer)];
@@ -205,7 +283,7 @@ std::vector<PaperPiece> paper_pieces(const Pattern& pattern, const PaperPieceOpt
         });
         if (is_image && !options.draws_mirror_images) continue;
         const bool are_pairs = !options.draws_mirror_images && has_twin(pattern, panel);
-        pieces.push_back(piece_of(pattern, p, are_pairs, options.chord_error));
+        pieces.push_back(piece_of(pattern, p, are_pairs, options));
     }
     return pieces;
 }

@@ -35,6 +35,7 @@ struct PaperPiece {
     std::vector<Vec2d> cut = {};  // closed; along the sewing line where there is no allowance
     std::vector<Vec2d> sew = {};  // closed
     bool has_allowance = false;
+    bool is_on_fold = false;  // half of it is drawn; the other lies beyond its fold line
     std::vector<NotchLine> notches = {};
     std::vector<PaperLine> lines = {};  // grain line, folds, internal lines
     std::vector<Vec2d> drill_points = {};
@@ -45,8 +46,15 @@ struct PaperPiece {
 
 struct PaperPieceOptions {
     bool draws_mirror_images = true;  // false: a panel and its mirror image are one piece, "cut 1 pair"
+    bool are_halved = false;          // symmetric panels with an upright grain are drawn as the half to cut on a fold
     double chord_error = 2e-5;        // m
 };
+
+// The x of the upright axis in which a closed line is its own mirror image, within 0.5 mm; none if it is not.
+std::optional<double> fold_axis(const std::vector<Vec2d>& line);
+
+// The part of a closed line at or to the right of an upright.  (Sutherland and Hodgman 1974)
+std::vector<Vec2d> right_of(const std::vector<Vec2d>& line, double x);
 
 std::vector<PaperPiece> paper_pieces(const Pattern& pattern, const PaperPieceOptions& options = {});
 

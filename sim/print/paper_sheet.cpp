@@ -88,29 +88,6 @@ std::vector<Vec2d> turned(const std::vector<Vec2d>& points, double angle) {
     return out;
 }
 
-// The part of a closed line at or to the right of a vertical. (Sutherland and Hodgman 1974)
-std::vector<Vec2d> right_of(const std::vector<Vec2d>& line, double x) {
-    std::vector<Vec2d> kept;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const Vec2d &a = line[i], &b = line[(i + 1) % line.size()];
-        if (a.x() >= x) kept.push_back(a);
-        if ((a.x() >= x) != (b.x() >= x)) kept.push_back(a + (b - a) * (x - a.x()) / (b.x() - a.x()));
-    }
-    return kept;
-}
-
-// The x of the vertical axis in which a closed line is its own mirror image; none if it is not.
-std::optional<double> axis_of(const std::vector<Vec2d>& line) {
-    constexpr double kOff = 0.5e-3;  // m
-    Eigen::AlignedBox2d box;
-    for (const Vec2d& p : line) box.extend(p);
-    const double x = box.center().x();
-    const bool is_symmetric = std::ranges::all_of(line, [&](const Vec2d& p) {
-        return distance_to_outline({2 * x - p.x(), p.y()}, line) <= kOff;
-    });
-    return is_symmetric ? std::optional(x) : std::nullopt;
-}
-
 class LayoutMaker {
  public:
     LayoutMaker(const Pattern& pattern, const CuttingOptions& options) : pattern_(pattern), options_(options) {
@@ -183,7 +160,7 @@ class LayoutMaker {
         const Panel& panel = panel_of(piece);
         if (is_mirrored_pair(piece)) return panel.pieces;
         const std::vector<Vec2d> upright = turned(piece.cut, item.turns[0]);
-        const std::optional<double> axis = axis_of(upright);
+        const std::optional<double> axis = fold_axis(upright);
         if (axis && panel.pieces % 2 == 1) {
             item.outline = turned(right_of(upright, *axis), -item.turns[0]);
             item.axis_at = axis;

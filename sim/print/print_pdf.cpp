@@ -337,7 +337,8 @@ void draw_layout(PdfCanvas& canvas, const PaperSheet& layout, const Vec2d& paper
 }  // namespace
 
 PrintedPdf print_pdf(const Pattern& pattern, const PrintOptions& options) {
-    const std::vector<PaperPiece> pieces = paper_pieces(pattern, {.draws_mirror_images = options.draws_mirror_images});
+    const std::vector<PaperPiece> pieces =
+        paper_pieces(pattern, {.draws_mirror_images = options.draws_mirror_images, .are_halved = options.are_halved});
     if (options.is_one_page) return one_page(pattern, pieces, options);
     const PagedSheet paged = lay_out_pages(pattern, pieces, options.paper);
     PdfCanvas canvas(pattern.name);

@@ -13,6 +13,7 @@ struct PrintOptions {
     LayerChoice layers = kAllLayers;
     bool is_one_page = false;          // as wide as `paper` at most, as long as it takes
     bool draws_mirror_images = false;  // see PaperPieceOptions
+    bool are_halved = false;           // likewise
 };
 
 struct PrintedPdf {

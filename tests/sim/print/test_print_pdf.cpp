@@ -42,6 +42,32 @@ TEST(PaperPiece, mirror_images_become_pairs_of_one_piece) {
     EXPECT_EQ(pieces, static_cast<int>(tshirt.panels.size()));
 }
 
+TEST(PaperPiece, symmetric_panels_become_halves_on_a_fold) {
+    Pattern pattern = load_pattern(source_folder() + "/patterns/tshirt.json").pattern;
+    pattern.allowance = 0.01;
+    const std::vector<PaperPiece> whole = paper_pieces(pattern), halves = paper_pieces(pattern, {.are_halved = true});
+    ASSERT_EQ(halves.size(), whole.size());
+    const auto area_of = [](const std::vector<Vec2d>& line) {
+        double doubled = 0;
+        for (std::size_t i = 0; i < line.size(); ++i) doubled += cross2(line[i], line[(i + 1) % line.size()]);
+        return doubled / 2;
+    };
+    int folded = 0;
+    for (std::size_t i = 0; i < halves.size(); ++i) {
+        const Panel& panel = pattern.panels[static_cast<std::size_t>(halves[i].panel)];
+        EXPECT_EQ(halves[i].is_on_fold, panel.name == "front" || panel.name == "back") << panel.name;
+        if (!halves[i].is_on_fold) continue;
+        ++folded;
+        EXPECT_NEAR(2 * std::abs(area_of(halves[i].cut)), std::abs(area_of(whole[i].cut)), 1e-5);
+        EXPECT_NEAR(2 * halves[i].box().sizes().x(), whole[i].box().sizes().x(), 1e-3);
+        EXPECT_TRUE(halves[i].label.lines[2].ends_with("on fold")) << halves[i].label.lines[2];
+        EXPECT_TRUE(std::ranges::any_of(halves[i].lines, [](const PaperLine& line) {
+            return line.layer == PaperLayer::Fold && (line.points[0] - line.points[1]).norm() > 0.4;
+        }));
+    }
+    EXPECT_EQ(folded, 2);
+}
+
 TEST(PaperPiece, cut_lines_keep_the_allowance_everywhere) {
     for (const std::filesystem::path& file : shipped_patterns()) {
         Pattern pattern = load_pattern(file).pattern;
