@@ -179,12 +179,12 @@ void add_output_options(CLI::App& command, DressArguments& arguments) {
         command.add_option(name, files, help)->type_name(type)->group("Output")->allow_extra_args(false);
     };
     add("--render", arguments.picture_file, "Picture of the dressed body", "PNG");
-    add("--export", arguments.garment_files, "The garment as .obj or .glb; may be repeated", "FILE");
+    add("--export", arguments.garment_files, "The garment as .obj, .glb, .ply or .stl; may be repeated", "FILE");
     command.add_flag("--export-surface", arguments.exports_surface, "Exports carry the curved surface (--surface)")
         ->group("Output")
         ->needs(command.get_option("--surface"))
         ->needs(command.get_option("--export"));
-    add("--export-body", arguments.body_files, "The body as .obj or .glb; may be repeated", "FILE");
+    add("--export-body", arguments.body_files, "The body as .obj, .glb, .ply or .stl; may be repeated", "FILE");
     add("--report", arguments.report_file, "What came of it, as JSON", "JSON");
 }
 

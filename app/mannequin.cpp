@@ -93,7 +93,7 @@ void add_mannequin_command(CLI::App& app, int& exit_code) {
     add_measures(*command, *arguments);
     command->add_option("--resolution", arguments->options.subdivisions, "Steps of subdivision, 1 to 4")
         ->capture_default_str();
-    command->add_option("-o,--output", arguments->output, "body.glb or body.obj")->required();
+    command->add_option("-o,--output", arguments->output, "body.glb, .obj, .ply or .stl")->required();
     command->footer(
         "Exit code: 0 made as asked, 1 made but some measure could not be met, 2 wrong input.\n"
         "Examples:\n"

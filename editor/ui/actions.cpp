@@ -34,6 +34,8 @@ void add_exports(std::vector<Action>& actions) {
     exports("file.export_png", "Export picture...", "The 3D view as a PNG file, with shadows and fine edges", ".png");
     exports("file.export_obj", "Export OBJ...", "The draped garment", ".obj");
     exports("file.export_glb", "Export GLB...", "The draped garment, for other 3D programs", ".glb");
+    exports("file.export_ply", "Export PLY...", "The draped garment, with the panel of each vertex", ".ply");
+    exports("file.export_stl", "Export STL...", "The draped garment in millimetres, for 3D printers", ".stl");
     const auto prints = [&](const char* id, const char* title, const char* tip, const char* ending) {
         actions.push_back(
             {.id = id,

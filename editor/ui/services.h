@@ -40,7 +40,7 @@ struct OrphanedJournal {
     std::string age;  // for example "3 minutes ago"
 };
 
-// An export; the extension of `file` selects the format: .png, .obj or .glb.
+// An export; the extension of `file` selects the format: .png, .obj, .glb, .ply or .stl.
 struct ExportRequest {
     std::string file;
     std::shared_ptr<const render::Scene> scene;  // for an image

@@ -14,6 +14,8 @@
 #include "sim/core/file.h"
 #include "sim/exchange/glb_file.h"
 #include "sim/exchange/obj_text.h"
+#include "sim/exchange/ply_file.h"
+#include "sim/exchange/stl_file.h"
 
 namespace selvedge::sim {
 namespace {
@@ -33,6 +35,8 @@ const std::vector<MeshFormat> kFormats{
      .body = body_glb,
      .panel_data = data_in_glb,
      .has_panel_materials = true},  // a primitive of glTF has no name of its own
+    {.extension = ".ply", .garment = garment_ply, .body = body_ply},
+    {.extension = ".stl", .garment = garment_stl, .body = body_stl},
 };
 
 // "use .obj or .glb"

@@ -4,7 +4,10 @@
 // The formats:
 //   .obj  positions in metres, vt = material coordinates in metres per corner, vn, one group per panel;
 //   .glb  binary glTF 2.0: one primitive per panel, TEXCOORD_0 = material coordinates in metres (as 1 - v, because v
-//         points down in glTF); a body's skeleton and skin if it has them.
+//         points down in glTF); a body's skeleton and skin if it has them;
+//   .ply  binary: positions in metres, normals, material coordinates, panel and seam of each vertex (ply_file.h); not
+//         read;
+//   .stl  binary: triangles in millimetres (stl_file.h); not read.
 // Output is byte-identical for the same mesh in any locale. Files are replaced atomically.
 #include <array>
 #include <cstdint>

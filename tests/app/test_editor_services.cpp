@@ -62,12 +62,16 @@ TEST_F(EditorServices, a_folder_that_is_not_there_is_an_input_error) {
     EXPECT_THROW(services_.list_folder(folder_ / "file"), sim::InputError);
 }
 
-TEST_F(EditorServices, garments_are_exported_as_obj_and_glb_and_pictures_as_png) {
+TEST_F(EditorServices, garments_are_exported_as_meshes_and_pictures_as_png) {
     services_.write_export(triangle_to(folder_ / "a.obj"));
     const std::string obj = content_of(folder_ / "a.obj");
     EXPECT_NE(obj.find("\nf "), std::string::npos) << obj;
     services_.write_export(triangle_to(folder_ / "a.glb"));
     EXPECT_EQ(content_of(folder_ / "a.glb").substr(0, 4), "glTF");
+    services_.write_export(triangle_to(folder_ / "a.ply"));
+    EXPECT_EQ(content_of(folder_ / "a.ply").substr(0, 4), "ply\n");
+    services_.write_export(triangle_to(folder_ / "a.stl"));
+    EXPECT_EQ(content_of(folder_ / "a.stl").size(), 84U + 50U);
     services_.write_export(triangle_to(folder_ / "a.png"));
     const render::Image picture = render::read_png(folder_ / "a.png");
     EXPECT_EQ(picture.width_px, 3);

@@ -125,7 +125,7 @@ TEST(Usage, dress_refuses_a_name_that_is_no_file_or_has_the_wrong_ending) {
     for (const char* name : {"pipe", "", "."})
         expect_one_line_and_exit_2("dress " + shipped("tshirt.json") + " --report '" + folder / name + "'");
     for (const char* option :
-         {"--render x.jpg", "--export x.ply", "--edge-length 0", "--body-unit feet", "--body-up x"})
+         {"--render x.jpg", "--export x.fbx", "--edge-length 0", "--body-unit feet", "--body-up x"})
         expect_one_line_and_exit_2("dress " + shipped("tshirt.json") + " " + option);
 }
 

@@ -1,20 +1,16 @@
 #pragma once
-// The example of docs/adding-a-format.md: binary STL, the format of 3D printers.
+// Writes binary STL, the format of 3D printers (80 bytes of text, the number of triangles, 50 bytes for each).
+// STL states no unit; programs that read it take millimetres.
 #include <string>
 
 #include "sim/body/body.h"
-#include "sim/exchange/mesh_file.h"
 #include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::sim {
 
-// [header]
-// The bytes of the file: metres, y up. STL has no vertices in common, no panels and no material coordinates.
+// The bytes of the file: millimetres, y up. STL has no vertices in common, no panels and no texture coordinates.
 // Pre: indices are in range, and there is at least one triangle.
 std::string garment_stl(const DrawMesh& mesh);
 std::string body_stl(const Body& body);
-// [/header]
-
-extern const MeshFormat kStl;
 
 }  // namespace selvedge::sim

@@ -1,0 +1,104 @@
+#include "sim/exchange/ply_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/exchange/little_endian.h"
+#include "sim/exchange/mesh_cache.h"
+#include "sim/exchange/mesh_file.h"
+
+namespace selvedge::sim {
+namespace {
+
+std::string one_line(std::string name) {
+    std::ranges::replace_if(
+        name, [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, '_');
+    return name;
+}
+
+void append_properties(std::string& text, std::string_view type, std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) ((((text += "property ") += type) += ' ') += name) += '\n';
+}
+
+struct Counts {
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+};
+
+enum class Labels { None, PanelAndSeam };
+
+std::string header(const std::vector<PanelPart>& parts, Labels labels, Counts counts) {
+    std::string text = "ply\nformat binary_little_endian 1.0\n";
+    if (labels == Labels::None) {
+        text += "comment Selvedge body: metres, y up\n";
+    } else {
+        text += "comment Selvedge garment: metres, y up; s t = material coordinates in metres\n";
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            text += "comment panel " + std::to_string(i) + ' ' + one_line(parts[i].name) + '\n';
+    }
+    text += "element vertex " + std::to_string(counts.vertices) + '\n';
+    append_properties(text, "float", {"x", "y", "z", "nx", "ny", "nz"});
+    if (!parts.front().u.empty()) append_properties(text, "float", {"s", "t"});
+    if (labels == Labels::PanelAndSeam) {
+        append_properties(text, "ushort", {"panel"});
+        append_properties(text, "uchar", {"seam"});
+    }
+    text += "element face " + std::to_string(counts.triangles) + "\nproperty list uchar uint vertex_indices\n";
+    return text + "end_header\n";
+}
+
+// In how many places of the parts each vertex of the mesh occurs: more than once at seams and darts.
+std::vector<std::uint32_t> occurrences(const std::vector<PanelPart>& parts, std::size_t vertices) {
+    std::vector<std::uint32_t> count(vertices, 0);
+    for (const PanelPart& part : parts)
+        for (const std::uint32_t v : part.vertices) ++count[v];
+    return count;
+}
+
+std::string ply(const DrawMesh& mesh, Labels labels) {
+    const std::vector<PanelPart> parts = split_by_panel(mesh);
+    const std::vector<Vec3f> normals = vertex_normals(mesh);
+    const std::vector<std::uint32_t> count = occurrences(parts, mesh.x.size());
+    Counts counts{.triangles = mesh.triangles.size()};
+    for (const PanelPart& part : parts) counts.vertices += part.vertices.size();
+    std::string bytes = header(parts, labels, counts);
+    for (std::size_t panel = 0; panel < parts.size(); ++panel) {
+        const PanelPart& part = parts[panel];
+        for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+            const std::uint32_t v = part.vertices[i];
+            append_values(bytes, mesh.x[v].data(), 3);
+            append_values(bytes, (part.is_turned[i] ? Vec3f(-normals[v]) : normals[v]).data(), 3);
+            if (!part.u.empty()) append_values(bytes, part.u[i].data(), 2);
+            if (labels == Labels::None) continue;
+            append_value(bytes, static_cast<std::uint16_t>(panel));
+            append_value(bytes, static_cast<std::uint8_t>(count[v] > 1 ? 1 : 0));
+        }
+    }
+    std::uint32_t first = 0;
+    for (const PanelPart& part : parts) {
+        for (const auto& triangle : part.triangles) {
+            append_value(bytes, std::uint8_t{3});
+            for (const std::uint32_t corner : triangle) append_value(bytes, first + corner);
+        }
+        first += static_cast<std::uint32_t>(part.vertices.size());
+    }
+    return bytes;
+}
+
+}  // namespace
+
+std::string garment_ply(const DrawMesh& mesh) {
+    return ply(mesh, Labels::PanelAndSeam);
+}
+
+std::string body_ply(const Body& body) {
+    return ply(body_mesh(body), Labels::None);
+}
+
+}  // namespace selvedge::sim

@@ -1,0 +1,20 @@
+#pragma once
+// Writes binary little-endian PLY (Turk 1994, "The PLY Polygon File Format"), the format of scanners and of programs
+// for measured meshes.
+#include <string>
+
+#include "sim/body/body.h"
+#include "sim/mesh/draw_mesh.h"
+
+namespace selvedge::sim {
+
+// The bytes of the file: metres, y up. Properties of a vertex: x y z, nx ny nz, s t (material coordinates, m; none if
+// the mesh has none), panel (its index; a comment "panel INDEX NAME" names each) and seam (1 where the vertex lies on
+// a seam, 0 elsewhere). A vertex on a seam is there once for each of its material coordinates.
+// Pre: indices are in range, and there is at least one triangle.
+std::string garment_ply(const DrawMesh& mesh);
+
+// The same without s t, panel and seam.
+std::string body_ply(const Body& body);
+
+}  // namespace selvedge::sim
