@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "editor/geometry/seam_edit.h"
+#include "editor/sheet/sheet_labels.h"
 #include "editor/tools/sewing_tools.h"
 #include "editor/tools/sheet_pick.h"
 #include "render/scene/colour.h"
@@ -53,24 +54,6 @@ std::vector<Vec2d> on_sheet(const PanelShape& shape, std::vector<Vec2d> points) 
     return points;
 }
 
-// Position of the panel's name: the centroid, or, if that lies outside, the centroid of the largest triangle.
-Vec2d middle_of(const PanelShape& shape, const PanelFace& face) {
-    Vec2d sum(0, 0), largest = shape.box.center();
-    double area = 0, best = 0;
-    for (const auto& [a, b, c] : face.triangles) {
-        const Vec2d &p = face.points[std::size_t(a)], &q = face.points[std::size_t(b)],
-                    &r = face.points[std::size_t(c)];
-        const double part = sim::cross2(q - p, r - p) / 2;
-        const Vec2d centre = (p + q + r) / 3;
-        sum += part * centre;
-        area += part;
-        if (part > best) largest = centre;
-        best = std::max(best, part);
-    }
-    const Vec2d middle = area > 0 ? Vec2d(sum / area) : shape.box.center();
-    return shape.contains(middle) ? middle : largest;
-}
-
 // A line along the warp, with an arrow head at both ends.
 void draw_grainline(const SheetLook& look, const PanelShape& shape, const Vec2d& middle, double half) {
     const SheetPen& pen = look.pen;
@@ -87,25 +70,22 @@ void draw_grainline(const SheetLook& look, const PanelShape& shape, const Vec2d&
     }
 }
 
-void draw_name(const SheetLook& look, const PanelShape& shape) {
+void draw_name(const SheetLook& look, const PanelShape& shape, const PanelName& name) {
     const SheetPen& pen = look.pen;
-    const Vec2d size_px = shape.box.sizes() * pen.camera.scale / double(pen.ui);
-    if (size_px.minCoeff() < 34) return;
-    const Vec2d middle = middle_of(shape, look.faces.face(shape, pen.camera.scale));
-    draw_grainline(look, shape, middle, std::min(0.30 * shape.box.sizes().y(), 0.5 * shape.box.sizes().minCoeff()));
+    if (!name.has_room) return;
+    draw_grainline(look, shape, name.middle,
+                   std::min(0.30 * shape.box.sizes().y(), 0.5 * shape.box.sizes().minCoeff()));
+    if (name.shown.empty()) return;
     const bool is_selected = look.selection.panels.contains(shape.panel.name);
-    const double name_width = double(ImGui::CalcTextSize(shape.panel.name.c_str()).x) / double(pen.ui) + 56;
-    const double share = std::min(1.0, size_px.x() / name_width);
-    constexpr double kSmallest = 0.7;  // smallest legible size, relative to the normal one
-    if (share < kSmallest) return;
-    pen.text(shape.on_sheet(middle), shape.panel.name, is_selected ? pen.colours.accent : pen.colours.ink, {0, 0},
-             static_cast<float>(share));
+    pen.text(shape.on_sheet(name.middle), name.shown, is_selected ? pen.colours.accent : pen.colours.ink, {0, 0},
+             name.size);
     if (shape.panel.mirror_of.empty()) return;
+    const Vec2d size_px = shape.box.sizes() * pen.camera.scale / double(pen.ui);
     const std::string mirrored = "mirrors " + shape.panel.mirror_of;
     const double below = double(ImGui::CalcTextSize(mirrored.c_str()).x) / double(pen.ui) + 40;
     const double small = std::min(0.85, size_px.x() / below);
-    if (small < kSmallest || size_px.y() < 80) return;
-    pen.text(shape.on_sheet(middle), mirrored, pen.colours.mirrored, {0, ImGui::GetTextLineHeight() + pen.px(2)},
+    if (small < kSmallestName || size_px.y() < 80) return;
+    pen.text(shape.on_sheet(name.middle), mirrored, pen.colours.mirrored, {0, ImGui::GetTextLineHeight() + pen.px(2)},
              static_cast<float>(small));
 }
 
@@ -217,7 +197,7 @@ void draw_outline(const SheetLook& look, const PanelShape& shape) {
     pen.list.AddPolyline(line.data(), count, packed(colour), ImDrawFlags_Closed, pen.px(is_chosen ? 2 : 1.3));
 }
 
-void draw_marks(const SheetLook& look, const PanelShape& shape) {
+void draw_marks(const SheetLook& look, const PanelShape& shape, const PanelName& name) {
     const SheetPen& pen = look.pen;
     for (std::size_t i = 0; i < shape.panel.internal_lines.size(); ++i) {
         const PartRef ref{shape.panel.name, static_cast<int>(i)};
@@ -227,7 +207,7 @@ void draw_marks(const SheetLook& look, const PanelShape& shape) {
         pen.dashed(points, is_chosen ? pen.colours.accent : pen.colours.ink, is_chosen ? 2 : 1.2);
     }
     for (std::size_t i = 0; i < shape.panel.notches.size(); ++i) draw_notch(look, shape, i);
-    if (look.shows.names) draw_name(look, shape);
+    if (look.shows.names) draw_name(look, shape, name);
     for (const int pin : shape.panel.pins) {
         const bool is_there = pin >= 0 && static_cast<std::size_t>(pin) < shape.panel.vertices.size();
         if (is_there) draw_pin(pen, shape.on_sheet(shape.panel.vertices[std::size_t(pin)]));
@@ -312,16 +292,26 @@ void draw_side(const SheetLook& look, const sim::SeamSide& side, const SeamLook&
     draw_direction(pen, inner, drawn.colour, runs_backward ? -1 : 1);
 }
 
-// Draws the length difference inside the panel, beside the mid-point of the side that "even" would change.
+// Draws the length difference inside the panel, beside the mid-point of the side that "even" would change; where it
+// would cover another text, farther along the edge, or outside.
 void draw_difference(const SheetLook& look, const sim::SeamSide& side, double difference, const render::Rgba8& colour) {
     const PanelShape* shape = shape_of(look, side);
     const EdgeShape& edge = shape->edges[static_cast<std::size_t>(side.edge)];
-    const Vec2d along = edge.tangent(0.5);
     const std::string text = in_mm(difference);
-    const float reach = look.pen.px(10) + 0.5F * ImGui::CalcTextSize(text.c_str()).x * float(std::abs(along.y())) +
-                        0.5F * ImGui::GetTextLineHeight() * float(std::abs(along.x()));
-    const ImVec2 offset{float(-along.y()) * reach, float(-along.x()) * reach};
-    look.pen.text(shape->on_sheet(edge.at(0.5)), text, colour, offset);
+    const LabelBox box = look.pen.text_box(shape->on_sheet(edge.at(0.5)), text);
+    const ImVec2 size{box.high.x - box.low.x, box.high.y - box.low.y};
+    std::vector<ImVec2> centres;
+    for (const float inward : {1.0F, -1.0F}) {
+        for (const double t : {0.5, 0.35, 0.65, 0.2, 0.8}) {
+            const Vec2d along = edge.tangent(t);
+            const float reach = look.pen.px(6) + 0.5F * size.x * float(std::abs(along.y())) +
+                                0.5F * size.y * float(std::abs(along.x()));
+            const ImVec2 at = look.pen.px(shape->on_sheet(edge.at(t)));
+            centres.push_back({at.x - inward * reach * float(along.y()), at.y - inward * reach * float(along.x())});
+        }
+    }
+    const ImVec2 centre = look.labels.place(size, centres), middle = look.pen.px(shape->on_sheet(edge.at(0.5)));
+    look.pen.text(shape->on_sheet(edge.at(0.5)), text, colour, {centre.x - middle.x, centre.y - middle.y});
 }
 
 void draw_button(const SheetLook& look, int seam, const render::Rgba8& colour) {
@@ -434,14 +424,26 @@ void draw_handle(const SheetPen& pen, const OverlayHandle& handle) {
     }
 }
 
+// Above its place, or below it, or farther away, where it covers no other text.
+void draw_label(const SheetLook& look, const OverlayLabel& label) {
+    const LabelBox box = look.pen.text_box(label.at, label.text);
+    const ImVec2 size{box.high.x - box.low.x, box.high.y - box.low.y}, middle = look.pen.px(label.at);
+    std::vector<ImVec2> centres;
+    for (const double lines : {0.0, 1.0, 2.0}) {
+        const float away = look.pen.px(14) + static_cast<float>(lines) * size.y;
+        centres.push_back({middle.x, middle.y - away});
+        centres.push_back({middle.x, middle.y + away});
+    }
+    const ImVec2 centre = look.labels.place(size, centres);
+    look.pen.text(label.at, label.text, colour_of(look.pen.colours, label.tone), {0, centre.y - middle.y});
+}
+
 }  // namespace
 
 void draw_overlay(const SheetLook& look) {
     for (const OverlayLine& line : look.overlay.lines) draw_line(look.pen, line);
     for (const OverlayHandle& handle : look.overlay.handles) draw_handle(look.pen, handle);
-    for (const OverlayLabel& label : look.overlay.labels) {
-        look.pen.text(label.at, label.text, colour_of(look.pen.colours, label.tone), {0, -look.pen.px(14)});
-    }
+    for (const OverlayLabel& label : look.overlay.labels) draw_label(look, label);
 }
 
 void draw_lit_places(const SheetLook& look, const std::vector<PartLocation>& places) {

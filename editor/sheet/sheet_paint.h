@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/sheet/sheet_labels.h"
 #include "editor/sheet/sheet_pen.h"
 #include "editor/tools/tool_host.h"
 
@@ -15,7 +16,7 @@ void draw_cloth(const SheetLook& look, const PanelShape& shape);
 void draw_outline(const SheetLook& look, const PanelShape& shape);
 
 // Drawn above the seams.
-void draw_marks(const SheetLook& look, const PanelShape& shape);
+void draw_marks(const SheetLook& look, const PanelShape& shape, const PanelName& name);
 void draw_selected(const SheetLook& look, const PanelShape& shape);
 
 // Draws the hovered edge and vertex.

@@ -108,16 +108,20 @@ void SheetPen::round(const Vec2d& at, double radius, const render::Rgba8& inside
     list.AddCircle(px(at), px(radius), packed(rim), 20, px(1.4));
 }
 
-void SheetPen::text(const Vec2d& at, const std::string& text, const render::Rgba8& colour, const ImVec2& px_offset,
-                    float size) const {
-    ImFont* font = ImGui::GetFont();
+LabelBox SheetPen::text_box(const Vec2d& at, const std::string& text, const ImVec2& px_offset, float size) const {
     const float height = std::round(ImGui::GetFontSize() * size);
-    const ImVec2 room = font->CalcTextSizeA(height, 1e6F, 0, text.c_str());
+    const ImVec2 room = ImGui::GetFont()->CalcTextSizeA(height, 1e6F, 0, text.c_str());
     const ImVec2 middle = px(at);
     const ImVec2 low{std::round(middle.x + px_offset.x - room.x / 2), std::round(middle.y + px_offset.y - room.y / 2)};
-    list.AddRectFilled({low.x - px(4), low.y - px(1)}, {low.x + room.x + px(4), low.y + room.y + px(1)},
-                       packed(colours.plate), px(3));
-    list.AddText(font, height, low, packed(colour), text.c_str());
+    return {{low.x - px(4), low.y - px(1)}, {low.x + room.x + px(4), low.y + room.y + px(1)}};
+}
+
+void SheetPen::text(const Vec2d& at, const std::string& text, const render::Rgba8& colour, const ImVec2& px_offset,
+                    float size) const {
+    const LabelBox box = text_box(at, text, px_offset, size);
+    list.AddRectFilled(box.low, box.high, packed(colours.plate), px(3));
+    list.AddText(ImGui::GetFont(), std::round(ImGui::GetFontSize() * size), {box.low.x + px(4), box.low.y + px(1)},
+                 packed(colour), text.c_str());
 }
 
 double px_length(std::span<const ImVec2> line) {

@@ -54,6 +54,12 @@ struct SheetColours {
     render::Rgba8 bubble_text{0xFA, 0xF9, 0xF6, 0xFF};  // text of the readouts
 };
 
+// The box of a text with its plate, px.
+struct LabelBox {
+    ImVec2 low{0, 0};
+    ImVec2 high{0, 0};
+};
+
 struct SheetPen {
     ImDrawList& list;
     const SheetCamera& camera;
@@ -73,6 +79,7 @@ struct SheetPen {
     // font size.
     void text(const Vec2d& at, const std::string& text, const render::Rgba8& colour, const ImVec2& px_offset = {0, 0},
               float size = 1) const;
+    LabelBox text_box(const Vec2d& at, const std::string& text, const ImVec2& px_offset = {0, 0}, float size = 1) const;
 };
 
 ImU32 packed(const render::Rgba8& colour);
@@ -102,6 +109,8 @@ struct SheetVisibility {
     bool grid = true;
 };
 
+class LabelPlaces;  // sheet_labels.h
+
 struct SheetLook {
     const SheetPen& pen;
     const sim::Pattern& pattern;
@@ -112,6 +121,7 @@ struct SheetLook {
     const ToolOverlay& overlay;
     const std::set<std::string>& touched;  // panels with any selected part
     SheetVisibility shows;
+    LabelPlaces& labels;
     double cloth_opacity = 1;                                         // less over photos that are traced
     std::function<ClothTexture(const sim::Panel& panel)> cloth_of{};  // unset: plain cloth
     CutLines* cut_lines = nullptr;                                    // null: none are drawn

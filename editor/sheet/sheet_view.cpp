@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "editor/frame/item.h"
 #include "editor/sheet/panel_faces.h"
+#include "editor/sheet/sheet_labels.h"
 #include "editor/sheet/sheet_paint.h"
 #include "editor/tools/select_tool.h"
 #include "editor/tools/underlay_tool.h"
@@ -92,7 +94,8 @@ void SheetView::frame_wanted(const SheetContext& context) {
     SheetCamera inner = camera_;  // the region inside the rulers
     const double ruler = kRulerWidth * context.ui_scale;
     inner.view_size -= Vec2d::Constant(ruler);
-    frame(inner, box, 36 * context.ui_scale);
+    constexpr double kMargin = 36, kLargestShare = 0.1;  // px; of the smaller side of the view
+    frame(inner, box, std::min(kMargin * context.ui_scale, kLargestShare * inner.view_size.minCoeff()));
     if (box.isEmpty()) inner = {.centre = Vec2d(0.5, 0.4), .scale = 700 * context.ui_scale};
     camera_.scale = inner.scale;
     camera_.centre = inner.centre + Vec2d(-ruler, ruler) / (2 * inner.scale);
@@ -241,6 +244,7 @@ void SheetView::draw(SheetContext& context, const Mouse& mouse) {
                          overlay,
                          touched,
                          context.shows,
+                         labels_,
                          cloth_opacity,
                          cloth_of,
                          &cut_lines_};
@@ -249,9 +253,10 @@ void SheetView::draw(SheetContext& context, const Mouse& mouse) {
         if (is_in_view(look, shape)) seen.push_back(&shape);
     }
     for (const PanelShape* shape : seen) draw_cut_line(look, *shape);
+    reserve_names(look, seen);
     for (const PanelShape* shape : seen) draw_cloth(look, *shape), draw_outline(look, *shape);
     draw_seams(look);
-    for (const PanelShape* shape : seen) draw_marks(look, *shape);
+    for (std::size_t i = 0; i < seen.size(); ++i) draw_marks(look, *seen[i], names_[i]);
     draw_hovered(look);
     for (const PanelShape* shape : seen) draw_selected(look, *shape);
     if (const Message* message = context.host.messages.shown()) draw_lit_places(look, message->places);
@@ -260,6 +265,25 @@ void SheetView::draw(SheetContext& context, const Mouse& mouse) {
     draw_readout(pen, mouse);
     if (mouse.is_over || has_left_) draw_bubble(pen, mouse.at, overlay, context.tools.typed());
     list.PopClipRect();
+    if (overlay.readout.empty()) show_whole_name(context, mouse);
+}
+
+// Call before anything is drawn, so that the badges avoid the names.
+void SheetView::reserve_names(const SheetLook& look, const std::vector<const PanelShape*>& seen) {
+    labels_ = {};
+    names_.clear();
+    for (const PanelShape* shape : seen) {
+        names_.push_back(look.shows.names ? name_of(look, *shape) : PanelName{.panel = shape->panel.name});
+        if (!names_.back().shown.empty()) labels_.reserve(names_.back().box);
+    }
+}
+
+// A tooltip, where the panel under the cursor does not show its whole name.
+void SheetView::show_whole_name(const SheetContext& context, const Mouse& mouse) const {
+    if (!mouse.is_over || has_left_ || is_panning_ || !context.tools.typed().is_empty()) return;
+    const auto has_cursor = [&](const PanelName& name) { return name.panel == context.host.hover.panel; };
+    const auto found = std::ranges::find_if(names_, has_cursor);
+    if (found != names_.end() && !found->is_whole()) show_tip(found->panel);
 }
 
 // The cursor's position on the sheet, at the lower right.

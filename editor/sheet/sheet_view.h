@@ -14,6 +14,7 @@
 #include "editor/sheet/cloth_textures.h"
 #include "editor/sheet/cut_lines.h"
 #include "editor/sheet/panel_faces.h"
+#include "editor/sheet/sheet_labels.h"
 #include "editor/sheet/sheet_pen.h"
 #include "editor/tools/tool_host.h"
 #include "render/image/photo.h"
@@ -56,6 +57,10 @@ class SheetView {
     const SheetCamera& camera() const { return camera_; }
     void set_camera(const SheetCamera& camera);
 
+    // The names of the panels in view, and the boxes of all texts of the sheet, of the last frame.
+    const std::vector<PanelName>& names() const { return names_; }
+    const std::vector<LabelBox>& labels() const { return labels_.taken(); }
+
  private:
     enum class Frame { None, All, Selected };
     struct Mouse {
@@ -75,9 +80,13 @@ class SheetView {
     bool draw_underlays(SheetContext& context, const SheetPen& pen);
     void draw(SheetContext& context, const Mouse& mouse);
     void draw_readout(const SheetPen& pen, const Mouse& mouse) const;
+    void reserve_names(const SheetLook& look, const std::vector<const PanelShape*>& seen);
+    void show_whole_name(const SheetContext& context, const Mouse& mouse) const;
 
     SheetCamera camera_;
     PanelFaces faces_;
+    LabelPlaces labels_;
+    std::vector<PanelName> names_;
     Frame wants_frame_ = Frame::All;
     SheetCamera framed_;  // camera when everything was framed
     SheetBox framed_box_;

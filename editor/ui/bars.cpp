@@ -171,32 +171,86 @@ void show_tool_bar(AppState& state) {
     ImGui::PopStyleVar();
 }
 
-void show_viewport_bar(AppState& state) {
-    const float side = ImGui::GetFrameHeight();
-    const bool is_running = state.workspace.drape.frame()->is_running;
-    show_icon(state, "simulate.run", is_running ? "pause" : "play", side);
-    ImGui::SameLine();
-    show_icon(state, "simulate.reset", "reset", side);
-    ImGui::SameLine(0, ImGui::GetFontSize());
-    const float switches = 4 * (side + ImGui::GetStyle().ItemSpacing.x);
-    const float room = ImGui::GetContentRegionAvail().x - switches;
-    ImGui::SetNextItemWidth(std::clamp(room, 3 * ImGui::GetFontSize(), 10 * ImGui::GetFontSize()));
+namespace {
+
+constexpr std::array<std::pair<const char*, const char*>, 4> kViewSwitches{
+    {{"view.body", "body"}, {"view.threads", "threads"}, {"view.points", "points"}, {"view.timeline", "motion"}}};
+
+// What stands in each row of the bar over the 3D view: first the buttons of the simulation, then the list of what is
+// shown, then the switches. In a narrow view each of them begins a new row; the switches fill as many as they need.
+struct ViewportBar {
+    float list = 0;  // px, width of the list
+    bool has_list_below = false;
+    bool has_switches_below = false;
+    int switches_per_row = static_cast<int>(kViewSwitches.size());
+
+    int rows() const {
+        const int count = static_cast<int>(kViewSwitches.size());
+        return 1 + (has_list_below ? 1 : 0) + (has_switches_below ? 1 : 0) +
+               (count + switches_per_row - 1) / switches_per_row - 1;
+    }
+};
+
+ViewportBar viewport_bar(float width) {
+    const float unit = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x, side = ImGui::GetFrameHeight();
+    const auto count = static_cast<float>(kViewSwitches.size());
+    const float least = 6 * unit, most = 10 * unit, buttons = 2 * side + gap, switches = count * (side + gap);
+    ViewportBar bar;
+    const float beside = width - buttons - unit;
+    bar.has_list_below = beside < least;
+    const float row = bar.has_list_below ? width : beside;
+    bar.has_switches_below = row - switches < least;
+    bar.list = std::clamp(bar.has_switches_below ? row : row - switches, std::min(least, row), most);
+    if (bar.has_switches_below) {
+        const float narrow = ImGui::GetStyle().ItemInnerSpacing.x;
+        const auto fit = static_cast<int>((width + narrow) / (side + narrow));
+        bar.switches_per_row = std::clamp(fit, 1, static_cast<int>(kViewSwitches.size()));
+    }
+    return bar;
+}
+
+void show_mode_list(AppState& state, float width) {
     const Action* shown = nullptr;
     for (const Action& action : state.actions) {
         if (action.id.starts_with("view.") && action.title.starts_with("Show ") && action.is_on(state)) shown = &action;
     }
-    if (ImGui::BeginCombo("##show", shown == nullptr ? "" : shown->title.c_str() + 5)) {
-        for (const Action& action : state.actions) {
-            if (!action.title.starts_with("Show ")) continue;
-            if (ImGui::Selectable(action.title.c_str() + 5, &action == shown)) run_action(state, action);
-        }
-        ImGui::EndCombo();
+    const std::string whole = shown == nullptr ? "" : shown->title.substr(5);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const std::string preview = elided(whole, width - ImGui::GetFrameHeight() - 2 * style.FramePadding.x);
+    ImGui::SetNextItemWidth(width);
+    const bool is_open = ImGui::BeginCombo("##show", preview.c_str());
+    note_widget(state.widgets, "view.modes");
+    if (!is_open) return show_tip(preview == whole ? "What the cloth shows" : whole, kTipWidth);
+    for (const Action& action : state.actions) {
+        if (!action.title.starts_with("Show ")) continue;
+        if (ImGui::Selectable(action.title.c_str() + 5, &action == shown)) run_action(state, action);
     }
-    show_tip("What the cloth shows", kTipWidth);
-    for (const auto& [action, icon] : {std::pair("view.body", "body"), std::pair("view.threads", "threads"),
-                                       std::pair("view.points", "points"), std::pair("view.timeline", "motion")}) {
-        ImGui::SameLine();
+    ImGui::EndCombo();
+}
+
+}  // namespace
+
+float viewport_bar_height(float width) {
+    const auto rows = static_cast<float>(viewport_bar(width).rows());
+    return rows * ImGui::GetFrameHeight() + (rows - 1) * ImGui::GetStyle().ItemSpacing.y;
+}
+
+void show_viewport_bar(AppState& state) {
+    const float side = ImGui::GetFrameHeight();
+    const ViewportBar bar = viewport_bar(ImGui::GetContentRegionAvail().x);
+    const bool is_running = state.workspace.drape.frame()->is_running;
+    show_icon(state, "simulate.run", is_running ? "pause" : "play", side);
+    ImGui::SameLine();
+    show_icon(state, "simulate.reset", "reset", side);
+    if (!bar.has_list_below) ImGui::SameLine(0, ImGui::GetFontSize());
+    show_mode_list(state, bar.list);
+    int at = 0;
+    for (const auto& [action, icon] : kViewSwitches) {
+        const bool begins_row = at % bar.switches_per_row == 0 && (at > 0 || bar.has_switches_below);
+        if (!begins_row && bar.has_switches_below) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        if (!begins_row && !bar.has_switches_below) ImGui::SameLine();
         show_icon(state, action, icon, side);
+        ++at;
     }
 }
 

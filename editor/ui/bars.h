@@ -17,8 +17,11 @@ float tool_bar_width(float height);
 void show_tool_bar(AppState& state);
 void show_status_bar(AppState& state);
 
-// Above the 3D view: start, reset, show modes.
+// Above the 3D view: start, reset, show modes, switches. In a narrow view it has several rows.
 void show_viewport_bar(AppState& state);
+
+// The height of its rows in a window whose content is `width` px wide, px.
+float viewport_bar_height(float width);
 
 // The context menu of the sheet: the actions that apply to the selection.
 

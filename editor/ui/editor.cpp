@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -262,7 +263,7 @@ InspectorContext Editor::Impl::inspector_context() {
 
 void Editor::Impl::show_viewport(const Rectangle& where, double seconds) {
     const float unit = ImGui::GetFontSize();
-    const float bar = ImGui::GetFrameHeight() + 0.6F * unit;
+    const float bar = viewport_bar_height(std::floor(where.size.x) - unit) + 0.6F * unit;
     begin_region("##viewport_bar", {where.low, {where.size.x, bar}}, {0.5F * unit, 0.3F * unit});
     show_viewport_bar(state);
     ImGui::End();

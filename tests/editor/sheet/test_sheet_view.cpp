@@ -1,7 +1,13 @@
 // The sheet's view in ImGui frames, driven by mouse and keyboard.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
 #include "editor/sheet/panel_faces.h"
+#include "editor/sheet/sheet_labels.h"
 #include "editor/sheet/sheet_paint.h"
 #include "editor/sheet/sheet_view.h"
 #include "sim/pattern/outline.h"
@@ -110,6 +116,84 @@ TEST(SheetView, any_zoom_and_an_empty_document_can_be_drawn) {
         stage.frame();
         EXPECT_LT(stage.drawn_vertices(), 300000U);
     }
+}
+
+bool meet(const LabelBox& a, const LabelBox& b) {
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+constexpr const char* kLongName =
+    "front of the left half of the shell, to be cut twice on the fold from the second fabric";
+
+sim::PatternDocument with_long_name() {
+    sim::PatternDocument document = shipped_pattern("tshirt");
+    document.pattern.panels[0].name = kLongName;
+    return document;
+}
+
+TEST(SheetLabels, a_long_name_is_shortened_at_its_end_and_stays_within_its_panel) {
+    for (const double scale : {1.0, 2.0}) {
+        SheetFixture stage(with_long_name(), {900, 700, scale});
+        const auto is_long = [](const PanelName& name) { return name.panel == kLongName; };
+        const auto name = std::ranges::find_if(stage.view.names(), is_long);
+        ASSERT_NE(name, stage.view.names().end());
+        ASSERT_GT(name->shown.size(), 5U) << "at scale " << scale;
+        EXPECT_FALSE(name->is_whole());
+        EXPECT_TRUE(name->shown.ends_with("..."));
+        EXPECT_TRUE(std::string(kLongName).starts_with(name->shown.substr(0, name->shown.size() - 3)));
+        const SheetBox panel = stage.tools.geometry().find(kLongName)->sheet_box();
+        EXPECT_GT(double(name->box.low.x), to_px(stage.view.camera(), panel.min()).x());
+        EXPECT_LT(double(name->box.high.x), to_px(stage.view.camera(), panel.max()).x());
+    }
+}
+
+TEST(SheetLabels, the_whole_name_is_a_tooltip_of_its_panel) {
+    SheetFixture stage(with_long_name());
+    const Vec2d middle = stage.tools.geometry().find(kLongName)->sheet_box().center();
+    stage.move(middle);
+    stage.frame();
+    const auto has_tooltip = [] {
+        const ImDrawData& drawn = *ImGui::GetDrawData();
+        return std::any_of(drawn.CmdLists, drawn.CmdLists + drawn.CmdListsCount, [](const ImDrawList* list) {
+            return std::string_view(list->_OwnerName).starts_with("##Tooltip");
+        });
+    };
+    EXPECT_TRUE(has_tooltip());
+    stage.move(stage.tools.geometry().find("back")->sheet_box().center());
+    stage.frame();
+    EXPECT_FALSE(has_tooltip()) << "this name is shown whole";
+}
+
+TEST(SheetLabels, badges_of_lengths_cover_no_name_and_no_other_badge) {
+    for (const double scale : {1.0, 2.0}) {
+        sim::PatternDocument document = shipped_pattern("tshirt");
+        for (sim::Seam& seam : document.pattern.seams) seam.is_eased = false;
+        for (Vec2d& vertex : document.pattern.panels[0].vertices) vertex.y() *= 1.3;  // its seams become uneven
+        SheetFixture stage(std::move(document), {900, 700, scale});
+        const std::vector<LabelBox>& boxes = stage.view.labels();
+        const auto has_text = [](const PanelName& name) { return !name.shown.empty(); };
+        const auto names = std::ranges::count_if(stage.view.names(), has_text);
+        EXPECT_GT(std::ssize(boxes), names + 3) << "there are badges";
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(meet(boxes[i], boxes[k])) << i << " " << k;
+        }
+    }
+}
+
+TEST(SheetLabels, where_all_places_are_taken_the_one_is_used_that_covers_least) {
+    LabelPlaces places;
+    places.reserve({{0, 0}, {10, 10}});
+    places.reserve({{18, 0}, {28, 10}});
+    const std::array<ImVec2, 2> centres{ImVec2{5, 5}, ImVec2{14, 5}};
+    const ImVec2 centre = places.place({10, 10}, centres);
+    EXPECT_EQ(centre.x, 14);
+    EXPECT_EQ(places.taken().size(), 3U);
+}
+
+TEST(SheetView, a_small_view_at_a_large_scale_is_used_for_the_panels) {
+    SheetFixture stage(shipped_pattern("tshirt"), {200, 700, 2});
+    const SheetBox seen = visible_box(stage.view.camera()), panels = stage.tools.geometry().box();
+    EXPECT_GT(panels.sizes().x(), 0.5 * seen.sizes().x());
 }
 
 TEST(SeamPaint, a_seam_runs_inside_of_its_edge) {
