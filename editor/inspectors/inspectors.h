@@ -49,6 +49,7 @@ struct BoxState {
     TypedText typed;
     TypedText left;  // text of the previous box, if another box was entered before it was applied
     Scrub scrub;
+    bool gives_keys_back = false;  // a box was left by Enter or Esc: the next keys are for the sheet
 };
 
 // Expensive values of a panel, valid for one revision of the document.

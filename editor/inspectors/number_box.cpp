@@ -30,8 +30,16 @@ std::string text_of(const NumberBox& box, std::optional<double> value) {
     return box.has_unit ? quantity_text(*value, box.unit) : quantity_number(*value, box.unit);
 }
 
+bool is_key_pressed(ImGuiKey key) {
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+}
+
 bool is_escape_pressed() {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    return is_key_pressed(ImGuiKey_Escape);
+}
+
+bool is_enter_pressed() {
+    return is_key_pressed(ImGuiKey_Enter) || is_key_pressed(ImGuiKey_KeyPadEnter);
 }
 
 struct ArrowKeys {
@@ -79,6 +87,7 @@ FieldEnd end_of_field(BoxState& boxes, unsigned id) {
     if (typed == nullptr || !ImGui::IsItemDeactivated()) return {};
     FieldEnd end{.ending = Ending::Applied, .typed = std::move(*typed)};
     *typed = {};
+    if (is_escape_pressed() || is_enter_pressed()) boxes.gives_keys_back = true;
     if (is_escape_pressed()) {
         end.ending = Ending::Escaped;
     } else if (!end.typed.wrong.empty()) {

@@ -1,7 +1,8 @@
 #pragma once
-// Input fields for numbers and text. Enter, Tab or a click elsewhere applies the text; Esc cancels. Text that cannot be
-// read is marked and not applied. The arrow keys (Shift: ten times the step) and dragging the label also change a
-// number. Also: conversion between SI values and text with units, and rows of two or three numbers.
+// Input fields for numbers and text. Enter, Tab or a click elsewhere applies the text; Esc cancels. After Enter and Esc
+// the keys are the sheet's again (BoxState::gives_keys_back). Text that cannot be read is marked and not applied. The
+// arrow keys (Shift: ten times the step) and dragging the label also change a number. Also: conversion between SI
+// values and text with units, and rows of two or three numbers.
 #include <array>
 #include <optional>
 #include <string>

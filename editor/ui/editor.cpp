@@ -29,6 +29,8 @@ namespace {
 constexpr UiTexture kSheetTexture = 1, kViewportTexture = kSheetTexture + kSheetTextures,
                     kLegendTexture = kViewportTexture + 1, kFirstFreeTexture = kLegendTexture + 1;
 
+constexpr const char* kSheetWindow = "##sheet";
+
 struct Rectangle {
     ImVec2 low;
     ImVec2 size;
@@ -215,7 +217,7 @@ void Editor::Impl::run_keys() {
 }
 
 void Editor::Impl::show_sheet(const Rectangle& where) {
-    begin_region("##sheet", where, {0, 0});
+    begin_region(kSheetWindow, where, {0, 0});
     SheetContext sheet_context{
         .host = tool_host_context(state.workspace),
         .tools = state.tools,
@@ -228,7 +230,6 @@ void Editor::Impl::show_sheet(const Rectangle& where) {
                 return UnderlayPicture{state.underlays.find(file), state.underlays.size_px(file)};
             },
         .take_texture = [this] { return next_texture++; }};
-
     const SheetResult answer = sheet.show(sheet_context);
     used_keys.insert(used_keys.end(), answer.used_keys.begin(), answer.used_keys.end());
     if (answer.wants_menu) open_sheet_menu(state);
@@ -317,6 +318,8 @@ void Editor::Impl::show_inspectors(const Rectangle& where) {
     draws[static_cast<std::size_t>(state.layout.tab)](box);
     ImGui::EndChild();
     ImGui::End();
+    // ImGui would leave the focus with the box, and its keyboard navigation would use the keys.
+    if (std::exchange(inspectors.boxes.gives_keys_back, false)) ImGui::SetWindowFocus(kSheetWindow);
 }
 
 // Call before the views: of windows with a fixed order, ImGui draws the later ones below.

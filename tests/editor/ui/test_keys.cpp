@@ -1,0 +1,83 @@
+// Which part of the window gets the keys, in an editor without a window.
+#include <gtest/gtest.h>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "editor/ui/editor.h"
+#include "editor/ui/files.h"
+#include "editor/ui/script.h"
+#include "sim/pattern/pattern_file.h"
+#include "tests/editor/ui/services_without_files.h"
+#include "tests/support/checkout.h"
+
+namespace selvedge::editor {
+namespace {
+
+class KeysOfEditor : public testing::Test {
+ protected:
+    KeysOfEditor() {
+        const auto file = std::filesystem::path(source_folder()) / "patterns" / "two_squares.json";
+        open_loaded(editor_.state(), sim::load_pattern(file), file.string());
+        play("frames 3\n");
+        Selection front;
+        front.panels.insert("front");
+        document().select(front);
+        play("frames 3\n");
+    }
+    void select_corner() {
+        Selection selected;
+        selected.vertices.insert({"front", 0});
+        document().select(selected);
+    }
+    void play(const std::string& script) {
+        const auto step = [&](const std::vector<InputEvent>& events) {
+            editor_.frame(events, {.width_px = 1280, .height_px = 800}, 1.0 / 30);
+        };
+        ScriptPlayer player(editor_, {.step = step, .screenshot = {}, .say = {}}, "keys.txt");
+        player.play(parse_script(script, "keys.txt"));
+    }
+    Document& document() { return *editor_.state().workspace.document; }
+    double height_cm() { return 100 * document().pattern().panels[0].translation.y(); }
+    Vec2d corner() { return document().pattern().panels[0].vertices[0]; }
+
+    Editor editor_{services_without_files(), {.drive = sim::SessionDrive::Caller, .is_steady = true}};
+};
+
+TEST_F(KeysOfEditor, go_to_the_sheet_after_enter_in_a_number_box) {
+    play("click widget panel.translation.y\nkey ctrl+a\ntype 90\nkey enter\n");
+    EXPECT_NEAR(height_cm(), 90, 1e-9);
+    const Vec2d px = editor_.sheet_to_px({0, 0});
+    play("key f\nframes 2\n");
+    EXPECT_NE(editor_.sheet_to_px({0, 0}), px) << "F frames the panel";
+    const Vec2d before = corner();
+    select_corner();
+    play("key right\n");
+    EXPECT_GT(corner().x(), before.x()) << "arrows move what is selected";
+    play("key escape\n");
+    EXPECT_TRUE(document().selection().is_empty()) << "Escape selects nothing";
+}
+
+TEST_F(KeysOfEditor, go_to_the_sheet_after_the_keypads_enter) {
+    play("click widget panel.translation.y\nkey ctrl+a\ntype 90\nkey numenter\n");
+    EXPECT_NEAR(height_cm(), 90, 1e-9);
+    play("key escape\n");
+    EXPECT_TRUE(document().selection().is_empty());
+}
+
+TEST_F(KeysOfEditor, go_to_the_sheet_after_escape_in_a_number_box) {
+    const double before = height_cm();
+    play("click widget panel.translation.y\nkey ctrl+a\ntype 90\nkey escape\n");
+    EXPECT_EQ(height_cm(), before);
+    EXPECT_FALSE(document().selection().is_empty()) << "this Escape was the box's";
+    play("key escape\n");
+    EXPECT_TRUE(document().selection().is_empty());
+}
+
+TEST_F(KeysOfEditor, stay_with_the_boxes_after_tab) {
+    play("click widget panel.translation.x\nkey ctrl+a\ntype 1\nkey tab\nframes 2\nkey ctrl+a\ntype 95\nkey enter\n");
+    EXPECT_NEAR(height_cm(), 95, 1e-9);
+}
+
+}  // namespace
+}  // namespace selvedge::editor
