@@ -31,11 +31,11 @@ class PanelChecker {
     void check() const {
         check_numbers();
         check_chain();
-        for (int e = 0; e < edge_count(panel_); ++e) check_edge(e);
-        check_crossings();
-        const double area = outline_area(panel_);
-        if (!(area >= sim::kSmallestArea * kMargin)) {
-            fail(area < -sim::kSmallestArea ? "would be turned inside out" : "would have no area");
+        try {
+            check_shape();
+        } catch (GeometryError& error) {
+            error.add_refused_panel(panel_);
+            throw;
         }
         for (const sim::Notch& notch : panel_.notches) {
             if (notch.edge < 0 || notch.edge >= edge_count(panel_) || !(notch.t >= 0 && notch.t <= 1)) {
@@ -46,6 +46,15 @@ class PanelChecker {
     }
 
  private:
+    void check_shape() const {
+        for (int e = 0; e < edge_count(panel_); ++e) check_edge(e);
+        check_crossings();
+        const double area = outline_area(panel_);
+        if (!(area >= sim::kSmallestArea * kMargin)) {
+            fail(area < -sim::kSmallestArea ? "would be turned inside out" : "would have no area");
+        }
+    }
+
     [[noreturn]] void fail(const std::string& what, int edge = -1) const {
         throw GeometryError("Panel " + panel_.name + " " + what + ".", {{panel_.name, edge, -1}});
     }
@@ -107,13 +116,17 @@ class PanelChecker {
     const sim::Panel& panel_;
 };
 
-void check_seam(const sim::Pattern& draft, const sim::Seam& seam) {
+void check_seam(const sim::Pattern& draft, const sim::Seam& seam, const std::vector<bool>& is_changed) {
     const double first = outline_length(draft.panels[as_size(seam.first.panel)], edge_of(draft, seam.first));
     const double second = outline_length(draft.panels[as_size(seam.second.panel)], edge_of(draft, seam.second));
     if (std::max(first, second) * kMargin <= sim::kMaxGatherRatio * std::min(first, second)) return;
-    throw GeometryError(
+    GeometryError error(
         "One side of seam " + seam_name(draft, seam) + " would be over four times as long as the other.",
         {place_of(draft, seam.first), place_of(draft, seam.second)});
+    for (const int panel : std::set<int>{seam.first.panel, seam.second.panel}) {
+        if (is_changed[as_size(panel)]) error.add_refused_panel(draft.panels[as_size(panel)]);
+    }
+    throw error;
 }
 
 }  // namespace
@@ -183,7 +196,7 @@ void check_edit(const sim::Pattern& draft, const sim::Pattern& before) {
         }
         const bool is_old = i < before.seams.size() && before.seams[i] == seam;
         if (!is_old || is_changed[as_size(seam.first.panel)] || is_changed[as_size(seam.second.panel)]) {
-            check_seam(draft, seam);
+            check_seam(draft, seam, is_changed);
         }
     }
 }

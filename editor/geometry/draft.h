@@ -12,7 +12,8 @@
 
 namespace selvedge::editor {
 
-// An edit that is not possible: a message in the tailor's terms and the parts involved, which the views highlight.
+// An edit that is not possible: a message in the tailor's terms and the parts involved, which the views highlight; and
+// the panels as the edit would have made them, if it is their shape that is not possible.
 
 struct PartLocation {
     std::string panel;
@@ -29,8 +30,13 @@ class GeometryError : public std::runtime_error {
 
     const std::vector<PartLocation>& places() const { return places_; }
 
+    // Their outlines are closed, but may cross themselves, and may reach far or have curves that are not possible.
+    const std::vector<sim::Panel>& refused_panels() const { return refused_panels_; }
+    void add_refused_panel(const sim::Panel& panel) { refused_panels_.push_back(panel); }
+
  private:
     std::vector<PartLocation> places_;
+    std::vector<sim::Panel> refused_panels_;
 };
 
 inline std::size_t as_size(int index) {

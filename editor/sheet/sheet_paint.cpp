@@ -471,6 +471,7 @@ void draw_lit_places(const SheetLook& look, const std::vector<PartLocation>& pla
 
 void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& overlay, const TypedInput& typed) {
     std::vector<std::string> lines = overlay.readout;
+    if (!overlay.problem.empty()) lines.insert(lines.begin(), overlay.problem);
     if (lines.empty() && typed.is_empty()) return;
     const float line_height = ImGui::GetTextLineHeight() + pen.px(2), margin = pen.px(7);
     float width = 0;
@@ -498,7 +499,8 @@ void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& ov
         at.y += large + pen.px(8);
     }
     for (const std::string& line : lines) {
-        pen.list.AddText(at, packed(pen.colours.bubble_text), line.c_str());
+        const bool is_problem = !overlay.problem.empty() && &line == &lines.front();
+        pen.list.AddText(at, packed(is_problem ? pen.colours.bubble_problem : pen.colours.bubble_text), line.c_str());
         at.y += line_height;
     }
 }

@@ -35,7 +35,7 @@ std::vector<ImVec2> inset_line(std::span<const ImVec2> line, float inset, float 
 void draw_overlay(const SheetLook& look);
 void draw_lit_places(const SheetLook& look, const std::vector<PartLocation>& places);
 
-// Shows the typed text in large letters and the tool's readout beside the cursor. `cursor` in px.
+// Shows the typed text in large letters and the tool's problem and readout beside the cursor. `cursor` in px.
 void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& overlay, const TypedInput& typed);
 
 }  // namespace selvedge::editor

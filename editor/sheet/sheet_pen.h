@@ -52,6 +52,7 @@ struct SheetColours {
     render::Rgba8 pin{0xC2, 0x30, 0x28, 0xFF};
     render::Rgba8 bubble{0x26, 0x29, 0x2E, 0xEB};       // background of readouts at the cursor
     render::Rgba8 bubble_text{0xFA, 0xF9, 0xF6, 0xFF};  // text of the readouts
+    render::Rgba8 bubble_problem{0xF6, 0xC4, 0x6A, 0xFF};
 };
 
 // The box of a text with its plate, px.

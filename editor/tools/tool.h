@@ -58,6 +58,7 @@ struct ToolOverlay {
     std::vector<OverlayLabel> labels{};
     std::set<PartRef> handle_edges{};    // edges with visible curve handles
     std::vector<std::string> readout{};  // lines of text beside the cursor
+    std::string problem{};               // above them: why the pattern cannot be as it is dragged
     bool shows_vertices = false;         // of panels with a selected part, as handles
     bool shows_sewing = false;           // seams are highlighted
 };

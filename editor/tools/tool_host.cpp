@@ -1,8 +1,12 @@
 #include "editor/tools/tool_host.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "editor/tools/select_tool.h"
+#include "sim/pattern/fault.h"
+#include "sim/pattern/outline.h"
 
 namespace selvedge::editor {
 namespace {
@@ -11,6 +15,18 @@ constexpr double kDragThreshold = 3;    // px
 constexpr double kGridStepAtLeast = 5;  // px
 constexpr double kNudge = 0.001;        // m
 constexpr double kLongNudge = 0.01;     // m
+
+// An outline that may cross itself, as a closed polyline in the panel's frame.
+std::vector<Vec2d> refused_outline(const sim::Panel& panel) {
+    constexpr int kPointsPerCurve = 48;
+    std::vector<Vec2d> points;
+    for (const sim::OutlineEdge& edge : panel.edges) {
+        const int count = edge.kind == sim::CurveKind::Line ? 1 : kPointsPerCurve;
+        for (int i = 0; i < count; ++i) points.push_back(curve_point(panel, edge, double(i) / count));
+    }
+    points.push_back(points.front());
+    return points;
+}
 
 }  // namespace
 
@@ -66,13 +82,30 @@ void ToolHost::move(ToolHostContext host, const Vec2d& px, const Modifiers& modi
     }
     guarded(host, [&](ToolContext& given) {
         if (state_ == MouseState::Up) tool_->hover(given, pointer_);
-        if (state_ == MouseState::Dragging) {
-            const std::size_t said = host.messages.count();
-            tool_->drag(given, pointer_);
-            if (host.messages.count() == said) host.messages.dismiss();  // no error now: hide the old message
-        }
+        if (state_ == MouseState::Dragging) drag(given);
         return true;
     });
+}
+
+void ToolHost::drag(ToolContext& given) {
+    const std::size_t said = given.messages.count();
+    refused_.reset();
+    try {
+        tool_->drag(given, pointer_);
+    } catch (const GeometryError& error) {
+        refused_ = error;
+        given.document.rollback();
+        throw;
+    }
+    if (given.messages.count() == said) given.messages.dismiss();  // no error now: hide the old message
+}
+
+// Says why nothing has changed if the drag ends where it is not possible.
+void ToolHost::drop(ToolHostContext host) {
+    const std::optional<GeometryError> refused = std::exchange(refused_, std::nullopt);
+    guarded(host, [&](ToolContext& given) { return tool_->drop(given, pointer_), true; });
+    if (!refused || refused->refused_panels().empty()) return;
+    host.messages.error(GeometryError(std::string(refused->what()) + " It is as before the drag.", refused->places()));
 }
 
 void ToolHost::press(ToolHostContext host, const Vec2d& px, const Modifiers& modifiers) {
@@ -92,10 +125,11 @@ void ToolHost::release(ToolHostContext host, const Vec2d& px, const Modifiers& m
     move(host, px, modifiers);
     const bool was_dragged = state_ == MouseState::Dragging;
     state_ = MouseState::Up;
-    guarded(host, [&](ToolContext& given) {
-        was_dragged ? tool_->drop(given, pointer_) : tool_->click(given, pointer_);
-        return true;
-    });
+    if (was_dragged) {
+        drop(host);
+    } else {
+        guarded(host, [&](ToolContext& given) { return tool_->click(given, pointer_), true; });
+    }
     guarded(host, [&](ToolContext& given) { return tool_->hover(given, pointer_), true; });
 }
 
@@ -118,6 +152,7 @@ bool ToolHost::cancel(ToolHostContext host) {
     typed_.clear();
     host.messages.dismiss();
     if (state_ == MouseState::Dragging) state_ = MouseState::Up;
+    refused_.reset();
     if (host.document.is_previewing()) host.document.rollback();
     return guarded(host, [&](ToolContext& given) { return tool_->cancel(given); }) || had_typed;
 }
@@ -211,7 +246,24 @@ ToolOverlay ToolHost::overlay(ToolHostContext host) {
     const ToolContext given = context(host);
     ToolOverlay overlay;
     tool_->draw(given, overlay);
+    if (refused_) add_refused(overlay);
     return overlay;
+}
+
+// Adds the outlines that the drag would make, unless they reach too far to be drawn.
+void ToolHost::add_refused(ToolOverlay& overlay) const {
+    overlay.problem = refused_->what();
+    for (const sim::Panel& panel : refused_->refused_panels()) {
+        const PanelShape* shape = geometry_.find(panel.name);
+        if (shape == nullptr) continue;
+        OverlayLine line{.points = refused_outline(panel), .tone = OverlayTone::Warning};
+        const auto is_near = [](const Vec2d& p) {
+            return p.allFinite() && p.cwiseAbs().maxCoeff() <= sim::kMaxCoordinate;
+        };
+        if (!std::all_of(line.points.begin(), line.points.end(), is_near)) continue;
+        for (Vec2d& point : line.points) point = shape->on_sheet(point);
+        overlay.lines.push_back(std::move(line));
+    }
 }
 
 std::string ToolHost::hint(ToolHostContext host) {

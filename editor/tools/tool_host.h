@@ -1,6 +1,8 @@
 #pragma once
-// Owns the active tool and forwards user input to it. Catches GeometryError and shows it as a message.
+// Owns the active tool and forwards user input to it. Catches GeometryError and shows it as a message. Where a drag is
+// not possible, the pattern is as before the drag, and the overlay shows what was wanted and why it cannot be.
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +64,9 @@ class ToolHost {
     ToolContext context(ToolHostContext host);
     template <class Action>
     bool guarded(ToolHostContext host, Action&& action);
+    void drag(ToolContext& given);
+    void drop(ToolHostContext host);
+    void add_refused(ToolOverlay& overlay) const;
     bool key_unguarded(ToolHostContext host, Key key, const Modifiers& modifiers);
     bool nudge(ToolHostContext host, Key key, const Modifiers& modifiers);
     bool remove_selected(ToolHostContext host);
@@ -75,6 +80,7 @@ class ToolHost {
     SheetPointer pointer_;
     Vec2d pressed_px_ = Vec2d::Zero();
     MouseState state_ = MouseState::Up;
+    std::optional<GeometryError> refused_;  // why the drag is not possible where the mouse is
     TypedInput typed_;
 };
 

@@ -147,6 +147,21 @@ TEST(SheetPictures, an_uneven_seam) {
     EXPECT_GT(SheetPicture(stage, "uneven").pixels_of(kColours.error), 20) << "its length differs by 8 mm";
 }
 
+TEST(SheetPictures, a_drag_that_would_make_the_outline_cross_itself) {
+    SheetFixture stage(shipped_pattern("tshirt"), {1280, 800, 1});
+    const Vec2d from = stage.vertex("front", 2), to = from - Vec2d(0.6, 0.1);
+    stage.press(from);
+    stage.move(from - Vec2d(0.02, 0.0));
+    EXPECT_FALSE(SheetPicture(stage, "refused_before").shows(kColours.warning, (to + 0.1 * (from - to)).eval()));
+    stage.move(to);
+    const SheetPicture picture(stage, "refused");
+    EXPECT_GT(picture.pixels_of(kColours.warning), 200) << "the outline that is not possible";
+    EXPECT_GT(picture.pixels_of(kColours.bubble_problem), 20) << "the reason";
+    EXPECT_TRUE(picture.shows_line(stage.on_edge("front", 2, 0.37))) << "the panel is where it was";
+    stage.release();
+    EXPECT_EQ(SheetPicture(stage, "refused_after").pixels_of(kColours.warning), 0);
+}
+
 TEST(SheetPictures, a_polygon_with_a_typed_number) {
     SheetFixture stage(sim::PatternDocument{});
     stage.key(key_of('H'));

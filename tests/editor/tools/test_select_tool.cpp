@@ -1,6 +1,8 @@
 // The select tool and ToolHost; then edit point, add point, curve, notch, dart, rotate, scale, merge, unfold, measure.
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "editor/tools/outline_tools.h"
 #include "editor/tools/tool.h"
@@ -112,14 +114,66 @@ TEST(SelectTool, a_typed_way_moves_the_selection) {
     EXPECT_TRUE(user.vertex("left", 0).isApprox(Vec2d(0.025, -0.01), 1e-9));
 }
 
-TEST(ToolHost, what_cannot_be_is_said_and_the_panel_stays_sound) {
+bool has_warning_line_through(const ToolOverlay& overlay, const Vec2d& point) {
+    return std::any_of(overlay.lines.begin(), overlay.lines.end(), [&](const OverlayLine& line) {
+        const auto is_there = [&](const Vec2d& p) { return (p - point).norm() < 1e-9; };
+        return line.tone == OverlayTone::Warning && std::any_of(line.points.begin(), line.points.end(), is_there);
+    });
+}
+
+TEST(ToolHost, a_drag_that_ends_where_the_outline_would_cross_itself_changes_nothing_and_says_why) {
     SheetUser user;
     user.press({0.2, 0.2});
-    user.move({0.1, 0.1}, {.ctrl = true});
-    user.move({-0.2, -0.2}, {.ctrl = true});
-    EXPECT_FALSE(user.message().empty());
-    user.release({-0.2, -0.2}, {.ctrl = true});
-    EXPECT_GT(user.vertex("left", 2).x(), 0) << "the last place that could be";
+    user.move({0.1, 0.15}, {.ctrl = true});
+    ASSERT_TRUE(user.vertex("left", 2).isApprox(Vec2d(0.1, 0.15), 1e-9));
+    user.move({-0.2, 0.1}, {.ctrl = true});
+    user.release({-0.2, 0.1}, {.ctrl = true});
+    EXPECT_TRUE(user.vertex("left", 2).isApprox(Vec2d(0.2, 0.2), 1e-9));
+    EXPECT_EQ(user.document.position(), 0U);
+    EXPECT_NE(user.message().find("would cross"), std::string::npos) << user.message();
+    EXPECT_NE(user.message().find("as before the drag"), std::string::npos) << user.message();
+    EXPECT_TRUE(user.overlay().problem.empty());
+}
+
+TEST(ToolHost, a_drag_shows_the_outline_that_cannot_be_with_the_reason_until_it_can) {
+    SheetUser user;
+    user.press({0.2, 0.2});
+    user.move({0.1, 0.15}, {.ctrl = true});
+    EXPECT_TRUE(user.overlay().problem.empty());
+    user.move({-0.2, 0.1}, {.ctrl = true});
+    EXPECT_TRUE(user.vertex("left", 2).isApprox(Vec2d(0.2, 0.2), 1e-9)) << "the panel is as before";
+    EXPECT_NE(user.overlay().problem.find("would cross"), std::string::npos);
+    EXPECT_TRUE(has_warning_line_through(user.overlay(), {-0.2, 0.1}));
+    user.move({0.15, 0.15}, {.ctrl = true});
+    EXPECT_TRUE(user.overlay().problem.empty());
+    EXPECT_FALSE(has_warning_line_through(user.overlay(), {-0.2, 0.1}));
+    EXPECT_EQ(user.message(), "");
+    user.release({0.15, 0.15}, {.ctrl = true});
+    EXPECT_TRUE(user.vertex("left", 2).isApprox(Vec2d(0.15, 0.15), 1e-9));
+    EXPECT_EQ(user.document.position(), 1U);
+    user.document.undo();
+    EXPECT_TRUE(user.vertex("left", 2).isApprox(Vec2d(0.2, 0.2), 1e-9));
+}
+
+TEST(ToolHost, escape_ends_a_drag_that_is_not_possible) {
+    SheetUser user;
+    user.press({0.2, 0.2});
+    user.move({-0.2, 0.1}, {.ctrl = true});
+    ASSERT_FALSE(user.overlay().problem.empty());
+    user.key(Key::Escape);
+    EXPECT_TRUE(user.overlay().problem.empty());
+    user.release({-0.2, 0.1}, {.ctrl = true});
+    EXPECT_EQ(user.message(), "");
+    EXPECT_EQ(user.document.position(), 0U);
+}
+
+TEST(ToolHost, a_seam_that_a_drag_would_make_too_uneven_leaves_both_panels_as_they_were) {
+    SheetUser user;
+    user.document.run(SewEdges{.first = {"left", 1}, .second = {"right", 3}});
+    user.drag({0.2, 0.2}, {0.2, 0.04}, {.ctrl = true});
+    EXPECT_TRUE(user.vertex("left", 2).isApprox(Vec2d(0.2, 0.2), 1e-9));
+    EXPECT_NE(user.message().find("four times"), std::string::npos) << user.message();
+    EXPECT_EQ(user.document.position(), 1U);
 }
 
 TEST(ToolHost, delete_takes_out_what_is_selected) {
