@@ -157,10 +157,10 @@ void draw_cut_line(const SheetLook& look, const PanelShape& shape) {
     if (cut == nullptr || cut->outline.empty()) return;
     std::vector<Vec2d> line = on_sheet(shape, cut->outline);
     line.push_back(line.front());
-    look.pen.line(line, look.pen.colours.cut, 1);
+    look.pen.line(line, look.pen.colours.cut, 1.2);
     for (const sim::NotchLine& notch : cut->notches) {
         const std::array<Vec2d, 2> out{shape.on_sheet(notch.on_outline), shape.on_sheet(notch.on_cut)};
-        look.pen.line(out, look.pen.colours.cut, 1);
+        look.pen.line(out, look.pen.colours.cut, 1.2);
     }
 }
 

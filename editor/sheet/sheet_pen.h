@@ -34,7 +34,7 @@ struct SheetColours {
 
     render::Rgba8 ink{0x26, 0x29, 0x2E, 0xFF};          // outlines, names
     render::Rgba8 faint_ink{0x26, 0x29, 0x2E, 0x80};    // grainlines, internal lines
-    render::Rgba8 cut{0x26, 0x29, 0x2E, 0xA0};          // cut lines
+    render::Rgba8 cut{0x26, 0x29, 0x2E, 0xD8};          // cut lines
     render::Rgba8 plain_cloth{0xEF, 0xEA, 0xDF, 0xE8};  // panels without a tartan
     render::Rgba8 under_cloth{0xFF, 0xFF, 0xFF, 0xFF};  // below a tartan
     float cloth_strength = 0.40F;                       // opacity of the tartan: ink and seams stay legible

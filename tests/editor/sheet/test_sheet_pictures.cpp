@@ -94,7 +94,7 @@ TEST(SheetPictures, an_armhole_with_selection_and_handles) {
 TEST(SheetPictures, an_allowance_shows_as_the_cut_line) {
     SheetFixture stage(shipped_pattern("two_squares"));
     const std::string name = stage.document.pattern().panels[0].name;
-    stage.shows.names = stage.shows.grid = stage.shows.seams = false;
+    stage.shows.names = stage.shows.seams = false;
     const Vec2d middle = (stage.vertex(name, 0) + stage.vertex(name, 1)) / 2;
     const Vec2d along = (stage.vertex(name, 1) - stage.vertex(name, 0)).normalized(), out(along.y(), -along.x());
     constexpr double kWidth = 0.03;
@@ -111,7 +111,7 @@ TEST(SheetPictures, an_allowance_shows_as_the_cut_line) {
 TEST(SheetPictures, a_panel_with_a_colour_of_its_own) {
     SheetFixture stage(shipped_pattern("two_squares"));
     const std::string name = stage.document.pattern().panels[0].name;
-    stage.shows.names = stage.shows.grid = stage.shows.seams = false;
+    stage.shows.names = stage.shows.seams = false;
     stage.document.run(
         SetSurface{.panel = name, .surface = sim::SurfaceDesign{.kind = sim::DesignKind::Colour, .source = "#C01818"}});
     stage.frame();
@@ -155,11 +155,11 @@ TEST(SheetPictures, a_drag_that_would_make_the_outline_cross_itself) {
     EXPECT_FALSE(SheetPicture(stage, "refused_before").shows(kColours.warning, (to + 0.1 * (from - to)).eval()));
     stage.move(to);
     const SheetPicture picture(stage, "refused");
-    EXPECT_GT(picture.pixels_of(kColours.warning), 200) << "the outline that is not possible";
     EXPECT_GT(picture.pixels_of(kColours.bubble_problem), 20) << "the reason";
     EXPECT_TRUE(picture.shows_line(stage.on_edge("front", 2, 0.37))) << "the panel is where it was";
     stage.release();
-    EXPECT_EQ(SheetPicture(stage, "refused_after").pixels_of(kColours.warning), 0);
+    const int after = SheetPicture(stage, "refused_after").pixels_of(kColours.warning);  // seams have such colours, too
+    EXPECT_GT(picture.pixels_of(kColours.warning), after + 200) << "the outline that is not possible";
 }
 
 TEST(SheetPictures, a_polygon_with_a_typed_number) {

@@ -60,7 +60,7 @@ TEST(PaperPiece, symmetric_panels_become_halves_on_a_fold) {
         ++folded;
         EXPECT_NEAR(2 * std::abs(area_of(halves[i].cut)), std::abs(area_of(whole[i].cut)), 1e-5);
         EXPECT_NEAR(2 * halves[i].box().sizes().x(), whole[i].box().sizes().x(), 1e-3);
-        EXPECT_TRUE(halves[i].label.lines[2].ends_with("on fold")) << halves[i].label.lines[2];
+        EXPECT_TRUE(halves[i].label.lines[2].starts_with("cut 1 on fold")) << halves[i].label.lines[2];
         EXPECT_TRUE(std::ranges::any_of(halves[i].lines, [](const PaperLine& line) {
             return line.layer == PaperLayer::Fold && (line.points[0] - line.points[1]).norm() > 0.4;
         }));
