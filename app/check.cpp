@@ -21,8 +21,7 @@ struct CheckArguments {
 };
 
 // Looks up the names in the pattern in the same way as dress does.
-void add_faults_of_names(const std::string& file, std::vector<sim::Fault>& faults) {
-    const sim::Pattern pattern = sim::load_pattern(file).pattern;
+void add_faults_of_names(const sim::Pattern& pattern, const std::string& file, std::vector<sim::Fault>& faults) {
     try {
         if (!pattern.tartan.empty()) sim::find_tartan(pattern.tartan);
     } catch (const sim::InputError& error) {
@@ -35,8 +34,7 @@ void add_faults_of_names(const std::string& file, std::vector<sim::Fault>& fault
 }
 
 // Reads pictures and looks up tartans of surface designs.
-void add_faults_of_designs(const std::string& file, std::vector<sim::Fault>& faults) {
-    const sim::Pattern pattern = sim::load_pattern(file).pattern;
+void add_faults_of_designs(const sim::Pattern& pattern, const std::string& file, std::vector<sim::Fault>& faults) {
     const auto check = [&](const std::optional<sim::SurfaceDesign>& design, const std::string& place) {
         if (!design) return;
         try {
@@ -59,8 +57,11 @@ int check_files(const CheckArguments& arguments) {
     bool has_fault = false;
     for (const std::string& file : arguments.files) {
         std::vector<sim::Fault> faults = sim::check_pattern_file(file);
-        if (!has_error(faults)) add_faults_of_names(file, faults);
-        if (!has_error(faults)) add_faults_of_designs(file, faults);
+        if (!has_error(faults)) {
+            const sim::Pattern pattern = sim::load_pattern(file).pattern;
+            add_faults_of_names(pattern, file, faults);
+            if (!has_error(faults)) add_faults_of_designs(pattern, file, faults);
+        }
         for (const sim::Fault& fault : faults) std::printf("%s\n", describe(fault).c_str());
         has_warning = has_warning || !faults.empty();
         has_fault = has_fault || has_error(faults);

@@ -71,9 +71,7 @@ sim::SurfaceDesign parse_design(const std::string& text) {
     if (text == "test") return {.kind = sim::DesignKind::Test};
     if (sim::is_colour_text(text)) return {.kind = sim::DesignKind::Colour, .source = text};
     if (text.starts_with('#')) throw sim::InputError("", "--design", "'" + text + "' is no colour: #RRGGBB is");
-    sim::SurfaceDesign design{.kind = sim::DesignKind::Picture, .source = text};
-    render::picture_of(design);  // throws if it cannot be read
-    return design;
+    return {.kind = sim::DesignKind::Picture, .source = text};
 }
 
 // Returns the value, or throws an error that lists the known ones.
@@ -288,7 +286,7 @@ render::SubjectFrame make_frame(const render::Scene& scene, const PictureOptions
 // Divides the cloth into parts that look alike.
 void divide(render::Scene& scene, const PictureOptions& options) {
     if (!options.pattern || options.show == render::ShowMode::Hierarchy) return;
-    scene.cloths = options.looks->parts(scene.cloths.front(), *options.pattern);
+    scene.cloths = options.looks->parts(std::move(scene.cloths.front()), *options.pattern);
 }
 
 // Strain and hierarchy modes show the simulated triangles. A rotating subject has no back faces to coarsen, because it

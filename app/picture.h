@@ -2,7 +2,6 @@
 // Draws a picture of a garment and a body, and declares the picture options that dress and render share.
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "app/options.h"

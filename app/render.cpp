@@ -43,17 +43,18 @@ void show_design(PictureOptions& picture, const std::string& fabric) {
     pattern.fabric = fabric;
     pattern.surface = design;
     picture.pattern = std::make_shared<const sim::Pattern>(std::move(pattern));
+    picture.looks->read(*picture.pattern);  // a picture that cannot be read is told first
 }
 
 int render(RenderArguments& arguments) {
     check_outputs(arguments);
+    show_design(arguments.picture, arguments.fabric);
     check_can_draw(arguments.picture);
     check_can_show(arguments.picture.show, !arguments.body.source.empty(), false);
     const sim::DrawMesh garment = sim::read_garment(arguments.garment);
     std::optional<sim::Body> body;
     if (!arguments.body.source.empty()) body = make_body(arguments.body).body;
     const RenderSubject subject{.garment = garment, .body = body ? &*body : nullptr};
-    show_design(arguments.picture, arguments.fabric);
     if (!arguments.output.empty()) {
         write_png(arguments.output, draw_picture(subject, arguments.picture));
         std::printf("wrote %s\n", arguments.output.c_str());

@@ -156,6 +156,13 @@ std::string label(const EvenSeam&) {
 
 }  // namespace
 
+SetUnderlays set_underlay(const sim::Pattern& pattern, std::size_t index, const sim::Underlay& changed,
+                          const std::string& what) {
+    SetUnderlays command{.underlays = pattern.underlays, .what = what};
+    command.underlays[index] = changed;
+    return command;
+}
+
 std::string label_of(const Command& command) {
     return std::visit([](const auto& given) { return label(given); }, command);
 }

@@ -4,6 +4,7 @@
 //
 // Metres and radians; points in the panel's held frame. Panels by name, their parts by index. `name` is the command's
 // key in scripts and journals; `fields` visits its fields for JSON reading and writing.
+#include <cstddef>
 #include <string>
 #include <variant>
 
@@ -19,6 +20,10 @@ using Command =
                  UnfoldPanel, MoveVertices, TransformVertices, SetCurve, AddVertex, AddDart, AddInternalLine,
                  SetInternalLine, AddNotch, MoveNotch, SewEdges, SewRuns, ReverseSeam, NameSeam, AcceptEase, EvenSeam,
                  PutOver, TakeOff, SetUnderlays, SetSurface, SetAllowance>;
+
+// The command that changes one of the photos under the sheet. Pre: the pattern has it.
+SetUnderlays set_underlay(const sim::Pattern& pattern, std::size_t index, const sim::Underlay& changed,
+                          const std::string& what);
 
 // The label in the history: "Move 3 points".
 std::string label_of(const Command& command);

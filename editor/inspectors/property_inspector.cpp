@@ -160,6 +160,12 @@ void draw_place(InspectorContext& context, const sim::Panel& panel) {
     }
 }
 
+NumberEdit allowance_row(InspectorContext& context, NumberBox box) {
+    box.least = 0;
+    box.most = sim::kWidestAllowance;
+    return number_row(context, std::move(box), "Allowance");
+}
+
 void draw_cloth(InspectorContext& context, const sim::Panel& panel) {
     const std::string name = panel.name;
     fabric_row(context, name);
@@ -180,15 +186,12 @@ void draw_cloth(InspectorContext& context, const sim::Panel& panel) {
                                          .most = 100},
                                         "Layer");
     apply_edit(context, layer, SetLayer{.panel = name, .layer = static_cast<int>(layer.value.value_or(0))});
-    const NumberEdit allowance = number_row(context,
-                                            {.name = "panel.allowance",
-                                             .value = panel.allowance,
-                                             .tip = "Between the outline and the cut line. Empty: the garment's.",
-                                             .least = 0,
-                                             .most = sim::kWidestAllowance,
-                                             .may_be_empty = true,
-                                             .standing_for = context.pattern().allowance},
-                                            "Allowance");
+    const NumberEdit allowance =
+        allowance_row(context, {.name = "panel.allowance",
+                                .value = panel.allowance,
+                                .tip = "Between the outline and the cut line. Empty: the garment's.",
+                                .may_be_empty = true,
+                                .standing_for = context.pattern().allowance});
     apply_edit(context, allowance, SetAllowance{.panel = name, .width = allowance.value});
 }
 
@@ -441,15 +444,12 @@ namespace {
 
 void draw_allowance(InspectorContext& context, const PartRef& edge, const sim::Panel& panel,
                     const sim::OutlineEdge& curve) {
-    const NumberEdit width = number_row(context,
-                                        {.name = "edge.allowance",
-                                         .value = curve.allowance,
-                                         .tip = "Between this edge and the cut line. Empty: the panel's.",
-                                         .least = 0,
-                                         .most = sim::kWidestAllowance,
-                                         .may_be_empty = true,
-                                         .standing_for = panel.allowance.value_or(context.pattern().allowance)},
-                                        "Allowance");
+    const NumberEdit width =
+        allowance_row(context, {.name = "edge.allowance",
+                                .value = curve.allowance,
+                                .tip = "Between this edge and the cut line. Empty: the panel's.",
+                                .may_be_empty = true,
+                                .standing_for = panel.allowance.value_or(context.pattern().allowance)});
     SetAllowance command{
         .panel = edge.panel, .edge = edge.index, .width = width.value, .corner = curve.allowance_corner};
     if (width) return apply_edit(context, width, command);
@@ -636,13 +636,10 @@ void draw_pattern_section(InspectorContext& context) {
                                           .standing_for = kUsualEdgeLength},
                                          "Mesh edges");
     apply_edit(context, length, SetEdgeLength{length.value});
-    const NumberEdit allowance = number_row(context,
-                                            {.name = "pattern.allowance",
-                                             .value = pattern.allowance,
-                                             .tip = "Seam allowance of all panels that have none of their own.",
-                                             .least = 0,
-                                             .most = sim::kWidestAllowance},
-                                            "Allowance");
+    const NumberEdit allowance =
+        allowance_row(context, {.name = "pattern.allowance",
+                                .value = pattern.allowance,
+                                .tip = "Seam allowance of all panels that have none of their own."});
     apply_edit(context, allowance, SetAllowance{.width = allowance.value});
     fact(context, "Parts", counted(pattern.panels.size(), "panel") + ", " + counted(pattern.seams.size(), "seam"),
          "What the garment consists of.");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <set>
 #include <string>
 #include <utility>
@@ -143,7 +144,7 @@ void draw_design(InspectorContext& context, const SurfaceDesign& design) {
         if (text) apply_to_all(context, changed);
     }
     if (design.kind == DesignKind::Picture) {
-        fact(context, "Picture", readable_name(design.source), design.source);
+        fact(context, "Picture", std::filesystem::path(design.source).filename().string(), design.source);
         ButtonRow row(context);
         if (row.button(
                 {.name = "surface.choose", .title = "Choose another...", .is_enabled = bool(context.open_picture)}))

@@ -1,7 +1,7 @@
 // The section of the photos under the sheet.
 #include <imgui.h>
+#include <filesystem>
 #include <string>
-#include <vector>
 
 #include "editor/inspectors/controls.h"
 #include "editor/inspectors/number_box.h"
@@ -11,20 +11,10 @@
 namespace selvedge::editor {
 namespace {
 
-std::string name_in_folder(const std::string& file) {
-    return file.substr(file.find_last_of('/') + 1);
-}
-
-SetUnderlays with(const sim::Pattern& pattern, std::size_t index, const sim::Underlay& changed,
-                  const std::string& what) {
-    SetUnderlays command{.underlays = pattern.underlays, .what = what};
-    command.underlays[index] = changed;
-    return command;
-}
-
 void draw_underlay(InspectorContext& context, std::size_t index) {
     const sim::Underlay underlay = context.pattern().underlays[index];  // a copy: fields may change it
-    elided_text(name_in_folder(underlay.file), ImGui::GetContentRegionAvail().x, to_colour(context.theme.ink));
+    elided_text(std::filesystem::path(underlay.file).filename().string(), ImGui::GetContentRegionAvail().x,
+                to_colour(context.theme.ink));
     const std::string place = "underlay." + std::to_string(index) + ".";
     sim::Underlay changed = underlay;
     const NumberEdit opacity = number_row(context,
@@ -36,7 +26,7 @@ void draw_underlay(InspectorContext& context, std::size_t index) {
                                            .most = 1},
                                           "Opacity");
     changed.opacity = opacity.value.value_or(underlay.opacity);
-    apply_edit(context, opacity, with(context.pattern(), index, changed, "Change photo"));
+    apply_edit(context, opacity, set_underlay(context.pattern(), index, changed, "Change photo"));
     changed = underlay;
     const NumberEdit rotation = number_row(context,
                                            {.name = (place + "rotation").c_str(),
@@ -45,7 +35,7 @@ void draw_underlay(InspectorContext& context, std::size_t index) {
                                             .tip = "Counter-clockwise about the middle of the photo."},
                                            "Turned by");
     changed.rotation = rotation.value.value_or(underlay.rotation);
-    apply_edit(context, rotation, with(context.pattern(), index, changed, "Turn photo"));
+    apply_edit(context, rotation, set_underlay(context.pattern(), index, changed, "Turn photo"));
     ButtonRow row(context);
     if (row.button({.name = (place + "fit").c_str(),
                     .title = "Fit...",

@@ -73,13 +73,10 @@ SheetView::Mouse SheetView::place(SheetContext& context) {
 }
 
 SheetBox SheetView::content_box(const SheetContext& context) const {
-    SheetBox box = context.tools.geometry().box();
-    for (const sim::Underlay& underlay : context.host.document.pattern().underlays) {
-        if (!context.underlay_picture) break;
-        const Eigen::Vector2i size = context.underlay_picture(underlay.file).size_px;
-        for (const Vec2d& corner : underlay_corners(underlay, size.x(), size.y())) box.extend(corner);
-    }
-    return box;
+    const SheetBox box = context.tools.geometry().box();
+    if (!context.underlay_picture) return box;
+    return extended(box, context.host.document.pattern().underlays,
+                    [&](const std::string& file) { return context.underlay_picture(file).size_px; });
 }
 
 void SheetView::frame_wanted(const SheetContext& context) {

@@ -41,16 +41,19 @@ std::array<Vec2d, 4> underlay_corners(const sim::Underlay& underlay, int width_p
     return corners;
 }
 
-const sim::Underlay* UnderlayTool::chosen(const ToolContext& context) const {
-    const std::vector<sim::Underlay>& all = context.document.pattern().underlays;
-    return all.empty() ? nullptr : &all[all.size() - 1 - passed_ % all.size()];
+SheetBox extended(SheetBox box, const std::vector<sim::Underlay>& underlays,
+                  const std::function<Eigen::Vector2i(const std::string& file)>& size_px) {
+    for (const sim::Underlay& underlay : underlays) {
+        const Eigen::Vector2i size = size_px(underlay.file);
+        for (const Vec2d& corner : underlay_corners(underlay, size.x(), size.y())) box.extend(corner);
+    }
+    return box;
 }
 
-SetUnderlays UnderlayTool::with(const ToolContext& context, const sim::Underlay& changed,
-                                const std::string& what) const {
-    SetUnderlays command{.underlays = context.document.pattern().underlays, .what = what};
-    command.underlays[command.underlays.size() - 1 - passed_ % command.underlays.size()] = changed;
-    return command;
+std::optional<std::size_t> UnderlayTool::chosen(const ToolContext& context) const {
+    const std::size_t count = context.document.pattern().underlays.size();
+    if (count == 0) return std::nullopt;
+    return count - 1 - passed_ % count;
 }
 
 void UnderlayTool::hover(ToolContext&, const SheetPointer& pointer) {
@@ -69,11 +72,11 @@ void UnderlayTool::click(ToolContext&, const SheetPointer& pointer) {
 // Rolls the preview back first: the photo is then where it was before the drag.
 void UnderlayTool::drag(ToolContext& context, const SheetPointer& pointer) {
     context.document.rollback();
-    const sim::Underlay* underlay = chosen(context);
-    if (underlay == nullptr) return;
-    sim::Underlay moved = *underlay;
+    const std::optional<std::size_t> index = chosen(context);
+    if (!index) return;
+    sim::Underlay moved = context.document.pattern().underlays[*index];
     moved.position += pointer.at - grip_;
-    context.document.preview(with(context, moved, "Move photo"));
+    context.document.preview(set_underlay(context.document.pattern(), *index, moved, "Move photo"));
 }
 
 void UnderlayTool::drop(ToolContext& context, const SheetPointer& pointer) {
@@ -83,7 +86,7 @@ void UnderlayTool::drop(ToolContext& context, const SheetPointer& pointer) {
 }
 
 bool UnderlayTool::key(ToolContext& context, Key key, const Modifiers& modifiers) {
-    if (modifiers.ctrl || chosen(context) == nullptr) return false;
+    if (modifiers.ctrl || !chosen(context)) return false;
     if (key == Key::Tab) return ++passed_, points_.clear(), true;
     if (key != key_of('L') || points_.size() != 2) return false;
     const Vec2d way = points_[1] - points_[0];
@@ -92,7 +95,7 @@ bool UnderlayTool::key(ToolContext& context, Key key, const Modifiers& modifiers
 }
 
 bool UnderlayTool::enter(ToolContext& context, const std::vector<double>& numbers) {
-    if (chosen(context) == nullptr || points_.size() != 2) return false;
+    if (!chosen(context) || points_.size() != 2) return false;
     const double distance = kCm * numbers.front(), shown = (points_[1] - points_[0]).norm();
     if (!(distance > 0)) throw GeometryError("The distance between the two points is more than 0 cm");
     if (shown < kLeastApart * context.px) throw GeometryError("The two points are too close to each other for a scale");
@@ -101,7 +104,10 @@ bool UnderlayTool::enter(ToolContext& context, const std::vector<double>& number
 }
 
 void UnderlayTool::fit(ToolContext& context, double scale, double angle, const std::string& what) {
-    context.document.run(with(context, fitted(*chosen(context), points_[0], scale, angle), what));
+    const sim::Pattern& pattern = context.document.pattern();
+    const std::size_t index = chosen(context).value();
+    context.document.run(
+        set_underlay(pattern, index, fitted(pattern.underlays[index], points_[0], scale, angle), what));
     points_[1] = points_[0] + scale * (Eigen::Rotation2Dd(angle) * (points_[1] - points_[0]));
 }
 
@@ -125,7 +131,7 @@ void UnderlayTool::draw(const ToolContext& context, ToolOverlay& overlay) const 
 }
 
 std::string UnderlayTool::hint(const ToolContext& context) const {
-    if (chosen(context) == nullptr) return "There is no photo under the sheet: lay one there by File, Import";
+    if (!chosen(context)) return "There is no photo under the sheet: lay one there by File, Import";
     if (points_.empty()) return "Click two points of the photo whose distance you know; drag to move it";
     if (points_.size() == 1) return "Click the second point";
     return "Type their true distance in cm, then Enter; L turns the photo until the line is level or upright";

@@ -4,6 +4,7 @@
 // drag moves it. Tab goes on to the next photo.
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,10 @@ sim::Underlay fitted(sim::Underlay underlay, const Vec2d& about, double scale, d
 // The corners of a photo of that size in px on the sheet, m: its upper left, upper right, lower right and lower left.
 std::array<Vec2d, 4> underlay_corners(const sim::Underlay& underlay, int width_px, int height_px);
 
+// The box with all photos that lie under the sheet. size_px: of a file; zero if it is not known.
+SheetBox extended(SheetBox box, const std::vector<sim::Underlay>& underlays,
+                  const std::function<Eigen::Vector2i(const std::string& file)>& size_px);
+
 class UnderlayTool : public Tool {
  public:
     void hover(ToolContext& context, const SheetPointer& pointer) override;
@@ -34,8 +39,7 @@ class UnderlayTool : public Tool {
     std::string hint(const ToolContext& context) const override;
 
  private:
-    const sim::Underlay* chosen(const ToolContext& context) const;
-    SetUnderlays with(const ToolContext& context, const sim::Underlay& changed, const std::string& what) const;
+    std::optional<std::size_t> chosen(const ToolContext& context) const;  // index of the photo; none: there is none
     void fit(ToolContext& context, double scale, double angle, const std::string& what);
 
     std::size_t passed_ = 0;     // how many photos Tab has gone past, from the newest on

@@ -123,6 +123,7 @@ void open_file(AppState& state, const std::string& file) {
 }
 
 void import_file(AppState& state, const std::string& file) {
+    if (state.services.is_photo(file)) return lay_photo(state, file);
     after_asking(state, [file](AppState& current) {
         try_to(current, [&] {
             ImportedDrawing imported = current.services.import_drawing(file);
@@ -140,11 +141,8 @@ constexpr double kGuessedPhotoSide = 1;  // m, longer side of a photo that does 
 
 // Right of all panels and photos, with its upper edge at theirs.
 Vec2d free_photo_place(const AppState& state, const Vec2d& size) {
-    SheetBox taken = state.tools.geometry().box();
-    for (const sim::Underlay& underlay : state.workspace.document->pattern().underlays) {
-        const Eigen::Vector2i px = state.underlays.size_px(underlay.file);
-        for (const Vec2d& corner : underlay_corners(underlay, px.x(), px.y())) taken.extend(corner);
-    }
+    const SheetBox taken = extended(state.tools.geometry().box(), state.workspace.document->pattern().underlays,
+                                    [&](const std::string& file) { return state.underlays.size_px(file); });
     constexpr double kGap = 0.05;  // m
     if (taken.isEmpty()) return Vec2d::Zero();
     return {taken.max().x() + kGap + size.x() / 2, taken.max().y() - size.y() / 2};
@@ -162,7 +160,8 @@ void lay_photo(AppState& state, const std::string& file) {
     Document& document = *state.workspace.document;
     document.commit();
     try_to(state, [&] {
-        const render::Photo photo = state.services.read_photo(file);
+        render::Photo photo = state.services.read_photo(file);
+        const bool has_size = photo.pixel_size.has_value();
         const Vec2d px(photo.image.width_px, photo.image.height_px);
         sim::Underlay underlay{.file = state.services.full_path(file),
                                .pixel_size = photo.pixel_size.value_or(kGuessedPhotoSide / px.maxCoeff())};
@@ -170,14 +169,15 @@ void lay_photo(AppState& state, const std::string& file) {
         SetUnderlays command{.underlays = document.pattern().underlays, .what = "Lay photo under the sheet"};
         command.underlays.push_back(underlay);
         if (!state.workspace.run(command)) return;
+        state.underlays.hold(underlay.file, std::move(photo));
         state.shows_start_page = false;
         state.wants_whole_sheet = true;
         state.tools.choose(tool_host_context(state.workspace), underlay_tool());
         const std::string size = size_text(underlay.pixel_size * px);
         state.workspace.messages.note("'" + name_in_folder(file) + "' is " +
-                                      (photo.pixel_size ? size + ", as its file says"
-                                                        : size + " for now: its file states no size. Click two points "
-                                                                 "and type their distance"));
+                                      (has_size ? size + ", as its file says"
+                                                : size + " for now: its file states no size. Click two points "
+                                                         "and type their distance"));
     });
 }
 
@@ -208,8 +208,7 @@ void recover_journal(AppState& state, const OrphanedJournal& journal) {
 }
 
 void take_dropped_file(AppState& state, const std::string& file) {
-    if (state.services.is_photo(file)) return lay_photo(state, file);
-    if (state.services.is_drawing(file)) return import_file(state, file);
+    if (state.services.is_photo(file) || state.services.is_drawing(file)) return import_file(state, file);
     if (file.ends_with(".json")) return open_file(state, file);
     const auto is_ending = [&](const std::string& ending) { return file.ends_with(ending); };
     if (std::ranges::any_of(body_endings(), is_ending)) return state.workspace.drape.show_body(file);
@@ -284,13 +283,10 @@ void browse_to_open(AppState& state) {
 }
 
 void browse_to_import(AppState& state) {
-    const auto choose = [](AppState& current, const std::string& file) {
-        current.services.is_photo(file) ? lay_photo(current, file) : import_file(current, file);
-    };
     state.browser.open({.title = "Import a drawing, or a photo to trace",
                         .verb = "Import",
                         .endings = {".svg", ".dxf", ".json", ".png", ".jpg", ".jpeg", ".PNG", ".JPG", ".JPEG"},
-                        .choose = choose},
+                        .choose = [](AppState& current, const std::string& file) { import_file(current, file); }},
                        state.services);
 }
 

@@ -16,7 +16,7 @@ void new_document(AppState& state);
 void open_loaded(AppState& state, sim::PatternDocument source, const std::string& file);
 void open_file(AppState& state, const std::string& file);
 void open_example(AppState& state, const Example& example);
-void import_file(AppState& state, const std::string& file);  // a drawing of another program
+void import_file(AppState& state, const std::string& file);  // a drawing of another program, or a photo
 void lay_photo(AppState& state, const std::string& file);    // under the sheet, to be traced
 void wear_over(AppState& state, const std::string& file);    // puts another garment over the document's
 void recover_journal(AppState& state, const OrphanedJournal& journal);

@@ -148,10 +148,7 @@ void ScriptPlayer::play_document(const ScriptStep& step) {
     AppState& state = editor_.state();
     if (step.verb == "new") new_document(state);
     if (step.verb == "open") open_file(state, word(step, 0));
-    if (step.verb == "import") {
-        const std::string& file = word(step, 0);
-        state.services.is_photo(file) ? lay_photo(state, file) : import_file(state, file);
-    }
+    if (step.verb == "import") import_file(state, word(step, 0));
     if (step.verb == "print") print_to(state, word(step, 0));
     if (step.verb == "save") save_as(state, word(step, 0));
     if (step.verb == "export") export_to(state, word(step, 0));

@@ -1,6 +1,7 @@
 #include "editor/ui/underlay_pictures.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/core/error.h"
 
@@ -12,17 +13,20 @@ void UnderlayPictures::update(const std::vector<sim::Underlay>& underlays, const
         return std::ranges::find(underlays, entry.first, &sim::Underlay::file) == underlays.end();
     });
     for (const sim::Underlay& underlay : underlays) {
-        const auto [place, is_new] = held_.try_emplace(underlay.file);
-        if (!is_new || !read) continue;
+        if (!held_.try_emplace(underlay.file).second || !read) continue;
         try {
-            render::Photo photo = read(underlay.file);
-            place->second.size_px = {photo.image.width_px, photo.image.height_px};
-            photo.image = reduced(std::move(photo.image), kLargestUnderlaySide);
-            place->second.photo = std::make_shared<const render::Photo>(std::move(photo));
+            hold(underlay.file, read(underlay.file));
         } catch (const sim::InputError& error) {
             messages.warn(error.what());
         }
     }
+}
+
+void UnderlayPictures::hold(const std::string& file, render::Photo photo) {
+    Held& held = held_[file];
+    held.size_px = {photo.image.width_px, photo.image.height_px};
+    photo.image = reduced(std::move(photo.image), kLargestUnderlaySide);
+    held.photo = std::make_shared<const render::Photo>(std::move(photo));
 }
 
 std::shared_ptr<const render::Photo> UnderlayPictures::find(const std::string& file) const {

@@ -21,6 +21,9 @@ class UnderlayPictures {
     // Holds the pictures of these underlays, and no other. A file that cannot be read gives one warning.
     void update(const std::vector<sim::Underlay>& underlays, const PhotoReader& read, Messages& messages);
 
+    // Holds the picture of a file that was just read, so that `update` does not read it again.
+    void hold(const std::string& file, render::Photo photo);
+
     // null: it could not be read, or belongs to no underlay.
     std::shared_ptr<const render::Photo> find(const std::string& file) const;
 

@@ -60,7 +60,7 @@ void ViewportScene::update_cloth(const ViewportSceneInput& input) {
         if (item.show == render::ShowMode::Plain) item.show = render::ShowMode::Edges;
         item.ink = kEdgeInk;
     }
-    cloths_ = looks_.parts(item, input.pattern);
+    cloths_ = looks_.parts(std::move(item), input.pattern);
 }
 
 void ViewportScene::update_body(const ViewportSceneInput& input) {

@@ -242,7 +242,7 @@ struct Renderer::Impl {
         bind_paint(gl, cloth, buffer.paint, kPaintUnit);
         gl.ActiveTexture(GL_TEXTURE0 + kPictureUnit);
         gl.BindTexture(GL_TEXTURE_2D, buffer.picture.id());
-        cloth.set("has_picture", buffer.has_picture ? 1 : 0);
+        cloth.set("has_picture", buffer.picture.id() != 0 ? 1 : 0);
         cloth.set("picture_u", buffer.picture_rows[0]);
         cloth.set("picture_v", buffer.picture_rows[1]);
         cloth.set("picture_ground", buffer.picture_ground);

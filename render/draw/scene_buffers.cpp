@@ -93,8 +93,7 @@ ClothBuffer make_cloth_buffer(const GladGLContext& gl, const ClothItem& item,
     buffer.material = item.material;
     const bool can_show = (item.picture || !item.sett.stripes.empty()) && !item.mesh.u.empty();
     buffer.show = item.show == ShowMode::Tartan && !can_show ? ShowMode::Plain : item.show;
-    buffer.has_picture = buffer.show == ShowMode::Tartan && item.picture.has_value();
-    if (buffer.has_picture) {
+    if (buffer.show == ShowMode::Tartan && item.picture) {
         buffer.picture = make_picture_texture(gl, *item.picture, TexelLight::Linear);
         buffer.picture_rows = picture_rows(*item.picture);
         buffer.picture_ground = to_linear(item.picture->ground);

@@ -35,11 +35,10 @@ struct ClothBuffer {
     float thread_spacing = 1;  // m, times sett_scale
     Vec2f sett_position = Vec2f::Zero();
     Texture picture{};                     // only if a picture is printed on it
-    std::array<Vec3f, 2> picture_rows{};   // to its texture coordinates (picture_texture.h)
+    std::array<Vec3f, 2> picture_rows{};   // to its texture coordinates (scene.h)
     Vec3f picture_ground = Vec3f::Zero();  // linear
-    bool has_picture = false;
-    ShowMode show = ShowMode::Plain;  // Tartan only if there are a sett and material coordinates
-    Vec3f colour = Vec3f::Zero();     // linear
+    ShowMode show = ShowMode::Plain;       // Tartan only if there are a sett and material coordinates
+    Vec3f colour = Vec3f::Zero();          // linear
     PaintBuffer paint{};
     Material material{};
 };

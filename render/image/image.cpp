@@ -11,8 +11,6 @@
 namespace selvedge::render {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;
-
 // libpng's simplified interface: it reports errors in the struct and does not jump over destructors (longjmp).
 class PngImage {
  public:
@@ -28,24 +26,21 @@ class PngImage {
     png_image image_{};
 };
 
-bool is_too_large(const png_image& header) {
-    return header.width > static_cast<unsigned>(kMaxImageSide) ||
-           header.height > static_cast<unsigned>(kMaxImageSide) ||
-           static_cast<long>(header.width) * static_cast<long>(header.height) > kMaxImagePixels;
-}
-
 }  // namespace
+
+void check_image_size(long width_px, long height_px, const std::string& name) {
+    if (width_px <= kMaxImageSide && height_px <= kMaxImageSide && width_px * height_px <= kMaxImagePixels) return;
+    throw sim::InputError(
+        name, "",
+        "picture of " + std::to_string(width_px) + "x" + std::to_string(height_px) + " pixels is over the limit");
+}
 
 Image decode_png(std::string_view bytes, const std::string& name) {
     PngImage png;
     if (!png_image_begin_read_from_memory(png.get(), bytes.data(), bytes.size())) {
         throw sim::InputError(name, "", std::string("not a PNG picture: ") + png->message);
     }
-    if (is_too_large(*png.get())) {
-        throw sim::InputError(name, "",
-                              "picture of " + std::to_string(png->width) + "x" + std::to_string(png->height) +
-                                  " pixels is over the limit");
-    }
+    check_image_size(png->width, png->height, name);
     png->format = PNG_FORMAT_RGBA;
     Image image(static_cast<int>(png->width), static_cast<int>(png->height));
     if (!png_image_finish_read(png.get(), nullptr, image.pixels.data(), 0, nullptr)) {
@@ -55,7 +50,7 @@ Image decode_png(std::string_view bytes, const std::string& name) {
 }
 
 Image read_png(const std::filesystem::path& path) {
-    return decode_png(sim::read_file(path, kMaxFileBytes), path.string());
+    return decode_png(sim::read_file(path, kMaxImageFileBytes), path.string());
 }
 
 std::string encode_png(const Image& image) {

@@ -45,6 +45,11 @@ struct Image {
 inline constexpr int kMaxImageSide = 16384;  // px
 inline constexpr long kMaxImagePixels = 100L * 1000 * 1000;
 
+inline constexpr std::size_t kMaxImageFileBytes = std::size_t{512} << 20;
+
+// Throws InputError if a picture of that size is over the limits. `name`: as below.
+void check_image_size(long width_px, long height_px, const std::string& name);
+
 // Throws InputError if the file cannot be read, is damaged or truncated, or exceeds the limits.
 Image read_png(const std::filesystem::path& path);
 

@@ -15,7 +15,6 @@
 namespace selvedge::render {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;
 constexpr std::string_view kPngSignature("\x89PNG\r\n\x1A\n", 8);
 constexpr std::string_view kJpegSignature("\xFF\xD8\xFF", 3);
 constexpr double kMetresPerInch = 0.0254;
@@ -105,12 +104,7 @@ Image decode_jpeg(std::string_view bytes, const std::string& name) {
     int width = 0, height = 0, subsampling = 0, colours = 0;
     const int read = tjDecompressHeader3(jpeg.get(), data, bytes.size(), &width, &height, &subsampling, &colours);
     if (read != 0 || width <= 0 || height <= 0) fail("not a whole JPEG picture");
-    if (width > kMaxImageSide || height > kMaxImageSide ||
-        static_cast<long>(width) * static_cast<long>(height) > kMaxImagePixels) {
-        throw sim::InputError(
-            name, "",
-            "picture of " + std::to_string(width) + "x" + std::to_string(height) + " pixels is over the limit");
-    }
+    check_image_size(width, height, name);
     if (colours == TJCS_CMYK || colours == TJCS_YCCK)
         throw sim::InputError(name, "", "a JPEG picture in printing colours (CMYK): save it in RGB");
     Image image(width, height);
@@ -134,7 +128,7 @@ Photo decode_photo(std::string_view bytes, const std::string& name) {
 }
 
 Photo read_photo(const std::filesystem::path& path) {
-    return decode_photo(sim::read_file(path, kMaxFileBytes), path.string());
+    return decode_photo(sim::read_file(path, kMaxImageFileBytes), path.string());
 }
 
 std::string encode_jpeg(const Image& image, int quality) {

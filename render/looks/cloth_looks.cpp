@@ -138,7 +138,7 @@ void ClothLooks::read(const sim::Pattern& pattern) {
     for (const sim::Panel& panel : pattern.panels) look(design_of(pattern, panel));
 }
 
-std::vector<ClothItem> ClothLooks::parts(const ClothItem& cloth, const sim::Pattern& pattern) {
+std::vector<ClothItem> ClothLooks::parts(ClothItem cloth, const sim::Pattern& pattern) {
     using Key = std::pair<sim::SurfaceDesign, std::string>;
     std::vector<Key> keys;
     std::vector<std::size_t> part_of(std::max<std::size_t>(1, cloth.mesh.panel_names.size()));
@@ -161,7 +161,7 @@ std::vector<ClothItem> ClothLooks::parts(const ClothItem& cloth, const sim::Patt
     std::vector<ClothItem> items;
     for (std::size_t k = 0; k < keys.size(); ++k) {
         if (triangles[k].empty()) continue;
-        ClothItem item = cloth;
+        ClothItem item = k + 1 < keys.size() ? cloth : std::move(cloth);
         if (keys.size() > 1) item.mesh = with_triangles(std::move(item.mesh), triangles[k]);
         const ClothLook& shown = look(keys[k].first);
         item.sett = shown.sett;

@@ -43,9 +43,9 @@ class ClothLooks {
     enum class Unknown { Fail, Replace };
     explicit ClothLooks(Unknown unknown) : unknown_(unknown) {}
 
-    // The parts of `cloth`, whose mesh is the garment's and which is copied but for its look. Panels that the pattern
-    // does not name look like the pattern. Parts without triangles are left out.
-    std::vector<ClothItem> parts(const ClothItem& cloth, const sim::Pattern& pattern);
+    // The parts of `cloth`, whose mesh is the garment's and which they resemble but for their look. Panels that the
+    // pattern does not name look like the pattern. Parts without triangles are left out.
+    std::vector<ClothItem> parts(ClothItem cloth, const sim::Pattern& pattern);
 
     // Reads all that the parts will need: before long work, so that what is missing is told first.
     void read(const sim::Pattern& pattern);
