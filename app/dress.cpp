@@ -44,6 +44,7 @@ struct DressArguments {
     Path picture_file;  // empty: no such output
     Path report_file;
     std::vector<Path> garment_files;
+    sim::GarmentExport content;
     bool exports_surface = false;  // exports the curved surface instead of the simulated triangles
     std::vector<Path> body_files;
 };
@@ -98,7 +99,7 @@ Writing write_outputs(const DressArguments& arguments, const sim::DressedGarment
     for (const Path& file : arguments.garment_files) {
         write(file, [&](const Path& mesh_file) {
             const SurfaceChoice surface = arguments.exports_surface ? arguments.picture.surface : SurfaceChoice{};
-            write_garment(drawn_mesh(dressed.mesh, &body, surface), mesh_file);
+            write_garment(drawn_mesh(dressed.mesh, &body, surface), mesh_file, arguments.content);
         });
     }
     for (const Path& file : arguments.body_files)
@@ -180,6 +181,11 @@ void add_output_options(CLI::App& command, DressArguments& arguments) {
     };
     add("--render", arguments.picture_file, "Picture of the dressed body", "PNG");
     add("--export", arguments.garment_files, "The garment as .obj, .glb, .ply or .stl; may be repeated", "FILE");
+    add_number<int>(command, "--texture-size", {64, 16384},
+                    "Side of the texture in which the panels are packed, in texels (default 2048)",
+                    [&arguments](int size) { arguments.content.atlas.size_px = size; })
+        ->type_name("PX")
+        ->group("Output");
     command.add_flag("--export-surface", arguments.exports_surface, "Exports carry the curved surface (--surface)")
         ->group("Output")
         ->needs(command.get_option("--surface"))

@@ -126,6 +126,7 @@ class GlbCache final : public MeshCache {
              const DrawMesh* body)
         : path_(path), options_(options) {
         meshes_.push_back({"garment", garment, split_by_panel(garment)});
+        pack_panels(meshes_.back().parts, options.atlas);
         if (body != nullptr) meshes_.push_back({"body", *body, split_by_panel(*body)});
         if (options.frames > kMostFrames)
             throw InputError(path.string(), "",
@@ -190,7 +191,7 @@ class GlbCache final : public MeshCache {
             const std::uint64_t vertices = vertex_count(animated);
             bytes += vertices * sizeof(Vec3f) * (2 + targets * (options_.has_normals ? 2 : 1));
             bytes += animated.mesh.triangles.size() * 3 * sizeof(std::uint32_t);
-            if (!animated.mesh.u.empty()) bytes += vertices * sizeof(Vec2f);
+            if (!animated.mesh.u.empty()) bytes += vertices * 2 * sizeof(Vec2f);  // packed and metric
         }
         return bytes;
     }

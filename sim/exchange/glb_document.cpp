@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <charconv>
+#include <string>
 #include <utility>
 
 #include "sim/core/assert.h"
@@ -174,22 +175,37 @@ std::vector<Vec3f> normals_of(const PanelPart& part, const std::vector<Vec3f>& n
     return part_normals;
 }
 
+namespace {
+
+// v points down in glTF.
+std::size_t add_uv(std::vector<Vec2f> uv, Document& document) {
+    for (Vec2f& v : uv) v.y() = 1 - v.y();
+    return document.add(std::span<const Vec2f>(uv), Component::Float, "VEC2", Target::Vertices);
+}
+
+Json chart_json(const UvChart& chart) {
+    Json json = Json::object();
+    json["scale"] = chart.scale;
+    json["turned"] = chart.is_turned;
+    json["offset"] = Json::array({chart.offset.x(), chart.offset.y()});
+    return json;
+}
+
+}  // namespace
+
 Json panel_primitive(const PanelPart& part, std::size_t material, const std::vector<Vec3f>& x,
                      const std::vector<Vec3f>& normals, Document& document) {
-    std::vector<Vec2f> downward;
-    downward.reserve(part.u.size());
-    for (const Vec2f& u : part.u) downward.emplace_back(u.x(), 1 - u.y());
-
     Json attributes = Json::object();
     attributes["POSITION"] = document.add_positions(positions_of(part, x));
     attributes["NORMAL"] = document.add_vectors(normals_of(part, normals));
-    if (!downward.empty())
-        attributes["TEXCOORD_0"] =
-            document.add(std::span<const Vec2f>(downward), Component::Float, "VEC2", Target::Vertices);
+    std::size_t set = 0;
+    if (part.chart) attributes["TEXCOORD_" + std::to_string(set++)] = add_uv(packed_uv(part), document);
+    if (!part.u.empty()) attributes["TEXCOORD_" + std::to_string(set)] = add_uv(part.u, document);
     Json extras = Json::object();
     extras["panel"] = part.name;
     extras["grain_angle"] = number(part.grain_angle);
     if (!part.sett_offset.isZero(0)) extras["sett_offset"] = numbers(part.sett_offset);
+    if (part.chart) extras["chart"] = chart_json(*part.chart);
     Json primitive = Json::object();
     primitive["attributes"] = std::move(attributes);
     primitive["indices"] = document.add_indices(part.triangles);

@@ -98,6 +98,7 @@ void add_panel_materials(const std::vector<PanelPart>& parts, Json& materials);
 std::vector<Vec3f> positions_of(const PanelPart& part, const std::vector<Vec3f>& x);
 std::vector<Vec3f> normals_of(const PanelPart& part, const std::vector<Vec3f>& normals);
 
+// TEXCOORD_0: the packed texture coordinates, if the part has a chart; then the material coordinates, if it has any.
 Json panel_primitive(const PanelPart& part, std::size_t material, const std::vector<Vec3f>& x,
                      const std::vector<Vec3f>& normals, Document& document);
 

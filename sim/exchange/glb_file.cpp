@@ -33,8 +33,9 @@ Json one_mesh(const char* name, Json primitives) {
 
 }  // namespace
 
-std::string garment_glb(const DrawMesh& mesh) {
-    const std::vector<PanelPart> parts = split_by_panel(mesh);
+std::string garment_glb(const DrawMesh& mesh, const GarmentExport& content) {
+    std::vector<PanelPart> parts = split_by_panel(mesh);
+    pack_panels(parts, content.atlas);
     const std::vector<Vec3f> normals = vertex_normals(mesh);
     Document document;
     Json primitives = Json::array();
@@ -197,6 +198,22 @@ std::vector<std::pair<std::string, Vec2f>> sett_offsets_in_glb(std::string_view 
         if (value.allFinite()) offsets.emplace_back(panel, value);
     });
     return offsets;
+}
+
+std::vector<std::pair<std::string, UvChart>> charts_in_glb(std::string_view bytes, const std::string& file) {
+    constexpr double kLargest = 1e6;  // of what a chart of any garment needs: keeps coordinates finite
+    std::vector<std::pair<std::string, UvChart>> charts;
+    for_each_extra(bytes, file, "chart", [&](const std::string& panel, const Json& chart) {
+        const Json *scale = chart.find("scale"), *offset = chart.find("offset"), *turned = chart.find("turned");
+        if (!scale || !scale->is_number() || !turned || !turned->is_bool()) return;
+        if (!offset || !offset->is_array() || offset->elements().size() != 2) return;
+        const Json &x = offset->elements()[0], &y = offset->elements()[1];
+        if (!x.is_number() || !y.is_number()) return;
+        const UvChart read{.scale = scale->number(), .is_turned = turned->boolean(), .offset{x.number(), y.number()}};
+        if (read.scale < 1 / kLargest || read.scale > kLargest || read.offset.cwiseAbs().maxCoeff() > kLargest) return;
+        charts.emplace_back(panel, read);
+    });
+    return charts;
 }
 
 }  // namespace selvedge::sim

@@ -7,12 +7,15 @@
 #include <vector>
 
 #include "sim/body/body.h"
+#include "sim/exchange/garment_export.h"
+#include "sim/exchange/uv_atlas.h"
 #include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::sim {
 
-// The bytes of the file. Pre: indices are in range, and there is at least one triangle.
-std::string garment_glb(const DrawMesh& mesh);
+// The bytes of the file. Pre: indices are in range, and there is at least one triangle. Throws InputError if the panels
+// do not fit in the texture.
+std::string garment_glb(const DrawMesh& mesh, const GarmentExport& content = {});
 std::string body_glb(const Body& body);
 
 // Panel names with the grain angles (rad) that garment_glb() writes as extras; empty for files of other programs.
@@ -21,5 +24,8 @@ std::vector<std::pair<std::string, float>> grain_angles_in_glb(std::string_view 
 
 // The same for sett offsets (m, (weft, warp)); garment_glb() writes those that are not zero.
 std::vector<std::pair<std::string, Vec2f>> sett_offsets_in_glb(std::string_view bytes, const std::string& file);
+
+// The same for charts: how the panels were packed in TEXCOORD_0.
+std::vector<std::pair<std::string, UvChart>> charts_in_glb(std::string_view bytes, const std::string& file);
 
 }  // namespace selvedge::sim

@@ -21,11 +21,11 @@ namespace selvedge::sim {
 namespace {
 
 PanelData data_in_obj(std::string_view text, const std::string&) {
-    return {grain_angles_in_obj(text), sett_offsets_in_obj(text)};
+    return {.grain_angles = grain_angles_in_obj(text), .sett_offsets = sett_offsets_in_obj(text)};
 }
 
 PanelData data_in_glb(std::string_view bytes, const std::string& file) {
-    return {grain_angles_in_glb(bytes, file), sett_offsets_in_glb(bytes, file)};
+    return {grain_angles_in_glb(bytes, file), sett_offsets_in_glb(bytes, file), charts_in_glb(bytes, file)};
 }
 
 const std::vector<MeshFormat> kFormats{
@@ -115,6 +115,9 @@ void add_panel_data(const std::filesystem::path& path, const MeshFormat& format,
     const PanelData data = format.panel_data(read_file(path, ImportLimits().file_bytes), path.string());
     mesh.panel_grain_angles = by_panel(data.grain_angles, mesh, 0.0F);
     mesh.panel_sett_offsets = by_panel(data.sett_offsets, mesh, Vec2f(0, 0));
+    const std::vector<UvChart> charts = by_panel(data.charts, mesh, UvChart{});  // by default, u is metric as it is
+    for (std::size_t t = 0; t < mesh.u.size(); ++t)
+        for (Vec2f& u : mesh.u[t]) u = charts[mesh.panel[t]].material(u.cast<double>()).cast<float>();
 }
 
 }  // namespace
@@ -139,16 +142,17 @@ const MeshFormat& mesh_format_of(const std::filesystem::path& path) {
     return *found;
 }
 
-void write_garment(const DrawMesh& mesh, const std::filesystem::path& path) {
-    write_garment(mesh, path, mesh_format_of(path));
+void write_garment(const DrawMesh& mesh, const std::filesystem::path& path, const GarmentExport& content) {
+    write_garment(mesh, path, mesh_format_of(path), content);
 }
 
-void write_garment(const DrawMesh& mesh, const std::filesystem::path& path, const MeshFormat& format) {
+void write_garment(const DrawMesh& mesh, const std::filesystem::path& path, const MeshFormat& format,
+                   const GarmentExport& content) {
     check_some(mesh.triangles.size(), path);
     check_finite(mesh.x, path);
     check_finite(mesh.normals, path);
     check_corners(mesh, path);
-    write_file_atomically(path, format.garment(mesh));
+    write_file_atomically(path, format.garment(mesh, content));
 }
 
 void write_body(const Body& body, const std::filesystem::path& path) {
@@ -238,6 +242,22 @@ std::vector<PanelPart> split_by_panel(const DrawMesh& mesh) {
         parts.push_back(std::move(part));
     }
     return parts;
+}
+
+void pack_panels(std::vector<PanelPart>& parts, const AtlasOptions& options) {
+    if (parts.empty() || parts.front().u.empty()) return;
+    std::vector<MaterialBox> boxes(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        for (const Vec2f& u : parts[i].u) boxes[i].extend(u.cast<double>());
+    const std::vector<UvChart> charts = pack_charts(boxes, options);
+    for (std::size_t i = 0; i < parts.size(); ++i) parts[i].chart = charts[i];
+}
+
+std::vector<Vec2f> packed_uv(const PanelPart& part) {
+    std::vector<Vec2f> uv;
+    uv.reserve(part.u.size());
+    for (const Vec2f& u : part.u) uv.emplace_back(part.chart->uv(u.cast<double>()).cast<float>());
+    return uv;
 }
 
 }  // namespace selvedge::sim

@@ -110,7 +110,7 @@ std::optional<float> take_number(std::string_view& text) {
 
 }  // namespace
 
-std::string garment_obj(const DrawMesh& mesh) {
+std::string garment_obj(const DrawMesh& mesh, const GarmentExport&) {
     std::string text =
         "# Selvedge garment: metres, y up; vt = material coordinates in metres; grain_angle in rad, sett_offset in "
         "metres\n";

@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "sim/body/body.h"
+#include "sim/exchange/garment_export.h"
 #include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::sim {
 
 // The text of the file. Pre: indices are in range.
-std::string garment_obj(const DrawMesh& mesh);
+std::string garment_obj(const DrawMesh& mesh, const GarmentExport& content = {});
 std::string body_obj(const Body& body);
 
 // Group names with the grain angles (rad) that garment_obj() writes in comments after the group lines; empty for files

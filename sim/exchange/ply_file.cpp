@@ -38,13 +38,13 @@ std::string header(const std::vector<PanelPart>& parts, Labels labels, Counts co
     if (labels == Labels::None) {
         text += "comment Selvedge body: metres, y up\n";
     } else {
-        text += "comment Selvedge garment: metres, y up; s t = material coordinates in metres\n";
+        text += "comment Selvedge garment: metres, y up; s t in the unit square, material_u material_v in metres\n";
         for (std::size_t i = 0; i < parts.size(); ++i)
             text += "comment panel " + std::to_string(i) + ' ' + one_line(parts[i].name) + '\n';
     }
     text += "element vertex " + std::to_string(counts.vertices) + '\n';
     append_properties(text, "float", {"x", "y", "z", "nx", "ny", "nz"});
-    if (!parts.front().u.empty()) append_properties(text, "float", {"s", "t"});
+    if (!parts.front().u.empty()) append_properties(text, "float", {"s", "t", "material_u", "material_v"});
     if (labels == Labels::PanelAndSeam) {
         append_properties(text, "ushort", {"panel"});
         append_properties(text, "uchar", {"seam"});
@@ -61,8 +61,7 @@ std::vector<std::uint32_t> occurrences(const std::vector<PanelPart>& parts, std:
     return count;
 }
 
-std::string ply(const DrawMesh& mesh, Labels labels) {
-    const std::vector<PanelPart> parts = split_by_panel(mesh);
+std::string ply(const DrawMesh& mesh, const std::vector<PanelPart>& parts, Labels labels) {
     const std::vector<Vec3f> normals = vertex_normals(mesh);
     const std::vector<std::uint32_t> count = occurrences(parts, mesh.x.size());
     Counts counts{.triangles = mesh.triangles.size()};
@@ -70,11 +69,15 @@ std::string ply(const DrawMesh& mesh, Labels labels) {
     std::string bytes = header(parts, labels, counts);
     for (std::size_t panel = 0; panel < parts.size(); ++panel) {
         const PanelPart& part = parts[panel];
+        const std::vector<Vec2f> packed = packed_uv(part);
         for (std::size_t i = 0; i < part.vertices.size(); ++i) {
             const std::uint32_t v = part.vertices[i];
             append_values(bytes, mesh.x[v].data(), 3);
             append_values(bytes, (part.is_turned[i] ? Vec3f(-normals[v]) : normals[v]).data(), 3);
-            if (!part.u.empty()) append_values(bytes, part.u[i].data(), 2);
+            if (!part.u.empty()) {
+                append_values(bytes, packed[i].data(), 2);
+                append_values(bytes, part.u[i].data(), 2);
+            }
             if (labels == Labels::None) continue;
             append_value(bytes, static_cast<std::uint16_t>(panel));
             append_value(bytes, static_cast<std::uint8_t>(count[v] > 1 ? 1 : 0));
@@ -93,12 +96,15 @@ std::string ply(const DrawMesh& mesh, Labels labels) {
 
 }  // namespace
 
-std::string garment_ply(const DrawMesh& mesh) {
-    return ply(mesh, Labels::PanelAndSeam);
+std::string garment_ply(const DrawMesh& mesh, const GarmentExport& content) {
+    std::vector<PanelPart> parts = split_by_panel(mesh);
+    pack_panels(parts, content.atlas);
+    return ply(mesh, parts, Labels::PanelAndSeam);
 }
 
 std::string body_ply(const Body& body) {
-    return ply(body_mesh(body), Labels::None);
+    const DrawMesh mesh = body_mesh(body);
+    return ply(mesh, split_by_panel(mesh), Labels::None);
 }
 
 }  // namespace selvedge::sim

@@ -4,15 +4,17 @@
 #include <string>
 
 #include "sim/body/body.h"
+#include "sim/exchange/garment_export.h"
 #include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::sim {
 
-// The bytes of the file: metres, y up. Properties of a vertex: x y z, nx ny nz, s t (material coordinates, m; none if
-// the mesh has none), panel (its index; a comment "panel INDEX NAME" names each) and seam (1 where the vertex lies on
-// a seam, 0 elsewhere). A vertex on a seam is there once for each of its material coordinates.
-// Pre: indices are in range, and there is at least one triangle.
-std::string garment_ply(const DrawMesh& mesh);
+// The bytes of the file: metres, y up. Properties of a vertex: x y z, nx ny nz, s t (the panels packed in the unit
+// square), material_u material_v (m; these four only if the mesh has material coordinates), panel (its index; a comment
+// "panel INDEX NAME" names each) and seam (1 where the vertex lies on a seam, 0 elsewhere). A vertex on a seam is there
+// once for each of its material coordinates.
+// Pre: indices are in range, and there is at least one triangle. Throws InputError if the panels do not fit.
+std::string garment_ply(const DrawMesh& mesh, const GarmentExport& content = {});
 
 // The same without s t, panel and seam.
 std::string body_ply(const Body& body);

@@ -8,7 +8,7 @@
 
 namespace selvedge::sim {
 
-std::string garment_stl(const DrawMesh& mesh) {
+std::string garment_stl(const DrawMesh& mesh, const GarmentExport&) {
     constexpr std::size_t kText = 80;
     constexpr float kMillimetres = 1000;
     std::string bytes = "Selvedge: millimetres, y up";  // "solid" would announce a text file

@@ -4,13 +4,14 @@
 #include <string>
 
 #include "sim/body/body.h"
+#include "sim/exchange/garment_export.h"
 #include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::sim {
 
 // The bytes of the file: millimetres, y up. STL has no vertices in common, no panels and no texture coordinates.
 // Pre: indices are in range, and there is at least one triangle.
-std::string garment_stl(const DrawMesh& mesh);
+std::string garment_stl(const DrawMesh& mesh, const GarmentExport& content = {});
 std::string body_stl(const Body& body);
 
 }  // namespace selvedge::sim

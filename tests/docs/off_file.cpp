@@ -22,7 +22,7 @@ void append(std::string& text, Number number, char separator) {
 
 }  // namespace
 
-std::string garment_off(const DrawMesh& mesh) {
+std::string garment_off(const DrawMesh& mesh, const GarmentExport&) {
     std::string text = "OFF\n# Selvedge: metres, y up\n";
     append(text, mesh.x.size(), ' ');
     append(text, mesh.triangles.size(), ' ');

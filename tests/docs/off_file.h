@@ -11,7 +11,7 @@ namespace selvedge::sim {
 // [header]
 // The text of the file: metres, y up. OFF has no panels, no normals and no material coordinates.
 // Pre: indices are in range, and there is at least one triangle.
-std::string garment_off(const DrawMesh& mesh);
+std::string garment_off(const DrawMesh& mesh, const GarmentExport& content = {});
 std::string body_off(const Body& body);
 // [/header]
 

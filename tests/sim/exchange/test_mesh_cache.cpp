@@ -177,7 +177,7 @@ void expect_assimp_reads(const std::filesystem::path& path, const DrawMesh& mesh
         EXPECT_EQ(read.mNumFaces, parts[i].triangles.size());
         EXPECT_STREQ(scene->mMaterials[read.mMaterialIndex]->GetName().C_Str(), parts[i].name.c_str());
         ASSERT_EQ(read.mNumAnimMeshes, frames - 1);
-        ASSERT_TRUE(read.HasTextureCoords(0));
+        ASSERT_TRUE(read.HasTextureCoords(0) && read.HasTextureCoords(1));
         for (std::size_t frame = 0; frame < frames; ++frame) {
             const std::vector<Vec3f> x = frame_of(mesh, frame);
             const std::vector<Vec3f> normals = vertex_normals(x, mesh.triangles, mesh.turned_corners);
@@ -188,7 +188,7 @@ void expect_assimp_reads(const std::filesystem::path& path, const DrawMesh& mesh
                 const Vec3f right_side = parts[i].is_turned[v] ? Vec3f(-normals[at]) : normals[at];
                 EXPECT_LT((Vec3f(positions[v].x, positions[v].y, positions[v].z) - x[at]).norm(), 3e-7F);
                 EXPECT_LT((Vec3f(directions[v].x, directions[v].y, directions[v].z) - right_side).norm(), 1e-6F);
-                const aiVector3D& u = read.mTextureCoords[0][v];
+                const aiVector3D& u = read.mTextureCoords[1][v];  // the metric ones
                 EXPECT_LT((Vec2f(u.x, u.y) - parts[i].u[v]).norm(), 3e-7F);
             }
         }

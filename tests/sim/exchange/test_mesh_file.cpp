@@ -338,10 +338,47 @@ TEST(GlbFile, of_a_garment_is_sound_and_has_a_primitive_per_panel) {
     EXPECT_TRUE(materials[0].find("doubleSided")->boolean());
 }
 
-TEST(GlbFile, gives_texture_coordinates_in_metres_with_v_downward) {
+TEST(GlbFile, has_the_panels_in_the_unit_square_as_its_first_texture_coordinates) {
+    const AtlasOptions atlas{.size_px = 256, .margin_px = 16};
+    const Container file = open(garment_glb(two_panels(), {.atlas = atlas}));
+    std::vector<PanelPart> parts = split_by_panel(two_panels());
+    pack_panels(parts, atlas);
+    for (std::size_t panel = 0; panel < 2; ++panel) {
+        const auto& primitive = file.root.find("meshes")->elements()[0].find("primitives")->elements()[panel];
+        const Json& uv = file.root.find("accessors")->elements()[index_of(*primitive.find("attributes"), "TEXCOORD_0")];
+        const std::vector<Vec2f> expected = packed_uv(parts[panel]);
+        ASSERT_EQ(index_of(uv, "count"), expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            const Vec2f found(float_at(file, uv, 2 * i), float_at(file, uv, 2 * i + 1));
+            EXPECT_GE(found.minCoeff(), 16 / 256.0F - 1e-6F);
+            EXPECT_LE(found.maxCoeff(), 1 - 16 / 256.0F + 1e-6F);
+            EXPECT_EQ(found, Vec2f(expected[i].x(), 1 - expected[i].y()));
+        }
+    }
+}
+
+TEST(GlbFile, without_material_coordinates_has_no_texture_coordinates) {
+    DrawMesh bare = two_panels();
+    bare.u.clear();
+    EXPECT_EQ(garment_glb(bare).find("TEXCOORD"), std::string::npos);
+}
+
+TEST(GlbFile, gives_back_the_charts_that_it_wrote_and_no_bad_ones) {
+    std::vector<PanelPart> parts = split_by_panel(two_panels());
+    pack_panels(parts, {});
+    std::string bytes = garment_glb(two_panels());
+    const auto charts = charts_in_glb(bytes, "test.glb");
+    ASSERT_EQ(charts.size(), 2U);
+    EXPECT_EQ(charts[1], (std::pair<std::string, UvChart>("left sleeve", *parts[1].chart)));
+    const std::size_t scale = bytes.find("\"scale\":") + 8;
+    bytes.replace(scale, 3, "0e1");  // now zero: the rest of its digits follow the exponent
+    EXPECT_EQ(charts_in_glb(bytes, "test.glb").size(), 1U);
+}
+
+TEST(GlbFile, gives_material_coordinates_in_metres_with_v_downward) {
     const Container file = open(garment_glb(two_panels()));
     const auto& primitive = file.root.find("meshes")->elements()[0].find("primitives")->elements()[1];
-    const Json& u = file.root.find("accessors")->elements()[index_of(*primitive.find("attributes"), "TEXCOORD_0")];
+    const Json& u = file.root.find("accessors")->elements()[index_of(*primitive.find("attributes"), "TEXCOORD_1")];
     EXPECT_EQ(float_at(file, u, 0), -0.7F);
     EXPECT_EQ(float_at(file, u, 1), 1 - 0.013F);
 }
