@@ -48,7 +48,6 @@ struct AnimateArguments {
     Path film;  // empty: no such output
     std::vector<Path> caches;
     int cache_triangles = 20'000;
-    int texture_size_px = sim::AtlasOptions().size_px;
     Path report_file;
 };
 
@@ -185,8 +184,7 @@ class Caching {
             caches_.push_back(
                 sim::open_mesh_cache(path, fixed_.mesh,
                                      {.frames = static_cast<std::size_t>(animation.frame_count()),
-                                      .frames_per_second = static_cast<double>(arguments.frames_per_second),
-                                      .atlas = {.size_px = arguments.texture_size_px}},
+                                      .frames_per_second = static_cast<double>(arguments.frames_per_second)},
                                      path.extension() == ".glb" ? &body : nullptr));
             has_body_.push_back(path.extension() == ".glb");
         }
@@ -374,11 +372,6 @@ void add_output_options(CLI::App& command, AnimateArguments& arguments) {
                     "The exported mesh has at most so many triangles (default 20000)",
                     [&arguments](int triangles) { arguments.cache_triangles = triangles; })
         ->type_name("N")
-        ->group("Output");
-    add_number<int>(command, "--texture-size", {64, 16384},
-                    "Side of the texture in which the panels of a .glb are packed, in texels (default 2048)",
-                    [&arguments](int size) { arguments.texture_size_px = size; })
-        ->type_name("PX")
         ->group("Output");
     command.add_option("--report", arguments.report_file, "What came of it, as JSON")
         ->type_name("JSON")

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/baked_textures.h"
 #include "app/edit_loop.h"
 #include "app/import_garment.h"
 #include "app/print_files.h"
@@ -92,7 +93,12 @@ std::vector<editor::Example> examples() {
 }
 
 void write_export(const editor::ExportRequest& request, const EditorServicesOptions& options) {
-    if (!request.file.ends_with(".png")) return write_garment(request.garment, request.file);
+    if (!request.file.ends_with(".png")) {
+        sim::GarmentExport content;
+        if (sim::mesh_format_of(request.file).takes_textures)
+            content.textures = bake_pngs(request.garment, request.scene->cloths, content.atlas);
+        return write_garment(request.garment, request.file, content);
+    }
     render::Scene scene = *request.scene;
     scene.camera = request.camera;
     scene.light = request.light;

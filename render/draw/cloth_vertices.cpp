@@ -9,14 +9,14 @@
 #include "sim/core/assert.h"
 
 namespace selvedge::render {
-namespace {
 
-// The warp's angle is `grain` (rad, anticlockwise from +y); the weft is a quarter turn clockwise from the warp. The
-// sett's offset is added after the rotation.
-std::array<float, 2> turned_to_grain(const Vec2f& u, float grain, const Vec2f& offset) {
+Vec2f place_on_fabric(const Vec2f& material, float grain, const Vec2f& sett_offset) {
     const float c = std::cos(grain), s = std::sin(grain);
-    return {c * u.x() + s * u.y() + offset.x(), -s * u.x() + c * u.y() + offset.y()};
+    return {c * material.x() + s * material.y() + sett_offset.x(),
+            -s * material.x() + c * material.y() + sett_offset.y()};
 }
+
+namespace {
 
 float grain_of(const sim::DrawMesh& mesh, std::size_t triangle) {
     const std::size_t panel = panel_of(mesh, triangle);
@@ -53,7 +53,8 @@ std::vector<ClothVertex> make_cloth_vertices(const sim::DrawMesh& mesh, const st
             const bool is_turned = sim::is_turned(mesh, t, corner);
             vertex.normal = to_array(is_turned ? Vec3f(-normals[v]) : normals[v]);
             if (!mesh.u.empty()) {
-                vertex.place = turned_to_grain(mesh.u[t][corner], grain_of(mesh, t), sett_offset_of(mesh, t));
+                const Vec2f place = place_on_fabric(mesh.u[t][corner], grain_of(mesh, t), sett_offset_of(mesh, t));
+                vertex.place = {place.x(), place.y()};
             }
             vertex.heights[corner] = heights[corner];
             vertex.ambient_visibility = {ambient_visibility[v].front, ambient_visibility[v].back};

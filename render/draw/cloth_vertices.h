@@ -21,10 +21,14 @@ struct AmbientVisibility {
     float back = 1;
 };
 
+// (weft, warp), m, of material coordinates (m). grain: the warp's angle, rad, anticlockwise from +y; the weft is a
+// quarter turn clockwise from the warp. The sett's offset is added after the rotation.
+Vec2f place_on_fabric(const Vec2f& material, float grain, const Vec2f& sett_offset);
+
 struct ClothVertex {
     std::array<float, 3> position;  // m
     std::array<float, 3> normal;
-    std::array<float, 2> place;    // (weft, warp), m: material coordinates turned to the panel's grain + sett offset
+    std::array<float, 2> place;    // place_on_fabric()
     std::array<float, 3> heights;  // m: height over the opposite edge in the own slot, else 0
     std::array<float, 2> ambient_visibility;
     std::array<float, 2> touch;  // m, distance to a seam and to a hem that the triangle touches with one corner only

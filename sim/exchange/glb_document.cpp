@@ -38,6 +38,20 @@ std::size_t Document::describe(std::size_t count, std::size_t bytes_each, Compon
     return accessors_.elements().size() - 1;
 }
 
+std::size_t Document::add_file(std::string_view bytes) {
+    constexpr std::size_t kAlignment = 4;  // of the accessors that follow
+    Json view = Json::object();
+    view["buffer"] = 0;
+    view["byteOffset"] = size_;
+    view["byteLength"] = bytes.size();
+    views_.push_back(std::move(view));
+    append(bytes);
+    const std::size_t padding = (kAlignment - bytes.size() % kAlignment) % kAlignment;
+    append(std::string(padding, '\0'));
+    size_ += bytes.size() + padding;
+    return views_.elements().size() - 1;
+}
+
 void Document::set_bounds(std::size_t accessor, Json low, Json high) {
     accessors_.elements()[accessor]["min"] = std::move(low);
     accessors_.elements()[accessor]["max"] = std::move(high);
@@ -159,6 +173,55 @@ void add_panel_materials(const std::vector<PanelPart>& parts, Json& materials) {
         material["pbrMetallicRoughness"] = std::move(surface);
         materials.push_back(std::move(material));
     }
+}
+
+namespace {
+
+Json texture_at(std::size_t index) {
+    Json texture = Json::object();
+    texture["index"] = index;
+    return texture;
+}
+
+Json trilinear_sampler() {
+    constexpr int kLinear = 9729, kLinearMipmapLinear = 9987, kClampToEdge = 33071;
+    Json sampler = Json::object();
+    sampler["magFilter"] = kLinear;
+    sampler["minFilter"] = kLinearMipmapLinear;
+    sampler["wrapS"] = kClampToEdge;
+    sampler["wrapT"] = kClampToEdge;
+    return sampler;
+}
+
+}  // namespace
+
+void add_textures(const GarmentTextures& textures, Json& materials, Json& root, Document& document) {
+    Json images = Json::array(), all = Json::array();
+    const auto add = [&](const std::string& png, const char* name) {
+        Json image = Json::object();
+        image["bufferView"] = document.add_file(png);
+        image["mimeType"] = "image/png";
+        image["name"] = name;
+        Json texture = Json::object();
+        texture["sampler"] = 0;
+        texture["source"] = images.elements().size();
+        images.push_back(std::move(image));
+        all.push_back(std::move(texture));
+        return all.elements().size() - 1;
+    };
+    if (!textures.base_colour.empty()) {
+        const std::size_t index = add(textures.base_colour, "base colour");
+        for (Json& material : materials.elements())
+            material["pbrMetallicRoughness"]["baseColorTexture"] = texture_at(index);
+    }
+    if (!textures.normal.empty()) {
+        const std::size_t index = add(textures.normal, "normal");
+        for (Json& material : materials.elements()) material["normalTexture"] = texture_at(index);
+    }
+    if (images.elements().empty()) return;
+    root["samplers"] = Json::array({trilinear_sampler()});
+    root["images"] = std::move(images);
+    root["textures"] = std::move(all);
 }
 
 std::vector<Vec3f> positions_of(const PanelPart& part, const std::vector<Vec3f>& x) {

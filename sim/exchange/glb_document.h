@@ -55,6 +55,9 @@ class Document {
     std::size_t add_numbers(std::span<const float> values, Target target = Target::None);
     std::size_t add_times(std::span<const float> ascending);  // s, with bounds
 
+    // A view without an accessor, for a file within the file. Returns the view's index.
+    std::size_t add_file(std::string_view bytes);
+
     // In a plan only: what add_vectors() and add_positions() would add for so many.
     std::size_t plan_vectors(std::size_t count);
     std::size_t plan_positions(std::size_t count);
@@ -93,6 +96,9 @@ Json scene_of(std::vector<Json> nodes);
 
 // Each panel has a material with its name, because most programs show no other name for a primitive.
 void add_panel_materials(const std::vector<PanelPart>& parts, Json& materials);
+
+// Puts the pictures into the file, and has all these materials show them over TEXCOORD_0.
+void add_textures(const GarmentTextures& textures, Json& materials, Json& root, Document& document);
 
 // The rows of `values` that belong to the vertices of the part; normals are turned to the part's right side.
 std::vector<Vec3f> positions_of(const PanelPart& part, const std::vector<Vec3f>& x);

@@ -17,10 +17,10 @@ using namespace glb;
 
 namespace {
 
-Json mesh_node(const char* name) {
+Json mesh_node(const char* name, std::size_t mesh = 0) {
     Json node = Json::object();
     node["name"] = name;
-    node["mesh"] = 0;
+    node["mesh"] = mesh;
     return node;
 }
 
@@ -30,28 +30,6 @@ Json one_mesh(const char* name, Json primitives) {
     mesh["primitives"] = std::move(primitives);
     return Json::array({std::move(mesh)});
 }
-
-}  // namespace
-
-std::string garment_glb(const DrawMesh& mesh, const GarmentExport& content) {
-    std::vector<PanelPart> parts = split_by_panel(mesh);
-    pack_panels(parts, content.atlas);
-    const std::vector<Vec3f> normals = vertex_normals(mesh);
-    Document document;
-    Json primitives = Json::array();
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        primitives.push_back(panel_primitive(parts[i], i, mesh.x, normals, document));
-    Json root = root_object();
-    root["scenes"] = scene_of({0});
-    root["nodes"] = Json::array({mesh_node("garment")});
-    root["meshes"] = one_mesh("garment", std::move(primitives));
-    Json materials = Json::array();
-    add_panel_materials(parts, materials);
-    root["materials"] = std::move(materials);
-    return container(std::move(root), std::move(document));
-}
-
-namespace {
 
 struct FourBones {
     std::array<std::uint16_t, 4> bones;
@@ -133,6 +111,43 @@ Json body_primitive(const Body& body, Document& document) {
 
 }  // namespace
 
+namespace {
+
+// The body stands beside the garment as it is, without its bones.
+void add_standing_body(const Body& body, Json& root, Document& document) {
+    Body standing;
+    standing.x = body.x;
+    standing.triangles = body.triangles;
+    Json mesh = Json::object();
+    mesh["name"] = "body";
+    mesh["primitives"] = Json::array({body_primitive(standing, document)});
+    root["meshes"].push_back(std::move(mesh));
+    root["nodes"].push_back(mesh_node("body", 1));
+    root["scenes"] = scene_of({0, 1});
+}
+
+}  // namespace
+
+std::string garment_glb(const DrawMesh& mesh, const GarmentExport& content) {
+    std::vector<PanelPart> parts = split_by_panel(mesh);
+    pack_panels(parts, content.atlas);
+    const std::vector<Vec3f> normals = vertex_normals(mesh);
+    Document document;
+    Json primitives = Json::array();
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        primitives.push_back(panel_primitive(parts[i], i, mesh.x, normals, document));
+    Json root = root_object();
+    root["scenes"] = scene_of({0});
+    root["nodes"] = Json::array({mesh_node("garment")});
+    root["meshes"] = one_mesh("garment", std::move(primitives));
+    Json materials = Json::array();
+    add_panel_materials(parts, materials);
+    add_textures(content.textures, materials, root, document);
+    root["materials"] = std::move(materials);
+    if (content.body != nullptr) add_standing_body(*content.body, root, document);
+    return container(std::move(root), std::move(document));
+}
+
 std::string body_glb(const Body& body) {
     Document document;
     Json root = root_object();
@@ -201,7 +216,6 @@ std::vector<std::pair<std::string, Vec2f>> sett_offsets_in_glb(std::string_view 
 }
 
 std::vector<std::pair<std::string, UvChart>> charts_in_glb(std::string_view bytes, const std::string& file) {
-    constexpr double kLargest = 1e6;  // of what a chart of any garment needs: keeps coordinates finite
     std::vector<std::pair<std::string, UvChart>> charts;
     for_each_extra(bytes, file, "chart", [&](const std::string& panel, const Json& chart) {
         const Json *scale = chart.find("scale"), *offset = chart.find("offset"), *turned = chart.find("turned");
@@ -210,8 +224,7 @@ std::vector<std::pair<std::string, UvChart>> charts_in_glb(std::string_view byte
         const Json &x = offset->elements()[0], &y = offset->elements()[1];
         if (!x.is_number() || !y.is_number()) return;
         const UvChart read{.scale = scale->number(), .is_turned = turned->boolean(), .offset{x.number(), y.number()}};
-        if (read.scale < 1 / kLargest || read.scale > kLargest || read.offset.cwiseAbs().maxCoeff() > kLargest) return;
-        charts.emplace_back(panel, read);
+        if (is_sound(read)) charts.emplace_back(panel, read);
     });
     return charts;
 }

@@ -21,7 +21,7 @@ namespace selvedge::sim {
 namespace {
 
 PanelData data_in_obj(std::string_view text, const std::string&) {
-    return {.grain_angles = grain_angles_in_obj(text), .sett_offsets = sett_offsets_in_obj(text)};
+    return {grain_angles_in_obj(text), sett_offsets_in_obj(text), charts_in_obj(text)};
 }
 
 PanelData data_in_glb(std::string_view bytes, const std::string& file) {
@@ -29,11 +29,19 @@ PanelData data_in_glb(std::string_view bytes, const std::string& file) {
 }
 
 const std::vector<MeshFormat> kFormats{
-    {.extension = ".obj", .garment = garment_obj, .body = body_obj, .panel_data = data_in_obj},
+    {.extension = ".obj",
+     .garment = garment_obj,
+     .body = body_obj,
+     .panel_data = data_in_obj,
+     .files_beside = files_beside_obj,
+     .takes_textures = true,
+     .takes_body = true},
     {.extension = ".glb",
      .garment = garment_glb,
      .body = body_glb,
      .panel_data = data_in_glb,
+     .takes_textures = true,
+     .takes_body = true,
      .has_panel_materials = true},  // a primitive of glTF has no name of its own
     {.extension = ".ply", .garment = garment_ply, .body = body_ply},
     {.extension = ".stl", .garment = garment_stl, .body = body_stl},
@@ -111,8 +119,7 @@ std::vector<T> by_panel(const std::vector<std::pair<std::string, T>>& named, con
     return values;
 }
 
-void add_panel_data(const std::filesystem::path& path, const MeshFormat& format, DrawMesh& mesh) {
-    const PanelData data = format.panel_data(read_file(path, ImportLimits().file_bytes), path.string());
+void add_panel_data(const PanelData& data, DrawMesh& mesh) {
     mesh.panel_grain_angles = by_panel(data.grain_angles, mesh, 0.0F);
     mesh.panel_sett_offsets = by_panel(data.sett_offsets, mesh, Vec2f(0, 0));
     const std::vector<UvChart> charts = by_panel(data.charts, mesh, UvChart{});  // by default, u is metric as it is
@@ -152,7 +159,22 @@ void write_garment(const DrawMesh& mesh, const std::filesystem::path& path, cons
     check_finite(mesh.x, path);
     check_finite(mesh.normals, path);
     check_corners(mesh, path);
-    write_file_atomically(path, format.garment(mesh, content));
+    GarmentExport named = content;
+    named.name = path.stem().string();
+    const std::string bytes = format.garment(mesh, named);
+    if (format.files_beside != nullptr)
+        for (const FileBeside& file : format.files_beside(named))
+            write_file_atomically(path.parent_path() / file.name, file.bytes);
+    write_file_atomically(path, bytes);
+}
+
+std::vector<std::filesystem::path> paths_beside(const std::filesystem::path& path) {
+    const MeshFormat& format = mesh_format_of(path);
+    if (format.files_beside == nullptr) return {};
+    const GarmentExport all{.textures = {.base_colour = "any", .normal = "any"}, .name = path.stem().string()};
+    std::vector<std::filesystem::path> paths;
+    for (const FileBeside& file : format.files_beside(all)) paths.push_back(path.parent_path() / file.name);
+    return paths;
 }
 
 void write_body(const Body& body, const std::filesystem::path& path) {
@@ -166,11 +188,17 @@ DrawMesh read_garment(const std::filesystem::path& path) {
     const MeshFormat& format = mesh_format_of(path);
     if (format.panel_data == nullptr) throw InputError(path.string(), "", "this format is written, but not read");
     const ImportedScene scene = guarded_import(path);
+    const PanelData data = format.panel_data(read_file(path, ImportLimits().file_bytes), path.string());
+    // In a file with charts, what has none is the body beside the garment.
+    const auto is_panel = [&](const std::string& name) {
+        return data.charts.empty() ||
+               std::ranges::find(data.charts, name, &std::pair<std::string, UvChart>::first) != data.charts.end();
+    };
     DrawMesh mesh;
     std::vector<Vec3d> corners;
     bool has_u = true;
     for (const ImportedMesh& part : scene.meshes) {
-        if (part.triangles.empty()) continue;
+        if (part.triangles.empty() || !is_panel(panel_name(part, format))) continue;
         if (mesh.panel_names.size() > UINT16_MAX) throw InputError(path.string(), "", "more than 65,536 panels");
         has_u = has_u && !part.u.empty();
         add_panel(part, mesh, corners);
@@ -180,7 +208,7 @@ DrawMesh read_garment(const std::filesystem::path& path) {
     merge_positions(corners, mesh);
     mesh.turned_corners = find_turned_corners(mesh.triangles);
     mesh.normals = vertex_normals(mesh.x, mesh.triangles, mesh.turned_corners);
-    add_panel_data(path, format, mesh);
+    add_panel_data(data, mesh);
     return mesh;
 }
 

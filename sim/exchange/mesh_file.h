@@ -2,10 +2,13 @@
 // Writes garments and bodies to mesh files for other programs, and reads garments. The extension selects the format.
 // mesh_formats() is the table of the formats; a row is all that the program knows of one.
 // The formats:
-//   .obj  positions in metres, vt = material coordinates in metres per corner, vn, one group per panel;
+//   .obj  positions in metres, vn, one group per panel; vt = material coordinates in metres per corner, or with
+//   textures
+//         the packed panels, each with a comment that takes them back to metres; materials and textures in files
+//         beside;
 //   .glb  binary glTF 2.0: one primitive per panel, TEXCOORD_0 = the panels packed in the unit square (uv_atlas.h),
 //         TEXCOORD_1 = material coordinates in metres (both as 1 - v, because v points down in glTF); a body's skeleton
-//         and skin if it has them;
+//         and skin if it has them; textures inside;
 //   .ply  binary: positions in metres, normals, both texture coordinates, panel and seam of each vertex (ply_file.h);
 //         not read;
 //   .stl  binary: triangles in millimetres (stl_file.h); not read.
@@ -41,6 +44,10 @@ struct MeshFormat {
     // The panel data in a file that assimp has accepted; nullptr: the format is written, but not read. file: its name
     // in error messages.
     PanelData (*panel_data)(std::string_view bytes, const std::string& file) = nullptr;
+    // The files beside one with textures; nullptr: it holds everything.
+    std::vector<FileBeside> (*files_beside)(const GarmentExport& content) = nullptr;
+    bool takes_textures = false;       // GarmentExport::textures
+    bool takes_body = false;           // GarmentExport::body
     bool has_panel_materials = false;  // a panel's name is that of its material, not of its mesh
 };
 
@@ -51,6 +58,9 @@ std::vector<std::string_view> mesh_extensions();
 
 // The format of a file, by its extension in upper or lower case. Throws InputError if there is none.
 const MeshFormat& mesh_format_of(const std::filesystem::path& path);
+
+// The files that write_garment() may write beside this one.
+std::vector<std::filesystem::path> paths_beside(const std::filesystem::path& path);
 
 // Throw InputError if the extension is of no format, there are no triangles, a number is not finite, the panels do not
 // fit in the texture, or the file cannot be written. Pre: indices are in range.

@@ -160,6 +160,11 @@ Vec2d UvChart::material(const Vec2d& uv) const {
     return is_turned ? Vec2d(from_origin.y(), -from_origin.x()) : from_origin;
 }
 
+bool is_sound(const UvChart& chart) {
+    constexpr double kLargest = 1e6;
+    return chart.scale >= 1 / kLargest && chart.scale <= kLargest && chart.offset.cwiseAbs().maxCoeff() <= kLargest;
+}
+
 std::vector<UvChart> pack_charts(std::span<const MaterialBox> boxes, const AtlasOptions& options) {
     SELVEDGE_ASSERT(options.size_px > 0 && options.margin_px >= 0);
     if (boxes.empty()) return {};

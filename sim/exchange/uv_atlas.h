@@ -29,6 +29,9 @@ struct UvChart {
     bool operator==(const UvChart&) const = default;
 };
 
+// Whether the numbers of a chart that was read can be those of a garment, so that coordinates stay finite.
+bool is_sound(const UvChart& chart);
+
 using MaterialBox = Eigen::AlignedBox2d;  // m, not empty
 
 // One chart per box, in their order, all of the same scale; a box without area is a point or a line.

@@ -23,7 +23,7 @@ const std::vector<std::string> kWritten = {"picture.png", "garment.obj", "garmen
 // Dresses two squares at a low resolution and writes every kind of output.
 ProgramResult dress_into(const ScratchFolder& folder, const std::string& options) {
     return run_selvedge("dress " + shipped("two_squares.json") + " --body mannequin:resolution=1 --max-level 1" +
-                        " --render '" + folder / "picture.png" + "' --size 160x120 --export '" +
+                        " --texture-size 256 --render '" + folder / "picture.png" + "' --size 160x120 --export '" +
                         folder / "garment.obj" + "' --export '" + folder / "garment.glb" + "' --export-body '" +
                         folder / "body.obj" + "' --export-body '" + folder / "body.glb" + "' --report '" +
                         folder / "report.json" + "' " + options);
@@ -195,6 +195,32 @@ TEST_F(DressCommand, what_was_exported_can_be_rendered_again) {
         EXPECT_EQ(rendered.exit_code, 0) << rendered.err;
         EXPECT_EQ(render::read_png(folder / "again.png").height_px, 128);
     }
+}
+
+TEST_F(DressCommand, exports_carry_colour_beside_or_inside_unless_they_are_not_to) {
+    EXPECT_EQ(render::read_png(file("garment_colour.png")).width_px, 256);
+    EXPECT_NE(content_of(file("garment.mtl")).find("map_Kd garment_colour.png"), std::string::npos);
+    EXPECT_NE(content_of(file("garment.glb")).find("image/png"), std::string::npos);
+    const ScratchFolder folder;
+    const ProgramResult plain = run_selvedge("dress " + shipped("two_squares.json") +
+                                             " --body mannequin:resolution=1 --max-level 0 --no-textures --with-body" +
+                                             " --export '" + folder / "plain.obj" + "'");
+    EXPECT_NE(plain.exit_code, 2) << plain.err;
+    EXPECT_EQ(content_of(folder / "plain.obj").find("mtllib"), std::string::npos);
+    EXPECT_NE(content_of(folder / "plain.obj").find("\ng mannequin"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder / "plain.mtl"));
+}
+
+TEST(DressOutputs, a_texture_beside_an_export_is_an_output_like_others) {
+    const ScratchFolder folder;
+    const ProgramResult twice = run_selvedge("dress " + shipped("two_squares.json") + " --export '" + folder / "x.obj" +
+                                             "' --render '" + folder / "x_colour.png" + "'");
+    EXPECT_EQ(twice.exit_code, 2);
+    EXPECT_NE(twice.err.find("x_colour.png"), std::string::npos) << twice.err;
+    const ProgramResult body =
+        run_selvedge("dress " + shipped("two_squares.json") + " --with-body --export '" + folder / "x.stl" + "'");
+    EXPECT_EQ(body.exit_code, 2);
+    EXPECT_NE(body.err.find("--with-body"), std::string::npos) << body.err;
 }
 
 TEST_F(DressCommand, each_way_of_looking_gives_another_picture) {

@@ -9,6 +9,7 @@
 #include <random>
 #include <sstream>
 
+#include "sim/body/guarded_import.h"
 #include "sim/body/load_body.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
@@ -381,6 +382,55 @@ TEST(GlbFile, gives_material_coordinates_in_metres_with_v_downward) {
     const Json& u = file.root.find("accessors")->elements()[index_of(*primitive.find("attributes"), "TEXCOORD_1")];
     EXPECT_EQ(float_at(file, u, 0), -0.7F);
     EXPECT_EQ(float_at(file, u, 1), 1 - 0.013F);
+}
+
+GarmentExport with_textures() {
+    return {.textures = {.base_colour = std::string("\x89PNG\r\n\x1A\n12345", 13),
+                         .normal = std::string("\x89PNG\r\n\x1A\n67", 10)}};
+}
+
+TEST(ObjFile, with_textures_has_packed_coordinates_that_read_back_as_metres) {
+    const TemporaryFolder folder;
+    write_garment(two_panels(), folder / "my garment.obj", with_textures());
+    expect_same_garment(read_garment(folder / "my garment.obj"), two_panels(), 1e-6F);
+    const std::string text = read_file(folder / "my garment.obj", kLimit);
+    EXPECT_NE(text.find("mtllib my_garment.mtl\n"), std::string::npos);
+    const std::string materials = read_file(folder / "my_garment.mtl", kLimit);
+    EXPECT_NE(materials.find("map_Kd my_garment_colour.png\nnorm my_garment_normal.png\n"), std::string::npos);
+    EXPECT_EQ(read_file(folder / "my_garment_colour.png", kLimit), with_textures().textures.base_colour);
+    EXPECT_EQ(read_file(folder / "my_garment_normal.png", kLimit), with_textures().textures.normal);
+    EXPECT_EQ(paths_beside(folder / "my garment.obj").size(), 3U);
+    EXPECT_TRUE(paths_beside(folder / "my garment.glb").empty());
+}
+
+TEST(ObjFile, has_the_body_beside_the_garment_and_gives_the_garment_back) {
+    const TemporaryFolder folder;
+    const Body body = small_skinned_body();
+    GarmentExport content = with_textures();
+    content.body = &body;
+    for (const char* name : {"garment.obj", "garment.glb"}) {
+        write_garment(two_panels(), folder / name, content);
+        std::size_t triangles = 0;
+        for (const ImportedMesh& mesh : guarded_import(folder / name).meshes) triangles += mesh.triangles.size();
+        EXPECT_EQ(triangles, two_panels().triangles.size() + body.triangles.size()) << name;
+        expect_same_garment(read_garment(folder / name), two_panels(), 1e-6F);
+    }
+}
+
+TEST(GlbFile, holds_its_textures_and_every_material_shows_them) {
+    GarmentExport content = with_textures();
+    const Container file = open(garment_glb(two_panels(), content));
+    expect_sound_accessors(file);
+    const Json& images = *file.root.find("images");
+    ASSERT_EQ(images.elements().size(), 2U);
+    const Json& view = file.root.find("bufferViews")->elements()[index_of(images.elements()[0], "bufferView")];
+    EXPECT_EQ(file.buffer.substr(index_of(view, "byteOffset"), index_of(view, "byteLength")),
+              content.textures.base_colour);
+    for (const Json& material : file.root.find("materials")->elements()) {
+        EXPECT_EQ(index_of(*material.find("pbrMetallicRoughness")->find("baseColorTexture"), "index"), 0U);
+        EXPECT_EQ(index_of(*material.find("normalTexture"), "index"), 1U);
+    }
+    EXPECT_EQ(file.root.find("textures")->elements().size(), 2U);
 }
 
 TEST(GlbFile, states_the_bounds_of_positions_to_the_bit) {
