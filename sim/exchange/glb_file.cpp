@@ -9,6 +9,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/json.h"
 #include "sim/exchange/glb_document.h"
+#include "sim/exchange/mesh_cache.h"
 #include "sim/exchange/mesh_file.h"
 
 namespace selvedge::sim {
@@ -93,19 +94,14 @@ void add_bone_nodes(const Body& body, Json& nodes) {
 }
 
 Json body_primitive(const Body& body, Document& document) {
-    std::vector<Vec3f> x;
-    for (const Vec3d& p : body.x) x.push_back(p.cast<float>());
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    for (const auto& [a, b, c] : body.triangles)
-        triangles.push_back({std::uint32_t(a), std::uint32_t(b), std::uint32_t(c)});
-    const std::vector<Vec3f> normals = vertex_normals(x, triangles);
+    const DrawMesh mesh = body_mesh(body);
     Json attributes = Json::object();
-    attributes["POSITION"] = document.add_positions(x);
-    attributes["NORMAL"] = document.add_vectors(normals);
+    attributes["POSITION"] = document.add_positions(mesh.x);
+    attributes["NORMAL"] = document.add_vectors(mesh.normals);
     if (!body.skin.empty() && !body.bones.empty()) add_skin_attributes(body, attributes, document);
     Json primitive = Json::object();
     primitive["attributes"] = std::move(attributes);
-    primitive["indices"] = document.add_indices(triangles);
+    primitive["indices"] = document.add_indices(mesh.triangles);
     return primitive;
 }
 

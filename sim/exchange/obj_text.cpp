@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sim/exchange/mesh_cache.h"
 #include "sim/exchange/mesh_file.h"
 
 namespace selvedge::sim {
@@ -125,21 +126,11 @@ std::optional<Number> take_number(std::string_view& text) {
     return number;
 }
 
-}  // namespace
-
-namespace {
-
 void append_body(std::string& text, const Body& body, std::size_t first_vertex, std::size_t first_normal) {
-    std::vector<Vec3f> x;
-    x.reserve(body.x.size());
-    for (const Vec3d& p : body.x) x.push_back(p.cast<float>());
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    triangles.reserve(body.triangles.size());
-    for (const auto& [a, b, c] : body.triangles)
-        triangles.push_back({std::uint32_t(a), std::uint32_t(b), std::uint32_t(c)});
-    append_points(text, x, vertex_normals(x, triangles));
+    const DrawMesh mesh = body_mesh(body);
+    append_points(text, mesh.x, mesh.normals);
     text += "g " + one_word(body.name.empty() ? "body" : body.name) + '\n';
-    for (const auto& triangle : triangles) {
+    for (const auto& triangle : mesh.triangles) {
         text += 'f';
         for (const std::uint32_t v : triangle) append_corner(text, first_vertex + v, std::nullopt, first_normal + v);
         text += '\n';
