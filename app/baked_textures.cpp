@@ -178,9 +178,8 @@ class PanelCloth {
 
     bool has_relief(float texel) const { return woven_ && WovenCloth::fineness(texel / spacing_) > 0; }
 
-    // Mean slopes of the surface over the texel, along its sides.
+    // Mean slopes of the surface over the texel, along its sides. Pre: it has relief.
     Vec2f slope(const Vec2f& place, const Vec2f& right, const Vec2f& up) const {
-        if (!woven_) return Vec2f::Zero();
         const Vec2f t = (place - position_) / spacing_, r = right / spacing_, u = up / spacing_;
         const auto rise = [&](const Vec2f& along, const Vec2f& across) {
             constexpr int kSamples = 4;  // of a side

@@ -126,7 +126,7 @@ class GlbCache final : public MeshCache {
              const DrawMesh* body)
         : path_(path), options_(options) {
         meshes_.push_back({"garment", garment, split_by_panel(garment)});
-        pack_panels(meshes_.back().parts, options.atlas);
+        pack_panels(meshes_.back().parts, {});
         if (body != nullptr) meshes_.push_back({"body", *body, split_by_panel(*body)});
         if (options.frames > kMostFrames)
             throw InputError(path.string(), "",

@@ -15,7 +15,6 @@
 
 #include "sim/body/body.h"
 #include "sim/core/math.h"
-#include "sim/exchange/uv_atlas.h"
 #include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::sim {
@@ -30,7 +29,6 @@ struct CacheOptions {
     // Of .glb only:
     CacheInterpolation interpolation = CacheInterpolation::Linear;
     bool has_normals = true;  // also the normals of every frame: twice the size; Blender computes its own
-    AtlasOptions atlas{};     // where the panels are in the first set of texture coordinates
 };
 
 class MeshCache {
