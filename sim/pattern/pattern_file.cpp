@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "sim/core/error.h"
 #include "sim/core/file.h"
@@ -517,6 +518,7 @@ class Writer {
         write_matched_sett(own);
         write_seam_names(own);
         write_eased(own);
+        write_sewings(own);
         write_body(own);
         write_underlays(own);
         if (own.find("body_height") || pattern_.body_height != Pattern().body_height) {
@@ -612,12 +614,32 @@ class Writer {
         }
     }
 
-    // Keeps existing entries of eased seams, which may refer to either side, in their order; appends new ones.
     void write_eased(Json& own) const {
-        Json* found = own.find("eased");
+        write_listed(own, "eased", [](const Seam& seam) { return seam.is_eased; });
+    }
+
+    void write_sewings(Json& own) const {
+        std::set<std::string> names;
+        for (const Seam& seam : pattern_.seams) {
+            if (!seam.sewing.empty()) names.insert(seam.sewing);
+        }
+        if (names.empty()) return own.erase("sewings");
+        Json& sewings = own["sewings"];
+        if (!sewings.is_object()) sewings = Json::object();
+        std::erase_if(sewings.members(), [&](const Json::Member& member) { return !names.contains(member.key); });
+        for (const std::string& name : names) {
+            write_listed(sewings, name, [&](const Seam& seam) { return seam.sewing == name; });
+        }
+    }
+
+    // Lists the seams that `is_listed` tells, each by one of its edges. Keeps existing entries of theirs, which may
+    // refer to either side, in their order; appends new ones.
+    template <class Listed>
+    void write_listed(Json& own, const std::string& key, const Listed& is_listed) const {
+        Json* found = own.find(key);
         Json list = found && found->is_array() ? *found : Json::array();
         const auto is_of = [&](const Seam& seam, const Json& json) {
-            return seam.is_eased && (is_at(json, seam.first) || is_at(json, seam.second));
+            return is_listed(seam) && (is_at(json, seam.first) || is_at(json, seam.second));
         };
         const std::size_t removed = std::erase_if(list.elements(), [&](const Json& json) {
             return std::none_of(pattern_.seams.begin(), pattern_.seams.end(),
@@ -625,7 +647,7 @@ class Writer {
         });
         for (const Seam& seam : pattern_.seams) {
             const std::vector<Json>& listed = list.elements();
-            if (!seam.is_eased ||
+            if (!is_listed(seam) ||
                 std::any_of(listed.begin(), listed.end(), [&](const Json& json) { return is_of(seam, json); })) {
                 continue;
             }
@@ -633,8 +655,8 @@ class Writer {
             write_side(place, seam.first);
             list.push_back(std::move(place));
         }
-        if (list.elements().empty() && (removed > 0 || !found)) return own.erase("eased");
-        own["eased"] = std::move(list);
+        if (list.elements().empty() && (removed > 0 || !found)) return own.erase(key);
+        own[key] = std::move(list);
     }
 
     bool is_at(const Json& json, const SeamSide& side) const {
@@ -679,6 +701,12 @@ void rename_panel_in_file(Json& specification, const std::string& from, const st
     }
     if (Json* eased = own ? own->find("eased") : nullptr; eased && eased->is_array()) {
         for (Json& side : eased->elements()) rename_text(side.find("panel"), from, to);
+    }
+    if (Json* sewings = own ? own->find("sewings") : nullptr; sewings && sewings->is_object()) {
+        for (Json::Member& sewing : sewings->members()) {
+            if (!sewing.value.is_array()) continue;
+            for (Json& side : sewing.value.elements()) rename_text(side.find("panel"), from, to);
+        }
     }
 }
 

@@ -313,6 +313,7 @@ class Reader : private FaultReader {
         if (const Node matched = node.member("matched_sett")) read_matched_sett(matched);
         if (const Node names = node.member("seam_names")) read_seam_names(names);
         if (const Node eased = node.member("eased")) read_eased(eased);
+        if (const Node sewings = node.member("sewings")) read_sewings(sewings);
         if (const Node body = node.member("body")) pattern.body = text(body).value_or("");
         if (const Node height = node.member("body_height")) {
             const auto value = length(height);
@@ -402,6 +403,23 @@ class Reader : private FaultReader {
             Seam* seam = read_seam_at(eased.element(i));
             if (seam && seam->is_eased) error(eased.element(i), "the seam is listed already");
             if (seam) seam->is_eased = true;
+        }
+    }
+
+    // {NAME: [{"panel", "edge"}]}: the seams at those edges are one sewing.
+    void read_sewings(const Node& sewings) {
+        if (!expect(sewings, Json::Kind::Object)) return;
+        for (const Json::Member& member : sewings.value->members()) {
+            const Node node{&member.value, json_path(sewings.path, member.key)};
+            if (member.key.empty()) error(node, "a sewing's name is not empty");
+            if (!expect(node, Json::Kind::Array)) continue;
+            for (std::size_t i = 0; i < node.size(); ++i) {
+                Seam* seam = read_seam_at(node.element(i));
+                if (seam && !seam->sewing.empty()) {
+                    error(node.element(i), "the seam is a part of sewing '" + seam->sewing + "' already");
+                }
+                if (seam && seam->sewing.empty()) seam->sewing = member.key;
+            }
         }
     }
 
