@@ -234,8 +234,8 @@ Outcome run(sim::Pattern& pattern, const DuplicatePanels& command) {
 }
 
 Outcome run(sim::Pattern& pattern, const SymmetricCopy& command) {
-    const int panel = find_panel(pattern, command.panel);
-    return select_new(pattern, symmetric_copy(pattern, panel, command.is_linked, command.shift));
+    return select_new(
+        pattern, symmetric_copies(pattern, find_panels(pattern, command.panels), command.is_linked, command.shift));
 }
 
 Outcome run(sim::Pattern& pattern, const UnlinkPanel& command) {

@@ -69,8 +69,8 @@ std::string label(const RenamePanel&) {
 std::string label(const DuplicatePanels& command) {
     return counted("Duplicate", command.panels.size(), "panel");
 }
-std::string label(const SymmetricCopy&) {
-    return "Symmetric copy";
+std::string label(const SymmetricCopy& command) {
+    return counted("Mirror", command.panels.size(), "panel");
 }
 std::string label(const UnlinkPanel&) {
     return "Unlink panel";
@@ -253,6 +253,7 @@ void visit_fields(sim::Seam& seam, Visitor&& visit) {
     visit("is_reversed", seam.is_reversed);
     visit("name", seam.name);
     visit("is_eased", seam.is_eased);
+    visit("sewing", seam.sewing);
 }
 
 template <class Visitor>

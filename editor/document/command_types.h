@@ -216,16 +216,16 @@ struct DuplicatePanels {
     }
 };
 
-// A mirror image for the other side of the body; see symmetric_copy in panel_edit.h.
+// Mirror images for the other side of the body; see symmetric_copies in panel_edit.h.
 struct SymmetricCopy {
     static constexpr const char* name = "symmetric_copy";
-    std::string panel{};
+    std::vector<std::string> panels{};
     bool is_linked = true;
     Vec2d shift = Vec2d::Zero();
 
     template <class Visitor>
     void fields(Visitor&& visit) {
-        visit("panel", panel);
+        visit("panels", panels);
         visit("is_linked", is_linked);
         visit("shift", shift);
     }

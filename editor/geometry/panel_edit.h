@@ -44,11 +44,18 @@ struct CopyShift {
 // mirror links.
 std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>& panels, const CopyShift& shift);
 
-// Adds the panel's mirror image for the other side of the body: its outline is mirrored, its 3D placement reflected
-// (x to -x), and its bounding box on the sheet is that of the panel, moved by `shift`. Of its seams only darts are
-// copied. Vertices keep their indices; edge e of n is the image of edge (n - e) % n, reversed. left_sleeve becomes
-// right_sleeve. `is_linked`: update_mirrors keeps it a mirror image from then on; throws if the panel is itself linked
-// to another. Returns the index of the copy.
+// Adds the panels' mirror images for the other side of the body: outlines are mirrored, 3D placements reflected (x to
+// -x), and on the sheet they are mirrored within their common bounding box, then moved by `shift`. Vertices keep their
+// indices; edge e of n is the image of edge (n - e) % n, reversed. left_sleeve becomes right_sleeve. `is_linked`:
+// update_mirrors keeps them mirror images from then on; throws if a panel is itself linked to another.
+//
+// Seams come along, without their names: darts, seams among the panels, and seams to a panel that has a linked mirror
+// image, or that stands in the middle of the body and has an edge that mirrors the sewn one, such as the armholes of a
+// front. An edge that is sewn already keeps its seam. Returns the indices of the copies, in the order of `panels`.
+std::vector<int> symmetric_copies(sim::Pattern& pattern, const std::vector<int>& panels, bool is_linked,
+                                  const Vec2d& shift);
+
+// As symmetric_copies, for one panel.
 int symmetric_copy(sim::Pattern& pattern, int panel, bool is_linked, const Vec2d& shift);
 
 // Propagates an edit (the difference to `before`) to linked mirror images; only names and sheet positions may differ.

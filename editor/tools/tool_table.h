@@ -9,6 +9,12 @@
 
 namespace selvedge::editor {
 
+// What a tool is for: the groups of the toolbar and of the menu, in their order.
+enum class ToolGroup { Select, Draw, Mark, Shape, Sew };
+
+// In the interface: "Select".
+std::string_view title_of(ToolGroup group);
+
 struct ToolInfo {
     std::string_view id;                        // in scripts: edit_point
     std::string_view title;                     // in the interface: Edit point
@@ -17,6 +23,7 @@ struct ToolInfo {
     // Drawn in a square of 16 x 16: M x y starts a line, L x y continues it, Z closes it; C x y r draws a circle,
     // D x y r a filled one. Empty: none.
     std::string_view icon;
+    ToolGroup group = ToolGroup::Draw;
     Key key = Key::None;        // None: only in menus
     Key other_key = Key::None;  // a common shortcut in other programs
     bool is_drawing = true;     // the cursor over the sheet is a cross
@@ -29,7 +36,7 @@ std::unique_ptr<Tool> make() {
     return std::make_unique<T>(arguments...);
 }
 
-// All tools, in toolbar order.
+// All tools, in toolbar order: those of a group one after the other.
 const std::vector<ToolInfo>& all_tools();
 
 // The first one: Select and move.

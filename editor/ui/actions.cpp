@@ -258,11 +258,15 @@ void add_help_actions(std::vector<Action>& actions) {
 
 // One action per tool of the sheet, with the tool's key.
 void add_tool_actions(std::vector<Action>& actions) {
+    ToolGroup group = all_tools().front().group;
     for (const ToolInfo& tool : all_tools()) {
+        const bool begins_group = tool.group != group;
+        group = tool.group;
         Action action{.id = "tool." + std::string(tool.id),
                       .menu = "Tools",
                       .title = std::string(tool.title),
                       .tip = std::string(tool.what),
+                      .begins_group = begins_group,
                       .run = [&tool](AppState& state) { state.tools.choose(tool_host_context(state.workspace), tool); },
                       .is_on = [&tool](const AppState& state) { return &state.tools.info() == &tool; }};
         for (const Key key : {tool.key, tool.other_key}) {
@@ -421,13 +425,12 @@ void add_panels(std::vector<Action>& actions) {
     actions.push_back({.id = "panel.symmetric_copy",
                        .menu = "Panel",
                        .title = "Symmetric copy, linked",
-                       .tip = "For the body's other side: what is changed on one is changed on both",
+                       .tip = "For the body's other side, with seams: what is changed on one is changed on both",
                        .run =
                            [](AppState& state) {
-                               const Vec2d shift = beside_selected(state);
-                               for_each_panel(state, [&](const std::string& name) -> Command {
-                                   return SymmetricCopy{name, true, shift};
-                               });
+                               const std::set<std::string>& panels = selected(state).panels;
+                               const std::vector<std::string> names(panels.begin(), panels.end());
+                               state.workspace.run(SymmetricCopy{names, true, beside_selected(state)});
                            },
                        .can = has_panels});
     actions.push_back({.id = "panel.unlink",

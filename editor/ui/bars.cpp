@@ -76,22 +76,6 @@ float width_beside(const Question& question) {
     return std::max(0.0F, width);
 }
 
-struct ToolGrid {
-    float side = 0;  // px, side of a tool button
-    float edge = 0;  // px, horizontal padding
-    int columns = 1;
-};
-
-ToolGrid tool_grid(float height) {
-    const float unit = ImGui::GetFontSize();
-    const auto count = static_cast<float>(all_tools().size());
-    const float side = std::clamp((height - unit) / count - 1, 1.8F * unit, 2.2F * unit);  // shrinks the buttons first
-    ToolGrid grid{.side = std::floor(side), .edge = std::round(0.2F * unit)};
-    const auto rows = std::max<std::size_t>(1, static_cast<std::size_t>((height - unit) / (grid.side + 1)));
-    grid.columns = static_cast<int>((all_tools().size() + rows - 1) / rows);
-    return grid;
-}
-
 void show_icon(AppState& state, const char* action, const char* icon, float side_px) {
     const Action* found = find_action(state.actions, action);
     if (found != nullptr) icon_button(state, *found, icon, side_px);
@@ -151,24 +135,6 @@ float show_question(AppState& state) {
         given->run(state);
     }
     return height;
-}
-
-float tool_bar_width(float height) {
-    const ToolGrid grid = tool_grid(height);
-    return 2 * grid.edge + static_cast<float>(grid.columns) * grid.side;
-}
-
-void show_tool_bar(AppState& state) {
-    const ToolGrid grid = tool_grid(ImGui::GetWindowHeight());
-    int column = 0;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 1});
-    for (const ToolInfo& tool : all_tools()) {
-        const std::string id(tool.id);
-        if (column > 0) ImGui::SameLine();
-        show_icon(state, ("tool." + id).c_str(), id.c_str(), grid.side);
-        column = (column + 1) % grid.columns;
-    }
-    ImGui::PopStyleVar();
 }
 
 namespace {

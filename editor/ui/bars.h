@@ -1,5 +1,5 @@
 #pragma once
-// The bars around the views: menu bar, questions, tools, status line, the bar above the 3D view; also the context menu
+// The bars around the views: menu bar, questions, status line, the bar above the 3D view; also the context menu
 // of the sheet and the start page.
 
 namespace selvedge::editor {
@@ -11,10 +11,6 @@ void show_menu_bar(AppState& state);
 // Shows the first open question. Returns the height of the bar, px; 0: there is no question.
 float show_question(AppState& state);
 
-// The width of the tool bar at this height, px. It has several columns if the tools do not fit in one.
-float tool_bar_width(float height);
-
-void show_tool_bar(AppState& state);
 void show_status_bar(AppState& state);
 
 // Above the 3D view: start, reset, show modes, switches. In a narrow view it has several rows.

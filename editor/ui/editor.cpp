@@ -18,6 +18,7 @@
 #include "editor/ui/files.h"
 #include "editor/ui/shown_text.h"
 #include "editor/ui/timeline.h"
+#include "editor/ui/tool_bar.h"
 #include "editor/ui/ui_input.h"
 #include "editor/ui/widgets.h"
 #include "editor/viewport3d/viewport.h"

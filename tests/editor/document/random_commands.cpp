@@ -104,7 +104,7 @@ Command RandomCommands::on_panel(const sim::Pattern& pattern, int kind) {
         case 1:
             return DuplicatePanels{.panels = {panel, some_panel(pattern)}, .shift = some_shift(0.5)};
         case 2:
-            return SymmetricCopy{.panel = panel, .is_linked = pick(2) == 0, .shift = some_shift(0.5)};
+            return SymmetricCopy{.panels = {panel}, .is_linked = pick(2) == 0, .shift = some_shift(0.5)};
         case 3:
             return UnlinkPanel{.panel = panel};
         case 4:

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <array>
 
 #include "editor/geometry/outline_edit.h"
 #include "editor/geometry/panel_edit.h"
 #include "editor/geometry/seam_edit.h"
+#include "sim/pattern/edge_shape.h"
 #include "tests/editor/geometry/geometry_support.h"
 
 namespace selvedge::editor {
@@ -93,7 +96,7 @@ TEST(SymmetricCopy, lies_on_the_sheet_where_the_panel_lies_moved_by_the_shift) {
     EXPECT_NEAR(origins[1].y(), origins[0].y() + 0.25, 1e-12);
 }
 
-TEST(SymmetricCopy, takes_darts_and_no_other_seams) {
+TEST(SymmetricCopy, takes_darts_and_no_seam_to_a_panel_without_an_image) {
     sim::Pattern pattern = two_squares();
     insert_dart(pattern, {0, 0}, 0.3, 0.1, 0.4);
     symmetric_copy(pattern, 0, false, {0, 0});
@@ -103,6 +106,97 @@ TEST(SymmetricCopy, takes_darts_and_no_other_seams) {
     EXPECT_EQ(dart.second.panel, 2);
     EXPECT_TRUE(edge_point(pattern, dart.first, 0).isApprox(edge_point(pattern, dart.second, 1)));  // the apex
     EXPECT_FALSE(is_crossed(pattern, dart));
+}
+
+// The place of a seam's side in the world, m, at both its ends and in its middle.
+std::array<Vec3d, 3> places_of(const sim::Pattern& pattern, const sim::SeamSide& side) {
+    const sim::Panel& panel = pattern.panels[static_cast<std::size_t>(side.panel)];
+    return {panel.place(edge_point(pattern, side, 0)), panel.place(edge_point(pattern, side, 0.5)),
+            panel.place(edge_point(pattern, side, 1))};
+}
+
+// Whether one side is the other one's reflection, end for start.
+bool is_reflected(const sim::Pattern& pattern, const sim::SeamSide& one, const sim::SeamSide& other) {
+    const std::array<Vec3d, 3> here = places_of(pattern, one), there = places_of(pattern, other);
+    return (across(here[0]) - there[2]).norm() < 1e-3 && (across(here[1]) - there[1]).norm() < 1e-3 &&
+           (across(here[2]) - there[0]).norm() < 1e-3;
+}
+
+// The sewing of the other side of the T-shirt comes back when its sleeve is copied.
+TEST(SymmetricCopy, of_a_sleeve_is_sewn_to_the_other_armholes) {
+    sim::Pattern pattern = shipped_pattern("tshirt");
+    const std::size_t whole = pattern.seams.size();
+    remove_panels(pattern, {find_panel(pattern, "right_sleeve_front"), find_panel(pattern, "right_sleeve_back")});
+    const std::vector<int> sleeve{find_panel(pattern, "left_sleeve_front"), find_panel(pattern, "left_sleeve_back")};
+    const auto is_of_sleeve = [&](const sim::SeamSide& side) {
+        return side.panel == sleeve[0] || side.panel == sleeve[1];
+    };
+    for (sim::Seam& seam : pattern.seams) seam.is_eased = is_of_sleeve(seam.first) && !is_of_sleeve(seam.second);
+    const std::vector<sim::Seam> before = pattern.seams;
+    EXPECT_EQ(symmetric_copies(pattern, sleeve, true, {1, 0}).size(), 2U);
+    EXPECT_EQ(pattern.seams.size(), whole);
+    for (std::size_t i = before.size(); i < pattern.seams.size(); ++i) {
+        const sim::Seam& seam = pattern.seams[i];
+        EXPECT_TRUE(std::any_of(before.begin(), before.end(), [&](const sim::Seam& other) {
+            return seam.is_reversed == other.is_reversed && seam.is_eased == other.is_eased &&
+                   is_reflected(pattern, seam.first, other.first) && is_reflected(pattern, seam.second, other.second);
+        })) << i;
+    }
+    EXPECT_TRUE(can_be_saved(pattern));
+}
+
+TEST(SymmetricCopy, of_several_panels_takes_the_seams_among_them_and_mirrors_them_together_on_the_sheet) {
+    sim::Pattern pattern = two_squares();
+    pattern.panels[0].sheet_position = Vec2d(0, 0);
+    pattern.panels[1].sheet_position = Vec2d(1.1, 0);
+    pattern.seams[0] = {.first = {0, 1}, .second = {1, 3}, .is_reversed = false, .name = "middle", .is_eased = true};
+    EXPECT_EQ(symmetric_copies(pattern, {0, 1}, false, {3, 0}), (std::vector<int>{2, 3}));
+    ASSERT_EQ(pattern.seams.size(), 2U);
+    EXPECT_EQ(pattern.seams[1], (sim::Seam{{2, 3}, {3, 1}, false, "", true}));
+    const auto left_side = [&](std::size_t i) {
+        return outline_box(pattern.panels[i]).min().x() + pattern.panels[i].sheet_position->x();
+    };
+    EXPECT_NEAR(left_side(3), 3, 1e-9);
+    EXPECT_NEAR(left_side(2), 4.1, 1e-9) << "the one on the left is now on the right";
+}
+
+TEST(SymmetricCopy, is_sewn_to_the_mirror_image_of_what_the_panel_is_sewn_to) {
+    sim::Pattern pattern;
+    pattern.panels = {unit_square("left_front"), unit_square("left_pocket")};
+    symmetric_copy(pattern, 0, true, {0, 0});
+    sew_edges(pattern, {{1, 0}, {0, 1}, true, "pocket"});
+    symmetric_copy(pattern, 1, true, {0, 0});
+    ASSERT_EQ(pattern.seams.size(), 2U);
+    EXPECT_EQ(pattern.seams[1], (sim::Seam{{3, 0}, {2, 3}}));
+}
+
+TEST(SymmetricCopy, leaves_seams_alone_that_are_there) {
+    sim::Pattern pattern;
+    sim::Panel front = make_rectangle({-0.5, 0}, {0.5, 1});
+    front.name = "front";
+    pattern.panels = {front, unit_square("left_sleeve"), unit_square("other")};
+    pattern.panels[1].translation.x() = 1;
+    sew_edges(pattern, {{1, 3}, {0, 1}, true, "armhole"});
+    sim::Pattern is_free = pattern;
+    symmetric_copy(is_free, 1, true, {0, 0});
+    ASSERT_EQ(is_free.seams.size(), 2U);
+    EXPECT_EQ(is_free.seams[1], (sim::Seam{{3, 1}, {0, 3}}));
+    sew_edges(pattern, {{2, 0}, {0, 3}, true, "sewn"});
+    symmetric_copy(pattern, 1, true, {0, 0});
+    EXPECT_EQ(pattern.seams.size(), 2U);
+}
+
+TEST(SymmetricCopy, of_a_panel_that_is_sewn_to_one_at_the_side_is_not_sewn_to_its_other_edge) {
+    for (const double aside : {0.0, 0.5}) {
+        sim::Pattern pattern;
+        sim::Panel cuff = make_rectangle({-0.5, 0}, {0.5, 1});
+        cuff.name = "left_cuff";
+        cuff.translation.x() = aside;
+        pattern.panels = {cuff, unit_square("left_placket")};
+        sew_edges(pattern, {{1, 3}, {0, 1}});
+        symmetric_copy(pattern, 1, true, {0, 0});
+        EXPECT_EQ(pattern.seams.size(), aside == 0.0 ? 2U : 1U) << aside;
+    }
 }
 
 TEST(SymmetricCopy, of_a_linked_image_is_not_linked) {

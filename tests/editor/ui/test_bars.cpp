@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <string>
 
+#include "editor/tools/tool_table.h"
 #include "editor/ui/editor.h"
 #include "editor/ui/files.h"
 #include "sim/pattern/pattern_file.h"
@@ -23,6 +25,8 @@ class BarsOfEditor : public testing::Test {
         for (int i = 0; i < 3; ++i) editor_.frame({}, size, 1.0 / 30);
     }
     const WidgetBox& widget(const std::string& name) { return editor_.state().widgets.at(name); }
+
+    const WidgetBox& tool_box(const ToolInfo& tool) { return widget("tool." + std::string(tool.id)); }
 
     Editor editor_{services_without_files(), {.drive = sim::SessionDrive::Caller, .is_steady = true}};
 };
@@ -45,6 +49,53 @@ TEST_F(BarsOfEditor, the_list_of_modes_keeps_room_for_a_word) {
     show({.width_px = 1280, .height_px = 800, .scale = 2});
     const WidgetBox& list = widget("view.modes");
     EXPECT_GT(list.high.x() - list.low.x(), 2 * 6 * 15 - 1) << "six font heights of 30 px";
+}
+
+TEST_F(BarsOfEditor, the_tools_stand_in_groups_with_captions) {
+    show({.width_px = 1280, .height_px = 800});
+    EXPECT_TRUE(editor_.state().widgets.contains("tools.Select"));
+    const ToolInfo* before = nullptr;
+    std::set<ToolGroup> seen;
+    for (const ToolInfo& tool : all_tools()) {
+        const WidgetBox& box = tool_box(tool);
+        if (before != nullptr) {
+            const float gap = box.low.y() - tool_box(*before).high.y();
+            const bool begins_group = tool.group != before->group;
+            EXPECT_EQ(gap > 10, begins_group) << tool.id << " " << gap;
+            EXPECT_TRUE(!begins_group || !seen.contains(tool.group)) << tool.id << " is apart from its group";
+            EXPECT_EQ(box.low.x(), tool_box(*before).low.x()) << tool.id;
+        }
+        EXPECT_TRUE(editor_.state().widgets.contains("tools." + std::string(title_of(tool.group))));
+        seen.insert(tool.group);
+        before = &tool;
+    }
+    EXPECT_EQ(seen.size(), 5U);
+    EXPECT_LT(tool_box(*before).high.y(), 780);
+}
+
+TEST_F(BarsOfEditor, the_tools_have_two_columns_where_one_is_too_long) {
+    for (const FrameSize& size : {FrameSize{1280, 800, 2}, FrameSize{1280, 420, 1}}) {
+        show(size);
+        std::set<float> columns;
+        for (const ToolInfo& tool : all_tools()) {
+            EXPECT_LT(tool_box(tool).high.y(), static_cast<float>(size.height_px)) << tool.id;
+            columns.insert(tool_box(tool).low.x());
+        }
+        EXPECT_EQ(columns.size(), 2U);
+    }
+}
+
+TEST_F(BarsOfEditor, the_tools_scroll_where_two_columns_are_too_long) {
+    const FrameSize size{1280, 400, 2};
+    show(size);
+    const ToolInfo& last = all_tools().back();
+    EXPECT_GT(tool_box(last).high.y(), 340);
+    const Vec2f at = tool_box(all_tools().front()).centre();
+    editor_.frame({{.kind = InputEvent::Kind::MouseMove, .x = at.x(), .y = at.y()}}, size, 1.0 / 30);
+    editor_.frame({}, size, 1.0 / 30);
+    editor_.frame({{.kind = InputEvent::Kind::Wheel, .y = -50}}, size, 1.0 / 30);
+    show(size);
+    EXPECT_LT(tool_box(last).high.y(), 345);
 }
 
 }  // namespace
