@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "editor/frame/item.h"
@@ -97,6 +98,18 @@ bool is_pressed(const Chord& chord) {
     return held == chord.modifiers && ImGui::IsKeyPressed(static_cast<int>(chord.key), false);
 }
 
+// Keeps the last request of each texture.
+template <class Request>
+void keep_last(std::vector<Request>& requests) {
+    std::vector<Request> kept;
+    std::set<UiTexture> seen;
+    for (auto request = requests.rbegin(); request != requests.rend(); ++request) {
+        if (seen.insert(request->texture).second) kept.push_back(std::move(*request));
+    }
+    std::reverse(kept.begin(), kept.end());
+    requests = std::move(kept);
+}
+
 }  // namespace
 
 AppState::AppState(Services given, sim::SessionDrive drive)
@@ -120,7 +133,8 @@ struct Editor::Impl {
     ~Impl() { ImGui::DestroyContext(context); }
 
     void update_letters(const std::vector<InputEvent>& events);
-    void set_size(const FrameSize& size, double seconds);
+    void set_size(const FrameSize& size);
+    void build_frame(double seconds);
     void rebuild_fonts();
     void run_keys();
     void take_other_events(const std::vector<InputEvent>& events);
@@ -179,10 +193,9 @@ void Editor::Impl::rebuild_fonts() {
 }
 
 // Rebuilds the fonts if the scale changes, so that text stays sharp, and for new letters.
-void Editor::Impl::set_size(const FrameSize& size, double seconds) {
+void Editor::Impl::set_size(const FrameSize& size) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size.width_px), static_cast<float>(size.height_px)};
-    io.DeltaTime = std::max(1e-4F, static_cast<float>(seconds));
     const float wanted = size.scale * state.user_scale;
     const bool has_new_scale = wanted != scale;
     scale = wanted;
@@ -358,37 +371,51 @@ Editor::Editor(Services services, EditorOptions options)
     : impl_(std::make_unique<Impl>(std::move(services), std::move(options))) {}
 Editor::~Editor() = default;
 
+// One frame of ImGui with as many of the waiting events as it can take.
+void Editor::Impl::build_frame(double seconds) {
+    output.cursor = MouseCursor::Arrow;
+    output.is_animating = false;
+    used_keys.clear();
+    state.widgets.clear();
+    ImGui::GetIO().DeltaTime = std::max(1e-4F, static_cast<float>(seconds));
+    const std::vector<InputEvent> others = input.begin_frame(ImGui::GetIO());
+    ImGui::NewFrame();
+    take_other_events(others);
+    if (shown_document != state.documents_opened || state.wants_whole_sheet) {
+        shown_document = state.documents_opened;
+        state.wants_whole_sheet = false;
+        sheet.frame_all();
+    }
+    InspectorContext box = inspector_context();
+    update_inspectors(box);
+    show_menu_bar(state);
+    show_views(seconds);
+    show_start_page(state);
+    state.browser.show(state);
+    state.finder.show(state);
+    run_keys();
+    ImGui::Render();
+}
+
 FrameOutput Editor::frame(const std::vector<InputEvent>& events, const FrameSize& size, double seconds) {
+    // A slow picture must not hold up what was typed meanwhile. The bound lets the user see where a long row of keys
+    // leads: at 30 keys a second it is the input of half a second.
+    constexpr int kFramesPerPicture = 32;
     Impl& impl = *impl_;
     AppState& state = impl.state;
     ImGui::SetCurrentContext(impl.context);
     impl.output = {};
-    impl.used_keys.clear();
-    state.widgets.clear();
     impl.update_letters(events);
-    impl.set_size(size, seconds);
+    impl.set_size(size);
     impl.input.add(events);
-    const std::vector<InputEvent> others = impl.input.begin_frame(ImGui::GetIO());
-    ImGui::NewFrame();
-    impl.take_other_events(others);
     state.workspace.drape.update(*state.workspace.document, state.workspace.messages);
     state.underlays.update(state.workspace.document->pattern().underlays, state.services.read_photo,
                            state.workspace.messages);
     impl.message_clock.update(state.workspace.messages, seconds);
-    if (impl.shown_document != state.documents_opened || state.wants_whole_sheet) {
-        impl.shown_document = state.documents_opened;
-        state.wants_whole_sheet = false;
-        impl.sheet.frame_all();
-    }
-    InspectorContext box = impl.inspector_context();
-    update_inspectors(box);
-    show_menu_bar(state);
-    impl.show_views(seconds);
-    show_start_page(state);
-    state.browser.show(state);
-    state.finder.show(state);
-    impl.run_keys();
-    ImGui::Render();
+    impl.build_frame(seconds);
+    for (int i = 1; i < kFramesPerPicture && impl.input.has_more(); ++i) impl.build_frame(0);
+    keep_last(impl.output.scenes);
+    keep_last(impl.output.pictures);
     impl.output.window_title =
         document_name(state) + (state.workspace.document->has_unsaved_changes() ? "* - Selvedge" : " - Selvedge");
     impl.output.wants_to_close = state.wants_to_close;

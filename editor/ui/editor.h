@@ -40,7 +40,9 @@ class Editor {
     Editor(const Editor&) = delete;
     Editor& operator=(const Editor&) = delete;
 
-    // Builds one frame; its draw lists are then ImGui's draw data. `seconds`: since the last frame.
+    // Takes the events and returns what to draw; the draw lists are then ImGui's draw data. `seconds`: since the last
+    // frame. Events that hide each other are taken one after the other before anything is drawn, so that keys do not
+    // queue where drawing is slow.
     FrameOutput frame(const std::vector<InputEvent>& events, const FrameSize& size, double seconds);
 
     // Access to the system clipboard; without it the editor keeps copied text to itself.

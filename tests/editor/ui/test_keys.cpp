@@ -1,6 +1,7 @@
 // Which part of the window gets the keys, in an editor without a window.
 #include <gtest/gtest.h>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,42 @@ TEST_F(KeysOfEditor, go_to_the_sheet_after_escape_in_a_number_box) {
 TEST_F(KeysOfEditor, stay_with_the_boxes_after_tab) {
     play("click widget panel.translation.x\nkey ctrl+a\ntype 1\nkey tab\nframes 2\nkey ctrl+a\ntype 95\nkey enter\n");
     EXPECT_NEAR(height_cm(), 95, 1e-9);
+}
+
+// Presses and releases of the same key `count` times, as a window collects them while a slow picture is drawn.
+std::vector<InputEvent> presses(Key key, int count) {
+    std::vector<InputEvent> events;
+    for (int i = 0; i < count; ++i) {
+        for (const bool is_down : {true, false}) {
+            events.push_back({.kind = InputEvent::Kind::Key, .key = key, .is_down = is_down});
+        }
+    }
+    return events;
+}
+
+TEST_F(KeysOfEditor, that_came_during_a_slow_picture_are_all_taken_before_the_next) {
+    const FrameSize size{.width_px = 1280, .height_px = 800};
+    play("click widget panel.translation.y\nkey escape\n");
+    select_corner();
+    play("frames 2\n");
+    const double start = corner().x();
+    editor_.frame(presses(Key::Right, 1), size, 1);
+    const double step = corner().x() - start;
+    ASSERT_GT(step, 0);
+    EXPECT_FALSE(editor_.has_more_input());
+    const FrameOutput output = editor_.frame(presses(Key::Right, 6), size, 1);
+    EXPECT_NEAR(corner().x(), start + 7 * step, 1e-9);
+    EXPECT_FALSE(editor_.has_more_input());
+    std::set<UiTexture> asked;
+    for (const SceneRequest& scene : output.scenes) EXPECT_TRUE(asked.insert(scene.texture).second) << scene.texture;
+}
+
+TEST_F(KeysOfEditor, of_which_there_are_very_many_are_shown_on_their_way) {
+    const FrameSize size{.width_px = 1280, .height_px = 800};
+    select_corner();
+    const FrameOutput output = editor_.frame(presses(Key::Right, 100), size, 1);
+    EXPECT_TRUE(editor_.has_more_input());
+    EXPECT_TRUE(output.is_animating) << "the host draws the next frame at once";
 }
 
 }  // namespace
