@@ -9,6 +9,7 @@
 #include "editor/geometry/outline_edit.h"
 #include "editor/geometry/panel_edit.h"
 #include "editor/geometry/seam_edit.h"
+#include "editor/geometry/sewing.h"
 #include "sim/core/error.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/garments.h"
@@ -476,26 +477,41 @@ Outcome run(sim::Pattern& pattern, const SewRuns& command) {
 
 Outcome run(sim::Pattern& pattern, const ReverseSeam& command) {
     check_seam(pattern, command.seam);
-    bool& is_reversed = pattern.seams[static_cast<std::size_t>(command.seam)].is_reversed;
-    is_reversed = !is_reversed;
-    return {};
+    const bool is_one = sewing_of(pattern, command.seam).size() == 1;
+    const std::vector<int> seams = reverse_sewing(pattern, command.seam);
+    return is_one ? Outcome{} : select_seams(seams);
 }
 
+// A sewing of several seams has the name; each of its seams may have one of its own in the file.
 Outcome run(sim::Pattern& pattern, const NameSeam& command) {
     check_seam(pattern, command.seam);
     if (command.to.find_first_of(",+") != std::string::npos)
         throw GeometryError("A seam's name has no comma and no plus sign");
     for (const sim::Seam& seam : pattern.seams) {
-        if (!command.to.empty() && seam.name == command.to)
+        if (!command.to.empty() && (seam.name == command.to || seam.sewing == command.to))
             throw GeometryError("There is a seam '" + command.to + "' already");
     }
-    pattern.seams[static_cast<std::size_t>(command.seam)].name = command.to;
+    const std::vector<int> seams = sewing_of(pattern, command.seam);
+    if (seams.size() == 1) {
+        pattern.seams[static_cast<std::size_t>(command.seam)].name = command.to;
+        return {};
+    }
+    const std::string name = command.to.empty() ? free_sewing_name(pattern) : command.to;
+    for (const int seam : seams) pattern.seams[static_cast<std::size_t>(seam)].sewing = name;
     return {};
 }
 
 Outcome run(sim::Pattern& pattern, const AcceptEase& command) {
     check_seam(pattern, command.seam);
-    pattern.seams[static_cast<std::size_t>(command.seam)].is_eased = command.is_eased;
+    for (const int seam : sewing_of(pattern, command.seam)) {
+        pattern.seams[static_cast<std::size_t>(seam)].is_eased = command.is_eased;
+    }
+    return {};
+}
+
+Outcome run(sim::Pattern& pattern, const SlideSewing& command) {
+    check_seam(pattern, command.seam);
+    slide_sewing(pattern, command.seam, command.is_second ? SewingRun::Second : SewingRun::First, command.by);
     return {};
 }
 

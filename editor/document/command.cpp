@@ -150,6 +150,9 @@ std::string label(const NameSeam&) {
 std::string label(const AcceptEase&) {
     return "Accept ease";
 }
+std::string label(const SlideSewing&) {
+    return "Slide seam";
+}
 std::string label(const EvenSeam&) {
     return "Even seam";
 }

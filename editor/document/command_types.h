@@ -562,7 +562,8 @@ struct RemoveParts {
     }
 };
 
-// Commands that change seams. `seam` is an index into Pattern::seams.
+// Commands that change seams. `seam` is an index into Pattern::seams and stands for its whole sewing
+// (editor/geometry/sewing.h).
 
 // Sews two whole edges. is_reversed: see Seam.
 struct SewEdges {
@@ -625,6 +626,21 @@ struct AcceptEase {
     void fields(Visitor&& visit) {
         visit("seam", seam);
         visit("is_eased", is_eased);
+    }
+};
+
+// Slides one run of the seam's sewing along its outline by `by`, m; see slide_sewing in sewing.h.
+struct SlideSewing {
+    static constexpr const char* name = "slide_sewing";
+    int seam = 0;
+    bool is_second = false;
+    double by = 0;
+
+    template <class Visitor>
+    void fields(Visitor&& visit) {
+        visit("seam", seam);
+        visit("is_second", is_second);
+        visit("by", by);
     }
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "editor/geometry/sewing.h"
+
 namespace selvedge::editor {
 namespace {
 
@@ -33,6 +35,10 @@ Selection clean_selection(Selection selection, const sim::Pattern& pattern) {
         selection.notches, pattern, [](const sim::Panel& panel) -> const auto& { return panel.notches; });
     std::erase_if(selection.seams,
                   [&](int seam) { return seam < 0 || static_cast<std::size_t>(seam) >= pattern.seams.size(); });
+    const std::set<int> seams = selection.seams;
+    for (const int seam : seams) {
+        for (const int part : sewing_of(pattern, seam)) selection.seams.insert(part);
+    }
     return selection;
 }
 

@@ -46,7 +46,7 @@ struct Hover {
     bool operator==(const Hover&) const = default;
 };
 
-// The selection without parts that the pattern does not have.
+// The selection without parts that the pattern does not have, and with all seams of the sewings in it.
 
 Selection clean_selection(Selection selection, const sim::Pattern& pattern);
 

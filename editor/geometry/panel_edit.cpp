@@ -8,6 +8,7 @@
 #include "editor/geometry/draft.h"
 #include "editor/geometry/edge_remap.h"
 #include "editor/geometry/outline_edit.h"
+#include "editor/geometry/sewing.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/free_room.h"
 #include "sim/pattern/outline.h"
@@ -123,11 +124,13 @@ std::vector<int> add_panels(sim::Pattern& pattern, std::vector<sim::Panel> panel
             added.push_back(static_cast<int>(draft.panels.size()));
             draft.panels.push_back(std::move(panel));
         }
+        const std::size_t seams_before = draft.seams.size();
         for (sim::Seam seam : seams) {
             seam.first.panel += before;
             seam.second.panel += before;
             draft.seams.push_back(std::move(seam));
         }
+        separate_sewings(draft, seams_before);
         return added;
     });
 }

@@ -6,6 +6,7 @@
 #include "editor/geometry/draft.h"
 #include "editor/geometry/edge_remap.h"
 #include "editor/geometry/panel_edit.h"
+#include "editor/geometry/sewing.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 
@@ -274,8 +275,9 @@ class SeamMirror {
             const std::optional<sim::SeamSide> first = across(seam.first), second = across(seam.second);
             if (!first || !second || *first == *second) continue;
             if (seam_at(draft_, *first) || seam_at(draft_, *second)) continue;
-            draft_.seams.push_back({*first, *second, seam.is_reversed, "", seam.is_eased});
+            draft_.seams.push_back({*first, *second, seam.is_reversed, "", seam.is_eased, seam.sewing});
         }
+        separate_sewings(draft_, seams.size());
     }
 
  private:

@@ -8,6 +8,7 @@
 #include "editor/geometry/draft.h"
 #include "editor/geometry/edge_remap.h"
 #include "editor/geometry/panel_edit.h"
+#include "editor/geometry/sewing.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern.h"
@@ -49,29 +50,34 @@ bool is_longer_than_swapped(const std::array<Point, 2>& first, const std::array<
 // Scales one side of a seam about the fixed point that equalize_seam describes.
 class SideScaler {
  public:
-    SideScaler(sim::Pattern& draft, const sim::SeamSide& side, const sim::SeamSide& other)
-        : draft_(draft), side_(side), other_(other) {}
+    // `run`: consecutive edges of one panel, in outline order.
+    SideScaler(sim::Pattern& draft, const std::vector<sim::SeamSide>& run, const std::vector<sim::SeamSide>& other)
+        : draft_(draft), run_(run), other_(other) {}
 
     void scale(double factor) {
-        sim::Panel& panel = draft_.panels[as_size(side_.panel)];
-        const sim::OutlineEdge edge = edge_of(draft_, side_);
+        sim::Panel& panel = draft_.panels[as_size(run_.front().panel)];
+        const int first = edge_of(draft_, run_.front()).start, last = edge_of(draft_, run_.back()).end;
         const int count = edge_count(panel);
-        const int before = (side_.edge + count - 1) % count;
-        const int after = (side_.edge + 1) % count;
-        const bool start_holds = holds_other(edge.start);
-        const bool end_holds = holds_other(edge.end);
+        const int before = (run_.front().edge + count - 1) % count;
+        const int after = (run_.back().edge + 1) % count;
+        const bool start_holds = holds_other(first);
+        const bool end_holds = holds_other(last);
         if (start_holds && end_holds) {
-            throw GeometryError("Both ends of the edge are ends of the other side too.", {place_of(draft_, side_)});
+            throw GeometryError("Both ends of the edge are ends of the other side too.",
+                                {place_of(draft_, run_.front())});
         }
-        const bool is_start_free = !start_holds && !seam_at(draft_, {side_.panel, before});
-        const bool is_end_free = !end_holds && !seam_at(draft_, {side_.panel, after});
-        const Vec2d start = panel.vertices[as_size(edge.start)];
-        const Vec2d end = panel.vertices[as_size(edge.end)];
+        const bool is_start_free = !start_holds && !seam_at(draft_, {run_.front().panel, before});
+        const bool is_end_free = !end_holds && !seam_at(draft_, {run_.back().panel, after});
+        const Vec2d start = panel.vertices[as_size(first)];
+        const Vec2d end = panel.vertices[as_size(last)];
         Vec2d centre = (start + end) / 2;
         if (start_holds || (is_end_free && !is_start_free)) centre = start;
         if (end_holds || (is_start_free && !is_end_free)) centre = end;
         sim::VertexMove move{std::vector<bool>(panel.vertices.size(), false), Eigen::Affine2d::Identity()};
-        move.is_moved[as_size(edge.start)] = move.is_moved[as_size(edge.end)] = true;
+        for (const sim::SeamSide& side : run_) {
+            const sim::OutlineEdge& edge = edge_of(draft_, side);
+            move.is_moved[as_size(edge.start)] = move.is_moved[as_size(edge.end)] = true;
+        }
         move.map.linear() *= factor;
         move.map.translation() = centre - factor * centre;
         move_outline(panel, move);
@@ -79,13 +85,15 @@ class SideScaler {
 
  private:
     bool holds_other(int vertex) const {
-        const sim::OutlineEdge& edge = edge_of(draft_, other_);
-        return other_.panel == side_.panel && (edge.start == vertex || edge.end == vertex);
+        return std::any_of(other_.begin(), other_.end(), [&](const sim::SeamSide& side) {
+            const sim::OutlineEdge& edge = edge_of(draft_, side);
+            return side.panel == run_.front().panel && (edge.start == vertex || edge.end == vertex);
+        });
     }
 
     sim::Pattern& draft_;
-    sim::SeamSide side_;
-    sim::SeamSide other_;
+    const std::vector<sim::SeamSide>& run_;
+    const std::vector<sim::SeamSide>& other_;
 };
 
 }  // namespace
@@ -121,11 +129,20 @@ std::array<double, 2> seam_lengths(const sim::Pattern& pattern, const sim::Seam&
 }
 
 void equalize_seam(sim::Pattern& pattern, int seam) {
-    const sim::Seam uneven = seam_of(pattern, seam);
     edit_pattern(pattern, [&](sim::Pattern& draft) {
-        const auto [first, second] = seam_lengths(draft, uneven);
-        SideScaler(draft, uneven.second, uneven.first).scale(first / second);
-        draft.seams[as_size(seam)].is_eased = false;
+        const std::vector<int> seams = sewing_of(draft, seam);
+        const std::vector<sim::SeamSide> first = edges_of_run(draft, seams, SewingRun::First);
+        const std::vector<sim::SeamSide> second = edges_of_run(draft, seams, SewingRun::Second);
+        const int panel = second.front().panel;
+        for (std::size_t i = 1; i < second.size(); ++i) {
+            const int next = (second[i - 1].edge + 1) % edge_count(draft.panels[as_size(panel)]);
+            if (second[i] == sim::SeamSide{panel, next}) continue;
+            throw GeometryError("The second side has parts on several panels or apart: even it by hand.",
+                                {place_of(draft, second[i])});
+        }
+        const auto [length, other_length] = sewing_lengths(draft, seam);
+        SideScaler(draft, second, first).scale(length / other_length);
+        for (const int part : seams) draft.seams[as_size(part)].is_eased = false;
     });
 }
 
@@ -293,6 +310,10 @@ std::vector<int> sew_runs(sim::Pattern& pattern, const std::vector<EdgeSpan>& fi
         for (std::size_t i = 0; i < pieces.size(); i += 2) {
             seams.push_back(static_cast<int>(draft.seams.size()));
             draft.seams.push_back({cutter.edge_of_piece(pieces[i]), cutter.edge_of_piece(pieces[i + 1]), is_reversed});
+        }
+        if (seams.size() > 1) {
+            const std::string name = free_sewing_name(draft);
+            for (const int seam : seams) draft.seams[as_size(seam)].sewing = name;
         }
         return seams;
     });

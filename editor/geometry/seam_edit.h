@@ -24,7 +24,7 @@ int sew_edges(sim::Pattern& pattern, const sim::Seam& seam);
 // Sews a run of consecutive spans to another run (1:N sewing). Points of the two runs match by the fraction of the
 // run's length. Edges are split where a run begins or ends and where a joint of the other run falls. `is_reversed`: the
 // start of the first run meets the end of the second. Joints closer than 0.1 mm are merged. Returns the indices of the
-// new seams, in the order of the first run.
+// new seams, in the order of the first run; several are one sewing (sewing.h).
 std::vector<int> sew_runs(sim::Pattern& pattern, const std::vector<EdgeSpan>& first,
                           const std::vector<EdgeSpan>& second, bool is_reversed);
 
@@ -34,9 +34,10 @@ void remove_seams(sim::Pattern& pattern, std::vector<int> seams);
 std::array<double, 2> seam_lengths(const sim::Pattern& pattern, const sim::Seam& seam);
 inline constexpr double kUnevenSeam = 0.001;  // m, sides are uneven if their lengths differ by more
 
-// Makes the second side as long as the first by scaling it. The fixed point is an end that both sides share (a dart's
-// apex); else the end whose neighbour edge is sewn, if only one is; else the middle of the chord. Clears is_eased.
-// Throws GeometryError if both ends are shared.
+// Makes the second side of the seam's sewing (sewing.h) as long as the first by scaling it. The fixed point is an end
+// that both sides share (a dart's apex); else the end whose neighbour edge is sewn, if only one is; else the middle of
+// the chord. Clears is_eased. Throws GeometryError if both ends are shared, or if the second side is not one row of
+// edges.
 void equalize_seam(sim::Pattern& pattern, int seam);
 
 // Whether the straight lines between the paired ends of the seam cross; then is_reversed is probably wrong. Tested in

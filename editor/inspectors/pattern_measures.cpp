@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "editor/geometry/seam_edit.h"
+#include "editor/geometry/sewing.h"
 #include "editor/inspectors/number_box.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern.h"
@@ -138,13 +139,22 @@ double min_arc_radius(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     return (end_of(panel, edge) - start_of(panel, edge)).norm() / 2;
 }
 
-SeamMeasures seam_measures(const sim::Pattern& pattern, const sim::Seam& seam) {
-    const std::array<double, 2> lengths = seam_lengths(pattern, seam);
-    return {.name = seam_name(pattern, seam),
-            .first = lengths[0],
-            .second = lengths[1],
-            .is_uneven = std::abs(lengths[0] - lengths[1]) > kUnevenSeam,
-            .is_eased = seam.is_eased};
+SeamMeasures seam_measures(const sim::Pattern& pattern, int seam) {
+    const sim::Seam& held = pattern.seams[static_cast<std::size_t>(seam)];
+    const std::vector<int> parts = sewing_of(pattern, seam);
+    const std::array<double, 2> lengths = sewing_lengths(pattern, seam);
+    SeamMeasures measures{.name = parts.size() > 1 ? held.sewing : seam_name(pattern, held),
+                          .first = lengths[0],
+                          .second = lengths[1],
+                          .is_eased = held.is_eased};
+    for (const int part : parts) {
+        const sim::Seam& sewn = pattern.seams[static_cast<std::size_t>(part)];
+        const std::array<double, 2> sides = seam_lengths(pattern, sewn);
+        measures.is_uneven = measures.is_uneven || std::abs(sides[0] - sides[1]) > kUnevenSeam;
+        measures.is_eased = measures.is_eased && sewn.is_eased;
+        if (parts.size() > 1) measures.parts.push_back(seam_name(pattern, sewn));
+    }
+    return measures;
 }
 
 std::string difference_text(const SeamMeasures& measures) {

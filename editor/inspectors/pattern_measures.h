@@ -2,6 +2,7 @@
 // Measurements of a pattern for display, and the transforms and curves that typed values define. Lengths in m, angles
 // in rad.
 #include <string>
+#include <vector>
 
 #include "editor/document/command.h"
 #include "sim/pattern/pattern.h"
@@ -37,8 +38,9 @@ double min_arc_radius(const sim::Panel& panel, const sim::OutlineEdge& edge);
 
 struct SeamMeasures {
     std::string name;
-    double first = 0;   // m
-    double second = 0;  // m
+    std::vector<std::string> parts{};  // the seams of a sewing that has several, by name
+    double first = 0;                  // m
+    double second = 0;                 // m
     bool is_uneven = false;
     bool is_eased = false;
 
@@ -46,8 +48,9 @@ struct SeamMeasures {
     bool is_wrong() const { return is_uneven && !is_eased; }
 };
 
-// Pre: the seam's panels and edges exist.
-SeamMeasures seam_measures(const sim::Pattern& pattern, const sim::Seam& seam);
+// Of the seam's whole sewing (editor/geometry/sewing.h), under the sewing's name. Pre: the seams' panels and edges
+// exist.
+SeamMeasures seam_measures(const sim::Pattern& pattern, int seam);
 
 // For example "+3.2 mm": the length of the second side minus that of the first.
 std::string difference_text(const SeamMeasures& measures);

@@ -8,6 +8,7 @@
 #include "editor/geometry/draft.h"
 #include "editor/geometry/outline_edit.h"
 #include "editor/geometry/panel_edit.h"
+#include "editor/geometry/sewing.h"
 #include "editor/inspectors/controls.h"
 #include "editor/inspectors/material_inspector.h"
 #include "editor/inspectors/number_box.h"
@@ -565,9 +566,10 @@ std::string counted(std::size_t count, const char* what) {
 }
 
 void draw_selected(InspectorContext& context, const Selection& selected) {
-    if (selected.seams.size() == 1) draw_seam_section(context, *selected.seams.begin());
-    if (selected.seams.size() > 1) {
-        heading(context, (std::to_string(selected.seams.size()) + " seams").c_str());
+    const std::size_t sewings = one_of_each_sewing(context.pattern(), selected.seams).size();
+    if (sewings == 1) draw_seam_section(context, *selected.seams.begin());
+    if (sewings > 1) {
+        heading(context, (std::to_string(sewings) + " seams").c_str());
         paragraph(context, "The list of seams shows each of them.");
     }
     for (const PartRef& notch : selected.notches) draw_notch_section(context, notch);

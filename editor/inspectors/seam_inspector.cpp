@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "editor/geometry/seam_edit.h"
+#include "editor/geometry/sewing.h"
 #include "editor/inspectors/controls.h"
 #include "editor/inspectors/number_box.h"
 #include "editor/inspectors/pattern_measures.h"
@@ -35,7 +36,10 @@ void draw_chip(int seam, float side_px) {
 void choose(InspectorContext& context, int seam) {
     Selection selected;
     if (ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl) selected = context.selection();
-    if (!selected.seams.insert(seam).second) selected.seams.erase(seam);
+    const bool was_selected = selected.seams.contains(seam);
+    for (const int part : sewing_of(context.pattern(), seam)) {
+        was_selected ? selected.seams.erase(part) : selected.seams.insert(part).second;
+    }
     context.workspace.document->select(std::move(selected));
 }
 
@@ -73,7 +77,9 @@ void draw_seam_row(InspectorContext& context, int seam, const SeamMeasures& meas
                                   ? "\nIts sides differ by more than 1 mm: even it, or accept it as ease."
                               : measures.is_uneven ? "\nEased: its sides are meant to differ."
                                                    : "";
-    show_tip(measures.name + "\n" + lengths_text(measures) + ", difference " + difference_text(measures) + state);
+    std::string title = measures.name;
+    for (const std::string& part : measures.parts) title += "\n    " + part;
+    show_tip(title + "\n" + lengths_text(measures) + ", difference " + difference_text(measures) + state);
     const float chip = 0.7F * ImGui::GetFontSize();
     float right = left + size.x;
     if (measures.is_uneven) {
@@ -90,10 +96,11 @@ void draw_seam_row(InspectorContext& context, int seam, const SeamMeasures& meas
 
 void draw_name_row(InspectorContext& context, int seam) {
     const sim::Seam& held = context.pattern().seams[static_cast<std::size_t>(seam)];
+    const SeamMeasures measures = seam_measures(context.pattern(), seam);
     row_label(context, "Name", "What the seam is called.");
     const auto name = text_box(context, {.name = "seam.name",
-                                         .text = held.name,
-                                         .hint = seam_measures(context.pattern(), held).name,
+                                         .text = measures.parts.empty() ? held.name : held.sewing,
+                                         .hint = measures.name,
                                          .tip = "What the seam is called. Without a name it goes by its edges.",
                                          .width_px = field_width(),
                                          .wrong = [](const std::string& text) -> std::string {
@@ -104,12 +111,26 @@ void draw_name_row(InspectorContext& context, int seam) {
     if (name) context.workspace.run(NameSeam{.seam = seam, .to = *name});
 }
 
+// A row for each run that can be slid.
+void draw_slide_rows(InspectorContext& context, int seam) {
+    for (const SewingRun run : {SewingRun::First, SewingRun::Second}) {
+        const bool is_second = run == SewingRun::Second;
+        if (!can_slide(context.pattern(), seam, run)) continue;
+        const NumberEdit slid = number_row(
+            context,
+            {.name = is_second ? "seam.slide.second" : "seam.slide.first",
+             .value = 0,
+             .tip = "Moves the points where it begins, ends and changes from part to part along the outline."},
+            is_second ? "Slide second" : "Slide first");
+        if (slid) apply_edit(context, slid, SlideSewing{.seam = seam, .is_second = is_second, .by = slid.by()});
+    }
+}
+
 }  // namespace
 
 void seam_buttons(InspectorContext& context, int seam) {
     if (!has_seam(context.pattern(), seam)) return;
-    const SeamMeasures measures =
-        seam_measures(context.pattern(), context.pattern().seams[static_cast<std::size_t>(seam)]);
+    const SeamMeasures measures = seam_measures(context.pattern(), seam);
     ButtonRow row(context);
     if (row.button({.name = "seam.even",
                     .title = "Even",
@@ -134,14 +155,13 @@ void seam_buttons(InspectorContext& context, int seam) {
     } else if (row.button({.name = "seam.delete",
                            .title = "Delete",
                            .tip = with_key(context, "Takes the seam out; the panels stay", "seam.delete")})) {
-        context.workspace.run(RemoveParts{.seams = {seam}});
+        context.workspace.run(RemoveParts{.seams = sewing_of(context.pattern(), seam)});
     }
 }
 
 void draw_seam_section(InspectorContext& context, int seam) {
     if (!has_seam(context.pattern(), seam)) return;
-    const SeamMeasures measures =
-        seam_measures(context.pattern(), context.pattern().seams[static_cast<std::size_t>(seam)]);
+    const SeamMeasures measures = seam_measures(context.pattern(), seam);
     heading(context, ("Seam " + measures.name).c_str());
     ImGui::PushID(("seam " + std::to_string(seam)).c_str());
     draw_name_row(context, seam);
@@ -149,6 +169,11 @@ void draw_seam_section(InspectorContext& context, int seam) {
     fact(context, "Second side", quantity_text(measures.second, Unit::Centimetres), "The length of its second side.");
     fact(context, "Difference", difference_text(measures) + (measures.is_eased ? ", eased" : ""),
          "What the second side has more than the first.");
+    if (!measures.parts.empty()) {
+        fact(context, "Parts", std::to_string(measures.parts.size()),
+             "The seams that are sewn as one: they are selected, turned, slid and deleted together.");
+    }
+    draw_slide_rows(context, seam);
     if (joins_right_to_wrong(context.pattern().seams[static_cast<std::size_t>(seam)])) {
         message_text(context.theme.faint, "Right side to wrong side: Reverse joins it right side to right side.");
         note_widget(context, "seam.right_wrong");
@@ -164,13 +189,15 @@ void draw_seam_section(InspectorContext& context, int seam) {
 }
 
 void draw_seams(InspectorContext& context) {
-    const std::size_t count = context.pattern().seams.size();
-    if (count == 0) return paragraph(context, "No seams yet. Choose Segment sewing and click two edges.");
+    if (context.pattern().seams.empty())
+        return paragraph(context, "No seams yet. Choose Segment sewing and click two edges.");
     std::size_t wrong = 0;
-    for (std::size_t i = 0; i < context.pattern().seams.size(); ++i) {
-        const SeamMeasures measures = seam_measures(context.pattern(), context.pattern().seams[i]);
+    std::set<int> all;
+    for (std::size_t i = 0; i < context.pattern().seams.size(); ++i) all.insert(static_cast<int>(i));
+    for (const int seam : one_of_each_sewing(context.pattern(), all)) {
+        const SeamMeasures measures = seam_measures(context.pattern(), seam);
         wrong += measures.is_wrong() ? 1 : 0;
-        draw_seam_row(context, static_cast<int>(i), measures);
+        draw_seam_row(context, seam, measures);
     }
     ImGui::Spacing();
     if (wrong > 0) {
@@ -179,7 +206,8 @@ void draw_seams(InspectorContext& context) {
                                               : std::to_string(wrong) + " seams have sides of different lengths.");
     }
     const std::set<int>& selected = context.selection().seams;
-    if (selected.size() == 1) return draw_seam_section(context, *selected.begin());
+    if (one_of_each_sewing(context.pattern(), selected).size() == 1)
+        return draw_seam_section(context, *selected.begin());
     paragraph(context, selected.empty() ? "Click a seam to change it." : "Several seams are selected.");
     ButtonRow row(context);
     if (selected.size() > 1 &&

@@ -5,6 +5,7 @@
 
 #include "editor/geometry/draft.h"
 #include "editor/geometry/seam_edit.h"
+#include "editor/geometry/sewing.h"
 #include "editor/tools/tool.h"
 
 namespace selvedge::editor {
@@ -122,13 +123,61 @@ bool SewingTool::key(ToolContext& context, Key key, const Modifiers& modifiers) 
         hover(context, context.pointer);
         return true;
     }
-    const std::set<int> seams = context.document.selection().seams;
-    for (const int seam : seams) context.document.run(ReverseSeam{seam});
+    reverse_selected(context);
     return true;
 }
 
-bool SewingTool::cancel(ToolContext&) {
-    const bool was_begun = first_.has_value();
+// The seams of a sewing that is reversed get other indices, so those that stand alone come first, and the rest is
+// found again by name.
+void SewingTool::reverse_selected(ToolContext& context) const {
+    std::vector<std::string> sewings;
+    for (const int seam : one_of_each_sewing(context.document.pattern(), context.document.selection().seams)) {
+        const std::string& sewing = context.document.pattern().seams[static_cast<std::size_t>(seam)].sewing;
+        if (sewing.empty()) {
+            context.document.run(ReverseSeam{seam});
+        } else {
+            sewings.push_back(sewing);
+        }
+    }
+    for (const std::string& sewing : sewings) {
+        const std::vector<sim::Seam>& seams = context.document.pattern().seams;
+        const auto found = std::ranges::find(seams, sewing, &sim::Seam::sewing);
+        if (found != seams.end()) context.document.run(ReverseSeam{static_cast<int>(found - seams.begin())});
+    }
+}
+
+void SewingTool::press(ToolContext& context, const SheetPointer& pointer) {
+    slide_.reset();
+    const std::optional<SewnEnd> end = first_ ? std::nullopt : end_at(context, pointer);
+    const std::optional<int> seam = end ? context.geometry.seam_of(end->edge) : std::nullopt;
+    if (!seam || !context.document.selection().seams.contains(*seam)) return;
+    const sim::SeamSide& first = context.document.pattern().seams[static_cast<std::size_t>(*seam)].first;
+    const bool is_second = index_of(context.geometry, end->edge.panel) != first.panel || end->edge.index != first.edge;
+    if (!can_slide(context.document.pattern(), *seam, is_second ? SewingRun::Second : SewingRun::First)) return;
+    const PanelShape* shape = context.geometry.find(end->edge.panel);
+    const double t = nearest(*context.geometry.edge(end->edge), shape->in_panel(pointer.at)).t;
+    const Vec2d along = sheet_point(*shape, end->edge.index, std::min(t + 0.05, 1.0)) -
+                        sheet_point(*shape, end->edge.index, std::max(t - 0.05, 0.0));
+    slide_ = Slide{{.seam = *seam, .is_second = is_second}, pointer.at, along.normalized()};
+}
+
+// By how far the pointer moves in the direction that the outline has where it was pressed.
+void SewingTool::drag(ToolContext& context, const SheetPointer& pointer) {
+    if (!slide_) return;
+    slide_->command.by = slide_->along.dot(pointer.at - slide_->from);
+    context.document.preview(slide_->command);
+}
+
+void SewingTool::drop(ToolContext& context, const SheetPointer&) {
+    if (!slide_) return;
+    context.document.commit();
+    slide_.reset();
+}
+
+bool SewingTool::cancel(ToolContext& context) {
+    const bool was_begun = first_.has_value() || slide_.has_value();
+    if (slide_) context.document.rollback();
+    slide_.reset();
     first_.reset();
     is_turned_ = false;
     return was_begun;
@@ -136,6 +185,10 @@ bool SewingTool::cancel(ToolContext&) {
 
 void SewingTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
     overlay.shows_sewing = true;
+    if (slide_) {
+        overlay.readout = {in_mm(slide_->command.by)};
+        return;
+    }
     const std::optional<SewnEnd>& begun = first_ ? first_ : second_;
     if (!begun || context.geometry.edge(begun->edge) == nullptr) return;
     const double length = context.geometry.edge(begun->edge)->length;
@@ -165,7 +218,7 @@ void SewingTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
 std::string SewingTool::hint(const ToolContext& context) const {
     if (first_) return "Click the other edge near the end that meets the first click; R turns it round";
     if (!context.document.selection().seams.empty())
-        return "R or a click on its mark reverses the seam, Delete takes it out";
+        return "R or a click on its mark reverses the seam, Delete takes it out, a drag along it slides its ends";
     return "Click an edge near one of its ends";
 }
 

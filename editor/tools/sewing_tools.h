@@ -1,6 +1,6 @@
 #pragma once
 // The two sewing tools. SewingTool joins two whole edges: click one, then the other; the ends nearer to the clicks
-// meet. FreeSewingTool joins runs of parts of edges.
+// meet. A drag along an edge of a selected seam slides that run of it. FreeSewingTool joins runs of parts of edges.
 #include "editor/tools/outline_tools.h"
 #include "editor/tools/tool.h"
 
@@ -30,15 +30,27 @@ std::optional<std::string> difference_text(double first, double second);
 class SewingTool : public Tool {
  public:
     void hover(ToolContext& context, const SheetPointer& pointer) override;
+    void press(ToolContext& context, const SheetPointer& pointer) override;
     void click(ToolContext& context, const SheetPointer& pointer) override;
+    void drag(ToolContext& context, const SheetPointer& pointer) override;
+    void drop(ToolContext& context, const SheetPointer& pointer) override;
     bool key(ToolContext& context, Key key, const Modifiers& modifiers) override;
     bool cancel(ToolContext& context) override;
     void draw(const ToolContext& context, ToolOverlay& overlay) const override;
     std::string hint(const ToolContext& context) const override;
 
  private:
-    std::optional<SewnEnd> end_at(const ToolContext& context, const SheetPointer& pointer) const;
+    // A run of a selected seam that is slid along its outline.
+    struct Slide {
+        SlideSewing command;
+        Vec2d from;   // where it was pressed, on the sheet, m
+        Vec2d along;  // unit tangent of the outline there
+    };
 
+    std::optional<SewnEnd> end_at(const ToolContext& context, const SheetPointer& pointer) const;
+    void reverse_selected(ToolContext& context) const;
+
+    std::optional<Slide> slide_;
     std::optional<SewnEnd> first_;
     std::optional<SewnEnd> second_;  // under the cursor
     bool is_turned_ = false;         // toggled by R: the second edge is sewn from its other end

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "editor/geometry/panel_edit.h"
+#include "editor/geometry/sewing.h"
 #include "editor/tools/proposal_tool.h"
 #include "editor/tools/select_tool.h"
 #include "editor/tools/tool_host.h"
@@ -315,7 +316,7 @@ bool has_seams(const AppState& state) {
     return !selected(state).seams.empty();
 }
 bool has_one_seam(const AppState& state) {
-    return selected(state).seams.size() == 1;
+    return one_of_each_sewing(state.workspace.document->pattern(), selected(state).seams).size() == 1;
 }
 
 // The selected panels, with their positions on the sheet, and their indices.

@@ -79,6 +79,7 @@ struct DrawnSeam {
     bool is_reversed = true;
     std::string name = {};
     bool is_eased = false;
+    std::string sewing = {};
 
     bool operator==(const DrawnSeam&) const = default;
 };

@@ -544,6 +544,7 @@ class DxfReader {
         }
         if (text.starts_with("SELVEDGE")) drawing_.is_upright = true;
         if (text.starts_with("SELVEDGE SEAM ")) seam_texts_.push_back(text);
+        if (text.starts_with("SELVEDGE SEWING ")) sewing_texts_.push_back(text);
     }
 
     void read_texts(DxfPiece& piece, DrawnPart& part) {
@@ -585,6 +586,14 @@ class DxfReader {
             if (!seam) throw InputError(file_, "layer 15", "'" + text.substr(0, 80) + "' is no seam");
             drawing_.seams.push_back(std::move(*seam));
         }
+        for (const std::string& text : sewing_texts_) {
+            const std::optional<DxfSewing> sewing = read_dxf_sewing(text);
+            const auto seam =
+                sewing ? std::ranges::find(drawing_.seams, sewing->side, &DrawnSeam::first) : drawing_.seams.end();
+            if (seam == drawing_.seams.end())
+                throw InputError(file_, "layer 15", "'" + text.substr(0, 80) + "' is no sewing");
+            seam->sewing = sewing->name;
+        }
     }
 
     // Names that differ, so that reports can tell the pieces apart; one size has each name once.
@@ -601,7 +610,7 @@ class DxfReader {
     std::vector<DxfGroup> groups_;
     std::vector<DxfPiece> pieces_;
     DxfPiece loose_;
-    std::vector<std::string> seam_texts_;
+    std::vector<std::string> seam_texts_, sewing_texts_;
     std::string_view version_;
     Drawing drawing_;
 };

@@ -149,6 +149,16 @@ std::optional<DrawnSeam> read_dxf_seam(const std::string& text) {
     return seam;
 }
 
+std::optional<DxfSewing> read_dxf_sewing(const std::string& text) {
+    Words words(text);
+    words.word();
+    words.word();
+    DxfSewing sewing{words.side(), {}};
+    sewing.name = words.rest();
+    if (!words.is_good() || sewing.name.empty()) return std::nullopt;
+    return sewing;
+}
+
 bool is_outline_on(const DrawnPath& outline, const std::vector<Vec2d>& polyline, double tolerance) {
     if (outline.edges.size() < 2 || polyline.size() < 3) return false;
     const Panel panel = as_panel(outline);

@@ -25,6 +25,13 @@ bool read_dxf_record(const std::string& text, DxfRecords& records);
 // A seam of the file; none: the text is broken. Pre: it begins with "SELVEDGE SEAM ".
 std::optional<DrawnSeam> read_dxf_seam(const std::string& text);
 
+// The sewing of the seam that has this side, by name; none: the text is broken. Pre: it begins with "SELVEDGE SEWING ".
+struct DxfSewing {
+    SeamSide side;
+    std::string name;
+};
+std::optional<DxfSewing> read_dxf_sewing(const std::string& text);
+
 // Whether the recorded outline still lies on the polyline that is drawn: another program may have changed that.
 bool is_outline_on(const DrawnPath& outline, const std::vector<Vec2d>& polyline, double tolerance);
 

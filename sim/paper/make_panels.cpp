@@ -559,7 +559,7 @@ class PanelMaker {
     // Seams that the file states. A part that was unfolded or left out has none.
     void add_seams(const std::vector<int>& first_panel) {
         for (const DrawnSeam& drawn : drawing_.seams) {
-            Seam seam{drawn.first, drawn.second, drawn.is_reversed, drawn.name, drawn.is_eased};
+            Seam seam{drawn.first, drawn.second, drawn.is_reversed, drawn.name, drawn.is_eased, drawn.sewing};
             bool is_whole = true;
             for (SeamSide* side : {&seam.first, &seam.second}) {
                 if (side->panel < 0 || as_size(side->panel) >= first_panel.size()) {

@@ -208,6 +208,7 @@ class OwnReader {
         seam.is_reversed = value(attributes, "reversed") != "false";
         seam.is_eased = value(attributes, "eased") == "true";
         seam.name = value(attributes, "name");
+        seam.sewing = value(attributes, "sewing");
         drawing_.seams.push_back(std::move(seam));
     }
 

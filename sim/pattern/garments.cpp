@@ -63,6 +63,15 @@ void name_seams(Pattern& outer, const Pattern& pattern) {
         if (seam.name.empty()) continue;
         seam.name = unique_name(seam.name, without_separators(panel_of(outer, seam.first).garment), taken);
     }
+    Names sewings;
+    for (const Seam& seam : pattern.seams) sewings.insert(seam.sewing);
+    std::map<std::string, std::string> renamed;
+    for (Seam& seam : outer.seams) {
+        if (seam.sewing.empty()) continue;
+        const auto [name, is_new] = renamed.try_emplace(seam.sewing);
+        if (is_new) name->second = unique_name(seam.sewing, panel_of(outer, seam.first).garment, sewings);
+        seam.sewing = name->second;
+    }
 }
 
 void raise_layers(Pattern& outer, const Pattern& pattern) {

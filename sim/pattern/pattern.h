@@ -113,8 +113,8 @@ struct Seam {
     SeamSide first;
     SeamSide second;
     bool is_reversed = true;
-    std::string name = {};  // name in the file; empty: see seam_name()
-    bool is_eased = false;  // the sides differ in length on purpose
+    std::string name = {};    // name in the file; empty: see seam_name()
+    bool is_eased = false;    // the sides differ in length on purpose
     std::string sewing = {};  // the 1:N or M:N sewing of which the seam is a part, by name; empty: it stands alone
 
     bool operator==(const Seam&) const = default;

@@ -672,43 +672,7 @@ class Writer {
     double units_;
 };
 
-void rename_text(Json* text, const std::string& from, const std::string& to) {
-    if (text && text->is_string() && text->string() == from) *text = to;
-}
-
 }  // namespace
-
-void rename_panel_in_file(Json& specification, const std::string& from, const std::string& to) {
-    Json* garment = specification.find("pattern");
-    Json* panels = garment ? garment->find("panels") : nullptr;
-    if (!panels || !panels->is_object() || !panels->find(from) || panels->find(to)) return;
-    for (Json::Member& panel : panels->members()) {
-        if (panel.key == from) panel.key = to;
-        if (Json* own = panel.value.find("selvedge")) rename_text(own->find("mirror_of"), from, to);
-    }
-    if (Json* order = garment->find("panel_order"); order && order->is_array()) {
-        for (Json& name : order->elements()) rename_text(&name, from, to);
-    }
-    if (Json* stitches = garment->find("stitches"); stitches && stitches->is_array()) {
-        for (Json& stitch : stitches->elements()) {
-            if (!stitch.is_array()) continue;
-            for (Json& side : stitch.elements()) rename_text(side.find("panel"), from, to);
-        }
-    }
-    Json* own = specification.find("selvedge");
-    if (Json* names = own ? own->find("seam_names") : nullptr; names && names->is_object()) {
-        for (Json::Member& name : names->members()) rename_text(name.value.find("panel"), from, to);
-    }
-    if (Json* eased = own ? own->find("eased") : nullptr; eased && eased->is_array()) {
-        for (Json& side : eased->elements()) rename_text(side.find("panel"), from, to);
-    }
-    if (Json* sewings = own ? own->find("sewings") : nullptr; sewings && sewings->is_object()) {
-        for (Json::Member& sewing : sewings->members()) {
-            if (!sewing.value.is_array()) continue;
-            for (Json& side : sewing.value.elements()) rename_text(side.find("panel"), from, to);
-        }
-    }
-}
 
 Json pattern_as_json(const Pattern& pattern, const Json& base, const std::filesystem::path& file) {
     return Writer(pattern, base, file).write();

@@ -285,6 +285,7 @@ class DxfWriter {
             text(15, "SELVEDGE SEAM " + side(seam.first) + " " + side(seam.second) +
                          (seam.is_reversed ? " reversed" : " same") + (seam.is_eased ? " eased " : " exact ") +
                          seam.name);
+            if (!seam.sewing.empty()) text(15, "SELVEDGE SEWING " + side(seam.first) + " " + seam.sewing);
         }
     }
 

@@ -127,6 +127,7 @@ class SvgWriter {
                     attribute("reversed", seam.is_reversed ? "true" : "false");
             if (seam.is_eased) out_ += attribute("eased", "true");
             if (!seam.name.empty()) out_ += attribute("name", seam.name);
+            if (!seam.sewing.empty()) out_ += attribute("sewing", seam.sewing);
             out_ += "/>\n";
         }
         out_ += "</selvedge:seams></metadata>\n";

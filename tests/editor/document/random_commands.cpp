@@ -188,6 +188,8 @@ Command RandomCommands::on_seams(const sim::Pattern& pattern, int kind) {
             return AcceptEase{.seam = seam, .is_eased = pick(2) == 0};
         case 8:
             return EvenSeam{.seam = seam};
+        case 10:
+            return SlideSewing{.seam = seam, .is_second = pick(2) == 0, .by = between(-0.1, 0.1)};
         case 9:
             return MergePanels{.seam = seam};
         default:

@@ -461,6 +461,21 @@ TEST(PatternAdditions, go_to_a_file_that_had_none_and_come_back) {
     EXPECT_EQ(write_pattern(document).find("eased"), std::string::npos);
 }
 
+TEST(PatternAdditions, sewings_of_several_seams_come_back_and_follow_a_panel_that_is_renamed) {
+    PatternDocument document = parse_pattern(sample_text(), "");
+    for (Seam& seam : document.pattern.seams) seam.sewing = "round";
+    PatternDocument again = parse_pattern(write_pattern(document), "");
+    EXPECT_EQ(again.pattern.seams, document.pattern.seams);
+    ASSERT_GE(again.pattern.seams.size(), 2U);
+    again.pattern.panels[1].name = "rear";
+    rename_panel_in_file(again.json, "back", "rear");
+    again.pattern.seams[0].sewing = "other";
+    const PatternDocument third = parse_pattern(write_pattern(again), "");
+    EXPECT_EQ(third.pattern.seams, again.pattern.seams);
+    for (Seam& seam : again.pattern.seams) seam.sewing.clear();
+    EXPECT_EQ(write_pattern(again).find("sewings"), std::string::npos);
+}
+
 TEST(PatternAdditions, an_eased_seam_keeps_its_place_in_the_list_when_another_joins_it) {
     PatternDocument document = parse_pattern(with_drafting(), "");
     document.pattern.seams[1].is_eased = true;

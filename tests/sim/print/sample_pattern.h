@@ -45,7 +45,7 @@ inline Pattern sample_pattern() {
     pattern.size = "40";
     pattern.allowance = 0.01;
     pattern.panels = {cap, strip};
-    pattern.seams = {{{0, 0}, {1, 0}, true, "hem & strip", true}, {{0, 1}, {0, 4}, false, "", false}};
+    pattern.seams = {{{0, 0}, {1, 0}, true, "hem & strip", true, "round & round"}, {{0, 1}, {0, 4}, false, "", false}};
     return pattern;
 }
 
