@@ -236,7 +236,7 @@ void add_output_options(CLI::App& command, DressArguments& arguments) {
         .add_flag("--no-textures{false}", arguments.has_textures,
                   "Exports without colour; an .obj is in metric coordinates")
         ->group("Output");
-    command.add_flag("--with-body", arguments.exports_body, "Exports (.glb, .obj) hold the body too")->group("Output");
+    command.add_flag("--with-body", arguments.exports_body, "Exports hold the body too")->group("Output");
     command.add_flag("--export-surface", arguments.exports_surface, "Exports carry the curved surface (--surface)")
         ->group("Output")
         ->needs(command.get_option("--surface"))

@@ -43,8 +43,8 @@ const std::vector<MeshFormat> kFormats{
      .takes_textures = true,
      .takes_body = true,
      .has_panel_materials = true},  // a primitive of glTF has no name of its own
-    {.extension = ".ply", .garment = garment_ply, .body = body_ply},
-    {.extension = ".stl", .garment = garment_stl, .body = body_stl},
+    {.extension = ".ply", .garment = garment_ply, .body = body_ply, .takes_body = true},
+    {.extension = ".stl", .garment = garment_stl, .body = body_stl, .takes_body = true},
 };
 
 // "use .obj or .glb"

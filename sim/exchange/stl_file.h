@@ -10,6 +10,7 @@
 namespace selvedge::sim {
 
 // The bytes of the file: millimetres, y up. STL has no vertices in common, no panels and no texture coordinates.
+// With a body, its triangles come last; the text at the beginning says how many those of the cloth are.
 // Pre: indices are in range, and there is at least one triangle.
 std::string garment_stl(const DrawMesh& mesh, const GarmentExport& content = {});
 std::string body_stl(const Body& body);

@@ -211,16 +211,23 @@ TEST_F(DressCommand, exports_carry_colour_beside_or_inside_unless_they_are_not_t
     EXPECT_FALSE(std::filesystem::exists(folder / "plain.mtl"));
 }
 
+TEST_F(DressCommand, exports_of_all_formats_hold_the_body_when_asked_to) {
+    const ScratchFolder folder;
+    const ProgramResult dressed =
+        run_selvedge("dress " + shipped("two_squares.json") +
+                     " --body mannequin:resolution=1 --max-level 0 --seconds 0.05 -q --with-body --export '" +
+                     folder / "x.ply" + "' --export '" + folder / "x.stl" + "'");
+    EXPECT_EQ(dressed.exit_code, 3) << dressed.err;
+    EXPECT_NE(content_of(folder / "x.ply").find("comment panel -1 is the body"), std::string::npos);
+    EXPECT_NE(content_of(folder / "x.stl").find("triangles, then the body"), std::string::npos);
+}
+
 TEST(DressOutputs, a_texture_beside_an_export_is_an_output_like_others) {
     const ScratchFolder folder;
     const ProgramResult twice = run_selvedge("dress " + shipped("two_squares.json") + " --export '" + folder / "x.obj" +
                                              "' --render '" + folder / "x_colour.png" + "'");
     EXPECT_EQ(twice.exit_code, 2);
     EXPECT_NE(twice.err.find("x_colour.png"), std::string::npos) << twice.err;
-    const ProgramResult body =
-        run_selvedge("dress " + shipped("two_squares.json") + " --with-body --export '" + folder / "x.stl" + "'");
-    EXPECT_EQ(body.exit_code, 2);
-    EXPECT_NE(body.err.find("--with-body"), std::string::npos) << body.err;
 }
 
 TEST_F(DressCommand, each_way_of_looking_gives_another_picture) {

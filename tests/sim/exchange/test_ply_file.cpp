@@ -3,6 +3,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cstring>
 #include <sstream>
@@ -58,14 +59,14 @@ TEST(PlyFile, names_its_properties_and_panels_in_the_header) {
                   "property float t",
                   "property float material_u",
                   "property float material_v",
-                  "property ushort panel",
+                  "property int panel",
                   "property uchar seam",
                   "element face 4",
                   "property list uchar uint vertex_indices"}));
 }
 
 TEST(PlyFile, holds_each_corner_with_its_material_coordinates_panel_and_seam) {
-    constexpr std::size_t kVertex = 10 * sizeof(float) + 3, kFace = 13;
+    constexpr std::size_t kVertex = 10 * sizeof(float) + 5, kFace = 13;
     const DrawMesh mesh = sewn_right_to_wrong();
     const std::string data = open(garment_ply(mesh)).data;
     std::vector<PanelPart> parts = split_by_panel(mesh);
@@ -85,10 +86,33 @@ TEST(PlyFile, holds_each_corner_with_its_material_coordinates_panel_and_seam) {
             const Vec2d packed(number(6), number(7));
             EXPECT_LT((parts[mesh.panel[t]].chart->uv(mesh.u[t][k].cast<double>()) - packed).norm(), 1e-6);
             EXPECT_EQ(Vec2f(number(8), number(9)), mesh.u[t][k]);
-            EXPECT_EQ(value_at<std::uint16_t>(data, vertex + 40), mesh.panel[t]);
-            EXPECT_EQ(data[vertex + 42], v == 1 || v == 2 ? 1 : 0);
+            EXPECT_EQ(value_at<std::int32_t>(data, vertex + 40), mesh.panel[t]);
+            EXPECT_EQ(data[vertex + 44], v == 1 || v == 2 ? 1 : 0);
         }
     }
+}
+
+TEST(PlyFile, holds_the_body_after_the_cloth_when_asked_to) {
+    constexpr std::size_t kVertex = 10 * sizeof(float) + 5, kFace = 13;
+    const Body box = shapes::box({0, 0, 0}, {1, 1, 1}, 1);
+    const std::string without = garment_ply(two_panels()), with = garment_ply(two_panels(), {.body = &box});
+    const Ply ply = open(with);
+    EXPECT_EQ(std::ranges::count(ply.header, "comment panel -1 is the body"), 1);
+    EXPECT_EQ(std::ranges::count(ply.header, "element vertex " + std::to_string(8 + box.x.size())), 1);
+    EXPECT_EQ(std::ranges::count(ply.header, "element face " + std::to_string(4 + box.triangles.size())), 1);
+    ASSERT_EQ(ply.data.size(), (8 + box.x.size()) * kVertex + (4 + box.triangles.size()) * kFace);
+    EXPECT_EQ(ply.data.substr(0, 8 * kVertex), open(without).data.substr(0, 8 * kVertex)) << "the cloth is the same";
+    for (std::size_t v = 0; v < box.x.size(); ++v) {
+        const std::size_t at = (8 + v) * kVertex;
+        EXPECT_EQ(value_at<float>(ply.data, at + 4), static_cast<float>(box.x[v].y()));
+        EXPECT_EQ(value_at<std::int32_t>(ply.data, at + 40), -1);
+    }
+    const std::size_t faces = (8 + box.x.size()) * kVertex;
+    EXPECT_EQ(ply.data.substr(faces, 4 * kFace), open(without).data.substr(8 * kVertex));
+    for (std::size_t t = 0; t < box.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_EQ(value_at<std::uint32_t>(ply.data, faces + (4 + t) * kFace + 1 + 4 * k),
+                      8 + static_cast<std::uint32_t>(box.triangles[t][k]));
 }
 
 TEST(PlyFile, is_read_by_another_program) {

@@ -41,6 +41,18 @@ TEST(StlFile, of_a_triangle_without_area_has_a_normal_of_zero) {
     EXPECT_EQ(vector_at(garment_stl(mesh), 0, 0), Vec3f(0, 0, 0));
 }
 
+TEST(StlFile, holds_the_body_after_the_cloth_when_asked_to_and_says_where_it_begins) {
+    const Body box = shapes::box({0, 0, 0}, {1, 1, 1}, 1);
+    const std::string cloth = garment_stl(two_panels()), both = garment_stl(two_panels(), {.body = &box});
+    EXPECT_TRUE(both.starts_with("Selvedge: millimetres, y up; cloth: first 4 triangles, then the body ")) << both;
+    ASSERT_EQ(both.size(), 84 + 50 * (4 + box.triangles.size()));
+    std::uint32_t count = 0;
+    std::memcpy(&count, both.data() + 80, sizeof count);
+    EXPECT_EQ(count, 4 + box.triangles.size());
+    EXPECT_EQ(both.substr(84, 200), cloth.substr(84));
+    EXPECT_EQ(both.substr(284), body_stl(box).substr(84));
+}
+
 TEST(StlFile, holds_a_body_too) {
     const Body box = shapes::box({0, 0, 0}, {1, 1, 1}, 1);
     EXPECT_EQ(body_stl(box).size(), 84 + 50 * box.triangles.size());
