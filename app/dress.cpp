@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "app/baked_textures.h"
 #include "app/commands.h"
 #include "app/film.h"
+#include "app/garment_files.h"
 #include "app/garment_options.h"
 #include "app/options.h"
 #include "app/picture.h"
@@ -44,21 +44,13 @@ struct DressArguments {
     TurntableOptions turntable;
     Path picture_file;  // empty: no such output
     Path report_file;
-    std::vector<Path> garment_files;
-    sim::GarmentExport content;
-    bool has_textures = true;
-    bool exports_body = false;     // in the garment's files
-    bool exports_surface = false;  // exports the curved surface instead of the simulated triangles
+    GarmentFileOptions exports;
     std::vector<Path> body_files;
 };
 
 std::vector<Path> all_outputs(const DressArguments& arguments) {
-    std::vector<Path> outputs = arguments.garment_files;
+    std::vector<Path> outputs = outputs_of(arguments.exports);
     outputs.insert(outputs.end(), arguments.body_files.begin(), arguments.body_files.end());
-    if (arguments.has_textures) {
-        for (const Path& file : arguments.garment_files)
-            std::ranges::copy(sim::paths_beside(file), std::back_inserter(outputs));
-    }
     for (const Path& file : {arguments.picture_file, arguments.report_file, arguments.turntable.file}) {
         if (!file.empty()) outputs.push_back(file);
     }
@@ -71,12 +63,7 @@ void check_outputs(const DressArguments& arguments) {
     check_turntable(arguments.turntable, arguments.picture);
     if (arguments.garment.coarsens_back_faces && !arguments.turntable.file.empty())
         throw sim::InputError("", "--coarse-back-faces", "a turntable shows all sides");
-    for (const Path& file : arguments.garment_files) {
-        check_output(file, sim::mesh_extensions());
-        if (arguments.exports_body && !sim::mesh_format_of(file).takes_body)
-            throw sim::InputError(file.string(), "--with-body",
-                                  "this format has no room for a body: use --export-body");
-    }
+    check_garment_files(arguments.exports);
     for (const Path& file : arguments.body_files) check_output(file, sim::mesh_extensions());
     check_distinct(all_outputs(arguments), input_files(arguments.garment, arguments.body));
 }
@@ -84,43 +71,6 @@ void check_outputs(const DressArguments& arguments) {
 bool draws(const DressArguments& arguments) {
     return !arguments.picture_file.empty() || !arguments.turntable.file.empty();
 }
-
-// What the panels look like.
-std::vector<render::ClothItem> cloths_of(const sim::DrawMesh& mesh, const PictureOptions& picture) {
-    render::ClothItem cloth{.mesh = mesh, .sett = {}};
-    return picture.looks->parts(std::move(cloth), *picture.pattern);
-}
-
-// Exports of one garment, which share its mesh and textures.
-class GarmentFiles {
- public:
-    GarmentFiles(const DressArguments& arguments, const sim::DrawMesh& garment, const sim::Body& body)
-        : arguments_(arguments), garment_(garment), body_(body) {}
-
-    // Throws InputError.
-    void write(const Path& file) {
-        if (!mesh_) {
-            const SurfaceChoice surface = arguments_.exports_surface ? arguments_.picture.surface : SurfaceChoice{};
-            mesh_ = drawn_mesh(garment_, &body_, surface);
-        }
-        sim::GarmentExport content = arguments_.content;
-        if (arguments_.exports_body) content.body = &body_;
-        if (arguments_.has_textures && sim::mesh_format_of(file).takes_textures) content.textures = textures();
-        write_garment(*mesh_, file, content);
-    }
-
- private:
-    const sim::GarmentTextures& textures() {
-        if (!textures_) textures_ = bake_pngs(*mesh_, cloths_of(*mesh_, arguments_.picture), arguments_.content.atlas);
-        return *textures_;
-    }
-
-    const DressArguments& arguments_;
-    const sim::DrawMesh& garment_;
-    const sim::Body& body_;
-    std::optional<sim::DrawMesh> mesh_;
-    std::optional<sim::GarmentTextures> textures_;
-};
 
 // The files that were written, and the failures.
 struct Writing {
@@ -145,8 +95,8 @@ Writing write_outputs(const DressArguments& arguments, const sim::DressedGarment
         write(arguments.report_file,
               [&](const Path& file) { sim::write_file_atomically(file, to_json(dressed.report)); });
     }
-    GarmentFiles exports(arguments, dressed.mesh, body);
-    for (const Path& file : arguments.garment_files)
+    GarmentFiles exports(arguments.exports, arguments.picture, dressed.mesh, body);
+    for (const Path& file : arguments.exports.files)
         write(file, [&](const Path& mesh_file) { exports.write(mesh_file); });
     for (const Path& file : arguments.body_files)
         write(file, [&](const Path& mesh_file) { write_body(body, mesh_file); });
@@ -226,21 +176,7 @@ void add_output_options(CLI::App& command, DressArguments& arguments) {
         command.add_option(name, files, help)->type_name(type)->group("Output")->allow_extra_args(false);
     };
     add("--render", arguments.picture_file, "Picture of the dressed body", "PNG");
-    add("--export", arguments.garment_files, "The garment as .obj, .glb, .ply or .stl; may be repeated", "FILE");
-    add_number<int>(command, "--texture-size", {64, 16384},
-                    "Side of the textures of .glb and .obj, in pixels (default 2048)",
-                    [&arguments](int size) { arguments.content.atlas.size_px = size; })
-        ->type_name("PX")
-        ->group("Output");
-    command
-        .add_flag("--no-textures{false}", arguments.has_textures,
-                  "Exports without colour; an .obj is in metric coordinates")
-        ->group("Output");
-    command.add_flag("--with-body", arguments.exports_body, "Exports hold the body too")->group("Output");
-    command.add_flag("--export-surface", arguments.exports_surface, "Exports carry the curved surface (--surface)")
-        ->group("Output")
-        ->needs(command.get_option("--surface"))
-        ->needs(command.get_option("--export"));
+    add_garment_file_options(command, arguments.exports);
     add("--export-body", arguments.body_files, "The body as .obj, .glb, .ply or .stl; may be repeated", "FILE");
     add("--report", arguments.report_file, "What came of it, as JSON", "JSON");
 }

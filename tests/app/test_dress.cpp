@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
+#include <utility>
 
 #include "render/image/image.h"
 #include "sim/core/json.h"
@@ -220,6 +222,55 @@ TEST_F(DressCommand, exports_of_all_formats_hold_the_body_when_asked_to) {
     EXPECT_EQ(dressed.exit_code, 3) << dressed.err;
     EXPECT_NE(content_of(folder / "x.ply").find("comment panel -1 is the body"), std::string::npos);
     EXPECT_NE(content_of(folder / "x.stl").find("triangles, then the body"), std::string::npos);
+}
+
+// How often each edge of an STL file occurs in each direction, by the bytes of its ends.
+std::map<std::pair<std::string, std::string>, int> edges_in_stl(const std::string& bytes) {
+    constexpr std::size_t kHeader = 84, kTriangle = 50, kVector = 12;
+    std::map<std::pair<std::string, std::string>, int> uses;
+    for (std::size_t at = kHeader; at + kTriangle <= bytes.size(); at += kTriangle) {
+        const auto corner = [&](std::size_t k) { return bytes.substr(at + (1 + k % 3) * kVector, kVector); };
+        for (std::size_t k = 0; k < 3; ++k) ++uses[{corner(k), corner(k + 1)}];
+    }
+    return uses;
+}
+
+TEST_F(DressCommand, cloth_with_a_thickness_is_a_closed_solid) {
+    const ScratchFolder folder;
+    const auto dress = [&](const std::string& options) {
+        const ProgramResult dressed =
+            run_selvedge("dress " + shipped("two_squares.json") +
+                         " --body mannequin:resolution=1 --max-level 1 --seconds 0.3 -q --export '" + folder / "x.stl" +
+                         "' " + options);
+        EXPECT_EQ(dressed.exit_code, 3) << dressed.err;
+        return edges_in_stl(content_of(folder / "x.stl"));
+    };
+    const auto open_edges = [](const auto& edges) {
+        return std::ranges::count_if(edges, [&](const auto& edge) {
+            const auto back = edges.find({edge.first.second, edge.first.first});
+            return edge.second != 1 || back == edges.end();
+        });
+    };
+    EXPECT_GT(open_edges(dress("")), 0);
+    for (const std::string thickness : {"2.5", "fabric"}) {
+        const auto edges = dress("--thickness " + thickness);
+        EXPECT_GT(edges.size(), 100U);
+        EXPECT_EQ(open_edges(edges), 0) << thickness;
+    }
+}
+
+TEST(DressOutputs, a_thickness_that_no_cloth_has_is_refused) {
+    const ScratchFolder folder;
+    for (const std::string thickness : {"0", "-1", "thick", "nan", "1,2", "51"}) {
+        const ProgramResult refused = run_selvedge("dress " + shipped("two_squares.json") + " --export '" +
+                                                   folder / "x.stl" + "' --thickness=" + thickness);
+        EXPECT_EQ(refused.exit_code, 2) << thickness;
+        EXPECT_EQ(count_lines(refused.err), 1) << refused.err;
+        EXPECT_NE(refused.err.find("--thickness"), std::string::npos) << refused.err;
+    }
+    const ProgramResult alone = run_selvedge("dress " + shipped("two_squares.json") + " --thickness 1");
+    EXPECT_EQ(alone.exit_code, 2);
+    EXPECT_EQ(count_lines(alone.err), 1) << alone.err;
 }
 
 TEST(DressOutputs, a_texture_beside_an_export_is_an_output_like_others) {

@@ -1,0 +1,67 @@
+#pragma once
+// The files of a dressed garment for other programs, and the options of dress that ask for them.
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "app/picture.h"
+#include "sim/body/body.h"
+#include "sim/exchange/garment_export.h"
+#include "sim/mesh/draw_mesh.h"
+
+namespace CLI {
+class App;
+}
+
+namespace selvedge::app {
+
+// How thick the cloth of an export is.
+struct ClothThickness {
+    std::optional<double> metres{};  // of all panels; none: as thick as the fabric of each
+};
+
+struct GarmentFileOptions {
+    std::vector<std::filesystem::path> files;
+    sim::GarmentExport content;
+    bool has_textures = true;
+    bool has_body = false;                      // in the same files
+    bool has_curved_surface = false;            // instead of the simulated triangles
+    std::optional<ClothThickness> thickness{};  // none: without
+};
+
+// Adds --export, --texture-size, --no-textures, --with-body, --thickness and --export-surface, and validates them while
+// parsing. Pre: the command has --surface. `options` must outlive the parsing.
+void add_garment_file_options(CLI::App& command, GarmentFileOptions& options);
+
+// Throws InputError if a file cannot be written, or its format cannot hold what is asked for.
+void check_garment_files(const GarmentFileOptions& options);
+
+// All files that may be written, those beside others included.
+std::vector<std::filesystem::path> outputs_of(const GarmentFileOptions& options);
+
+// Exports of one garment, which share its mesh and textures. The arguments must outlive it.
+class GarmentFiles {
+ public:
+    // picture: what the cloth looks like. Pre: it has a pattern, and looks.
+    GarmentFiles(const GarmentFileOptions& options, const PictureOptions& picture, const sim::DrawMesh& garment,
+                 const sim::Body& body)
+        : options_(options), picture_(picture), garment_(garment), body_(body) {}
+
+    // Throws InputError.
+    void write(const std::filesystem::path& file);
+
+ private:
+    const sim::DrawMesh& thin_mesh();
+    const sim::DrawMesh& mesh();
+    const sim::GarmentTextures& textures();
+
+    const GarmentFileOptions& options_;
+    const PictureOptions& picture_;
+    const sim::DrawMesh& garment_;
+    const sim::Body& body_;
+    std::optional<sim::DrawMesh> thin_mesh_;
+    std::optional<sim::DrawMesh> thick_mesh_;
+    std::optional<sim::GarmentTextures> textures_;
+};
+
+}  // namespace selvedge::app
