@@ -25,6 +25,7 @@
 #include "sim/core/parallel.h"
 #include "sim/dress/anchor.h"
 #include "sim/dress/report.h"
+#include "sim/exchange/garmentcode_element.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/pattern/garments.h"
 #include "sim/pattern/pattern_file.h"
@@ -49,7 +50,7 @@ struct DressArguments {
 };
 
 std::vector<Path> all_outputs(const DressArguments& arguments) {
-    std::vector<Path> outputs = outputs_of(arguments.exports);
+    std::vector<Path> outputs = outputs_of(arguments.exports, arguments.garment.garment);
     outputs.insert(outputs.end(), arguments.body_files.begin(), arguments.body_files.end());
     for (const Path& file : {arguments.picture_file, arguments.report_file, arguments.turntable.file}) {
         if (!file.empty()) outputs.push_back(file);
@@ -78,9 +79,16 @@ struct Writing {
     std::vector<std::string> failures;
 };
 
+// Of several garments, the pattern is a new document.
+sim::PatternDocument document_of(const GarmentOptions& garment, const sim::Pattern& pattern) {
+    if (!garment.over.empty()) return {.pattern = pattern, .json = {}};
+    return sim::load_pattern(garment.garment);
+}
+
 // Tries to write every file, even if others fail: a garment with non-finite positions has no mesh to export, but has a
 // report.
-Writing write_outputs(const DressArguments& arguments, const sim::DressedGarment& dressed, const sim::Body& body) {
+Writing write_outputs(const DressArguments& arguments, const sim::Pattern& pattern, const sim::DressedGarment& dressed,
+                      const sim::Body& body) {
     Writing writing;
     const RenderSubject subject{.garment = dressed.mesh, .body = &body, .hierarchy = &dressed.hierarchy};
     const auto write = [&](const Path& file, const auto& how) {
@@ -98,6 +106,12 @@ Writing write_outputs(const DressArguments& arguments, const sim::DressedGarment
     GarmentFiles exports(arguments.exports, arguments.picture, dressed.mesh, body);
     for (const Path& file : arguments.exports.files)
         write(file, [&](const Path& mesh_file) { exports.write(mesh_file); });
+    if (!arguments.exports.garmentcode_folder.empty()) {
+        write(arguments.exports.garmentcode_folder, [&](const Path& folder) {
+            write_garmentcode_element(dressed.mesh, document_of(arguments.garment, pattern), dressed.meshing, folder,
+                                      element_name(arguments.garment.garment));
+        });
+    }
     for (const Path& file : arguments.body_files)
         write(file, [&](const Path& mesh_file) { write_body(body, mesh_file); });
     if (!arguments.picture_file.empty()) {
@@ -154,7 +168,7 @@ int run(DressArguments arguments) {
     std::ranges::copy(wearer.notes, std::back_inserter(notes));
     report.notes.insert(report.notes.begin(), notes.begin(), notes.end());
 
-    const Writing writing = write_outputs(arguments, dressed, wearer.body);
+    const Writing writing = write_outputs(arguments, pattern, dressed, wearer.body);
     if (!arguments.garment.is_quiet) print_summary(report);
     if (!arguments.garment.is_quiet && draws(arguments)) print_sett_note(pattern, arguments.picture);
     print_faults(report);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "app/baked_textures.h"
@@ -13,6 +14,7 @@
 #include "render/scene/scene.h"
 #include "sim/core/error.h"
 #include "sim/dress/dressing.h"
+#include "sim/exchange/garmentcode_element.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/exchange/thick_cloth.h"
 
@@ -64,7 +66,12 @@ void add_garment_file_options(CLI::App& command, GarmentFileOptions& options) {
             .add_flag("--export-surface", options.has_curved_surface, "Exports carry the curved surface (--surface)")
             ->needs(command.get_option("--surface"))
             ->needs(files);
-    for (CLI::Option* option : {files, size, plain, body, thickness, surface}) option->group("Output");
+    CLI::Option* element = command
+                               .add_option("--export-garmentcode", options.garmentcode_folder,
+                                           "Folder for the files of an element of GarmentCodeData: NAME_sim.obj and "
+                                           ".ply, segmentation, vertex labels, specification")
+                               ->type_name("DIR");
+    for (CLI::Option* option : {files, size, plain, body, thickness, surface, element}) option->group("Output");
 }
 
 void check_garment_files(const GarmentFileOptions& options) {
@@ -74,14 +81,31 @@ void check_garment_files(const GarmentFileOptions& options) {
             throw sim::InputError(file.string(), "--with-body",
                                   "this format has no room for a body: use --export-body");
     }
+    const Path& folder = options.garmentcode_folder;
+    if (folder.empty()) return;
+    if (std::filesystem::is_directory(folder)) {
+        for (const Path& file : sim::garmentcode_paths(folder, "any")) check_output(file);
+    } else {
+        check_output(folder.has_filename() ? folder : folder.parent_path());  // it will be made
+    }
 }
 
-std::vector<Path> outputs_of(const GarmentFileOptions& options) {
+std::vector<Path> outputs_of(const GarmentFileOptions& options, const Path& garment) {
     std::vector<Path> outputs = options.files;
     if (options.has_textures) {
         for (const Path& file : options.files) std::ranges::copy(sim::paths_beside(file), std::back_inserter(outputs));
     }
+    if (!options.garmentcode_folder.empty())
+        std::ranges::copy(sim::garmentcode_paths(options.garmentcode_folder, element_name(garment)),
+                          std::back_inserter(outputs));
     return outputs;
+}
+
+std::string element_name(const Path& garment) {
+    constexpr std::string_view kEnding = "_specification";
+    std::string name = garment.stem().string();
+    if (name.size() > kEnding.size() && name.ends_with(kEnding)) name.resize(name.size() - kEnding.size());
+    return name;
 }
 
 void GarmentFiles::write(const Path& file) {

@@ -2,6 +2,7 @@
 // The files of a dressed garment for other programs, and the options of dress that ask for them.
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/picture.h"
@@ -27,17 +28,22 @@ struct GarmentFileOptions {
     bool has_body = false;                      // in the same files
     bool has_curved_surface = false;            // instead of the simulated triangles
     std::optional<ClothThickness> thickness{};  // none: without
+    // Of an element of GarmentCodeData (sim/exchange/garmentcode_element.h); empty: none.
+    std::filesystem::path garmentcode_folder{};
 };
 
-// Adds --export, --texture-size, --no-textures, --with-body, --thickness and --export-surface, and validates them while
-// parsing. Pre: the command has --surface. `options` must outlive the parsing.
+// Adds --export, --texture-size, --no-textures, --with-body, --thickness, --export-surface and --export-garmentcode,
+// and validates them while parsing. Pre: the command has --surface. `options` must outlive the parsing.
 void add_garment_file_options(CLI::App& command, GarmentFileOptions& options);
 
 // Throws InputError if a file cannot be written, or its format cannot hold what is asked for.
 void check_garment_files(const GarmentFileOptions& options);
 
-// All files that may be written, those beside others included.
-std::vector<std::filesystem::path> outputs_of(const GarmentFileOptions& options);
+// All files that may be written, those beside others included. garment: the file that is dressed.
+std::vector<std::filesystem::path> outputs_of(const GarmentFileOptions& options, const std::filesystem::path& garment);
+
+// The name of a garment's element of GarmentCodeData: "rand_12" of rand_12_specification.json and of rand_12.json.
+std::string element_name(const std::filesystem::path& garment);
 
 // Exports of one garment, which share its mesh and textures. The arguments must outlive it.
 class GarmentFiles {

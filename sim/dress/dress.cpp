@@ -128,6 +128,7 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     }
     dressed.mesh = draw_mesh(cloth, dressing.sewn_mesh().panel_names);
     dressed.hierarchy = triangle_hierarchy(cloth);
+    dressed.meshing = dressing.drape().meshing;
     timer.done("inspection");
     report.timing.peak_memory_mb = peak_memory_mb();
     return dressed;

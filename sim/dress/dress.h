@@ -9,15 +9,18 @@
 #include "sim/dress/dressing.h"
 #include "sim/dress/report.h"
 #include "sim/mesh/draw_mesh.h"
+#include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::sim {
 
-// The draped garment: its leaf triangles, their refinement hierarchy, the cloth itself, and the report.
+// The draped garment: its leaf triangles, their refinement hierarchy, the cloth itself, how its panels were meshed, and
+// the report.
 struct DressedGarment {
     DrawMesh mesh;
     TriangleHierarchy hierarchy;
     std::optional<Cloth> cloth;  // never empty
+    MeshOptions meshing{};
     DressReport report;
 };
 

@@ -7,6 +7,7 @@
 
 #include "sim/exchange/mesh_cache.h"
 #include "sim/exchange/mesh_file.h"
+#include "sim/exchange/number_text.h"
 
 namespace selvedge::sim {
 
@@ -15,25 +16,6 @@ namespace {
 constexpr std::string_view kGrainComment = "# grain_angle ";
 constexpr std::string_view kOffsetComment = "# sett_offset ";
 constexpr std::string_view kChartComment = "# chart ";
-
-// Appends the shortest text that reads back as the same number; std::to_chars does not depend on the locale.
-template <class Number>
-void append_number(std::string& text, Number number) {
-    char digits[32];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
-    static_cast<void>(error);  // 32 characters hold any float
-    text.append(digits, end);
-}
-
-template <class Vector>
-void append_vector(std::string& text, std::string_view keyword, const Vector& v) {
-    text += keyword;
-    for (const float number : v) {
-        text += ' ';
-        append_number(text, number + 0.0F);  // + 0.0F: writes 0 instead of -0
-    }
-    text += '\n';
-}
 
 // The name with blanks replaced by '_', because OBJ separates names at blanks.
 std::string one_word(const std::string& name) {

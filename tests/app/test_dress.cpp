@@ -259,6 +259,47 @@ TEST_F(DressCommand, cloth_with_a_thickness_is_a_closed_solid) {
     }
 }
 
+std::vector<std::string> lines_of(const std::string& file) {
+    return lines_with(content_of(file), "");
+}
+
+TEST_F(DressCommand, an_element_of_garmentcodedata_has_a_line_of_segmentation_per_vertex) {
+    const ScratchFolder folder;
+    const std::string element = folder / "element";
+    const ProgramResult dressed =
+        run_selvedge("dress " + shipped("two_squares.json") +
+                     " --body mannequin:resolution=1 --max-level 1 --seconds 0.3 -q --export-garmentcode '" + element +
+                     "/' --export '" + folder / "x.obj" + "'");
+    EXPECT_EQ(dressed.exit_code, 3) << dressed.err;
+    const std::vector<std::string> rows = lines_of(element + "/two_squares_sim_segmentation.txt");
+    const std::string obj = content_of(element + "/two_squares_sim.obj");
+    EXPECT_EQ(rows.size(), lines_with(obj, "v ").size());
+    EXPECT_EQ(lines_with(obj, "v ").size(), lines_with(content_of(folder / "x.obj"), "v ").size());
+    EXPECT_EQ(lines_with(obj, "f ").size(), lines_with(content_of(folder / "x.obj"), "f ").size());
+    EXPECT_NE(content_of(element + "/two_squares_sim.ply").find("element vertex " + std::to_string(rows.size()) + "\n"),
+              std::string::npos);
+    for (const std::string name : {"front", "back", "stitch_0", "stitch_1", "stitch_2", "stitch_3"})
+        EXPECT_GT(std::ranges::count(rows, name), 0) << name;
+    EXPECT_TRUE(std::ranges::is_partitioned(rows, [](const std::string& row) { return row.starts_with("stitch_"); }));
+    EXPECT_EQ(content_of(element + "/two_squares_vertex_labels.yaml"), "{}\n");
+    EXPECT_EQ(sim::load_pattern(element + "/two_squares_specification.json").pattern,
+              sim::load_pattern(source_folder() + "/patterns/two_squares.json").pattern);
+}
+
+TEST(DressOutputs, an_element_of_garmentcodedata_does_not_replace_the_garment_that_is_dressed) {
+    const ScratchFolder folder;
+    const std::string garment = folder / "mine_specification.json";
+    std::filesystem::copy_file(source_folder() + "/patterns/two_squares.json", garment);
+    const ProgramResult refused =
+        run_selvedge("dress '" + garment + "' --export-garmentcode '" + folder.path().string() + "'");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("mine_specification.json"), std::string::npos) << refused.err;
+    const ProgramResult nowhere =
+        run_selvedge("dress '" + garment + "' --export-garmentcode '" + folder / "no/such" + "'");
+    EXPECT_EQ(nowhere.exit_code, 2);
+    EXPECT_EQ(count_lines(nowhere.err), 1) << nowhere.err;
+}
+
 TEST(DressOutputs, a_thickness_that_no_cloth_has_is_refused) {
     const ScratchFolder folder;
     for (const std::string thickness : {"0", "-1", "thick", "nan", "1,2", "51"}) {
