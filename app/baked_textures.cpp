@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "render/draw/cloth_vertices.h"
+#include "render/image/texture_png.h"
 #include "render/scene/colour.h"
 #include "sim/core/assert.h"
 #include "sim/core/parallel.h"
@@ -20,30 +21,39 @@ float smoothstep(float low, float high, float x) {
     return t * t * (3 - 2 * t);
 }
 
+// The largest whole number up to x. std::floor() is a call into the C library on processors without SSE 4.1.
+int floored(float x) {
+    const int whole = static_cast<int>(x);
+    return whole - (static_cast<float>(whole) > x ? 1 : 0);
+}
+
 // One system of parallel threads: prefix sums of its colours (render/draw/cloth_vertices.h).
 class Threads {
  public:
-    explicit Threads(render::SettSums sums) : sums_(std::move(sums)) {}
+    explicit Threads(render::SettSums sums) : sums_(std::move(sums)) {
+        for (std::size_t k = 0; k + 1 < sums_.sums.size(); ++k) {
+            steps_.emplace_back(sums_.sums[k + 1] - sums_.sums[k]);
+            colours_.emplace_back(sums_.mean + sums_.sums[k + 1] - sums_.sums[k]);
+        }
+    }
 
     // t, width: in threads.
     Vec3f mean(float t, float width) const { return sums_.mean + (sum(t + width / 2) - sum(t - width / 2)) / width; }
-    Vec3f colour(int thread) const {
-        const std::size_t k = index(thread);
-        return sums_.mean + sums_.sums[k + 1] - sums_.sums[k];
-    }
+    const Vec3f& colour(int thread) const { return colours_[index(thread)]; }
 
  private:
     std::size_t index(int thread) const {
-        const int count = sums_.threads();
-        return static_cast<std::size_t>((thread % count + count) % count);
+        const int count = sums_.threads(), rest = thread % count;
+        return static_cast<std::size_t>(rest < 0 ? rest + count : rest);
     }
     Vec3f sum(float t) const {
-        const float thread = std::floor(t);
-        const std::size_t k = index(static_cast<int>(thread));
-        return sums_.sums[k] + (t - thread) * (sums_.sums[k + 1] - sums_.sums[k]);
+        const int thread = floored(t);
+        const std::size_t k = index(thread);
+        return sums_.sums[k] + (t - static_cast<float>(thread)) * steps_[k];
     }
 
     render::SettSums sums_;
+    std::vector<Vec3f> steps_, colours_;  // of each thread
 };
 
 // Woven cloth seen from its right side: the stripes and single threads of shaders/tartan.glsl, and the relief of the
@@ -51,7 +61,9 @@ class Threads {
 class WovenCloth {
  public:
     explicit WovenCloth(const sim::Sett& sett)
-        : warp_(render::sum_warp(sett)), weft_(render::sum_weft(sett)), weave_(sett.weave) {}
+        : warp_(render::sum_warp(sett)), weft_(render::sum_weft(sett)), weave_(sett.weave) {
+        for (int at = 0; at < kPeriod; ++at) seen_[static_cast<std::size_t>(at)] = shows_warp(at);
+    }
 
     // Linear light, mean over a box. t: its middle; width: its sides; both (across the warp, across the weft) in
     // threads.
@@ -69,7 +81,7 @@ class WovenCloth {
     // Height of the surface at t, in thread spacings. Yarns are round across, and go down where they end on this side.
     float height(const Vec2f& t) const {
         constexpr float kCrown = 0.25F;  // half of a yarn's diameter when flattened to half of its width
-        const int end = static_cast<int>(std::floor(t.x())), pick = static_cast<int>(std::floor(t.y()));
+        const int end = floored(t.x()), pick = floored(t.y());
         const Vec2f in(t.x() - float(end), t.y() - float(pick));
         const bool is_warp = is_warp_seen(end, pick);
         const float across = (is_warp ? in.x() : in.y()) - 0.5F, along = is_warp ? in.y() : in.x();
@@ -82,11 +94,14 @@ class WovenCloth {
     }
 
  private:
-    bool is_warp_seen(int end, int pick) const {
-        const int period = weave_ == sim::Weave::Plain ? 2 : 4;
-        const int over = weave_ == sim::Weave::Plain ? 1 : (weave_ == sim::Weave::Twill22 ? 2 : 3);
-        return ((end - pick) % period + period) % period < over;
+    static constexpr int kPeriod = 4;  // of all weaves, in threads; a power of two
+
+    // at: end minus pick, from 0.
+    bool shows_warp(int at) const {
+        if (weave_ == sim::Weave::Plain) return at % 2 == 0;
+        return at < (weave_ == sim::Weave::Twill22 ? 2 : 3);
     }
+    bool is_warp_seen(int end, int pick) const { return seen_[static_cast<std::size_t>((end - pick) & (kPeriod - 1))]; }
 
     // Difference between the threads that show in the box and the mean mixture of warp and weft.
     Vec3f crossings(const Vec2f& t, const Vec2f& width, float share) const {
@@ -94,13 +109,22 @@ class WovenCloth {
         const auto covered = [](int thread, float from, float to) {
             return std::max(std::min(float(thread + 1), to) - std::max(float(thread), from), 0.0F) / (to - from);
         };
+        const int first = floored(low.x());
+        constexpr int kMostEnds = 8;  // threads show in texels of at most 2.6 of them
+        std::array<float, kMostEnds> end_shares{};
+        int ends = 0;
+        for (; float(first + ends) < high.x(); ++ends) {
+            SELVEDGE_ASSERT(ends < kMostEnds);
+            end_shares[static_cast<std::size_t>(ends)] = covered(first + ends, low.x(), high.x());
+        }
         Vec3f detail = Vec3f::Zero();
-        for (int pick = static_cast<int>(std::floor(low.y())); float(pick) < high.y(); ++pick) {
+        for (int pick = floored(low.y()); float(pick) < high.y(); ++pick) {
             const float pick_share = covered(pick, low.y(), high.y());
-            const Vec3f weft = weft_.colour(pick);
-            for (int end = static_cast<int>(std::floor(low.x())); float(end) < high.x(); ++end) {
-                const float seen = (is_warp_seen(end, pick) ? 1.0F : 0.0F) - share;
-                detail += covered(end, low.x(), high.x()) * pick_share * seen * (warp_.colour(end) - weft);
+            const Vec3f& weft = weft_.colour(pick);
+            for (int i = 0; i < ends; ++i) {
+                const float seen = (is_warp_seen(first + i, pick) ? 1.0F : 0.0F) - share;
+                detail +=
+                    end_shares[static_cast<std::size_t>(i)] * pick_share * seen * (warp_.colour(first + i) - weft);
             }
         }
         return detail;
@@ -108,6 +132,7 @@ class WovenCloth {
 
     Threads warp_, weft_;
     sim::Weave weave_;
+    std::array<bool, kPeriod> seen_{};  // whether the warp shows, by end minus pick
 };
 
 class PrintedCloth {
@@ -226,9 +251,10 @@ void bake_panel(const sim::PanelPart& part, const PanelCloth& cloth, const sim::
                 BakedTextures& textures) {
     const Rectangle at = rectangle_of(part, atlas);
     const double texel = 1.0 / atlas.size_px;
-    const auto place_of = [&](double u, double v) {
+    const float c = std::cos(part.grain_angle), s = std::sin(part.grain_angle);
+    const auto place_of = [&](double u, double v) -> Vec2f {  // render::place_on_fabric(), with the grain's sine kept
         const Vec2f material = part.chart->material({u, v}).cast<float>();
-        return render::place_on_fabric(material, part.grain_angle, part.sett_offset);
+        return Vec2f(c * material.x() + s * material.y(), -s * material.x() + c * material.y()) + part.sett_offset;
     };
     const Vec2f origin = place_of(0, 0), right = place_of(texel, 0) - origin, up = place_of(0, texel) - origin;
     const bool has_relief = textures.normal && cloth.has_relief(right.norm());
@@ -287,8 +313,13 @@ sim::GarmentTextures bake_pngs(const sim::DrawMesh& mesh, const std::vector<rend
                                const sim::AtlasOptions& atlas) {
     if (mesh.u.empty() || mesh.triangles.empty() || cloths.empty()) return {};
     const BakedTextures textures = bake(mesh, cloths, atlas);
-    sim::GarmentTextures pngs{.base_colour = encode_png(textures.base_colour)};
-    if (textures.normal) pngs.normal = encode_png(*textures.normal);
+    sim::GarmentTextures pngs;
+    sim::parallel_for(2, 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            if (i == 0) pngs.base_colour = encode_texture_png(textures.base_colour);
+            if (i == 1 && textures.normal) pngs.normal = encode_texture_png(*textures.normal);
+        }
+    });
     return pngs;
 }
 
