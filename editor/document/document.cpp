@@ -54,6 +54,11 @@ void Document::select(Selection selection) {
     selection_ = clean_selection(std::move(selection), source_.pattern);
 }
 
+void Document::set_panel_states(PanelStates states) {
+    panel_states_ = clean_states(std::move(states), source_.pattern);
+    selection_ = changeable();
+}
+
 void Document::run(const Command& command) {
     rollback();
     Changed changed = changed_by(source_.pattern, command);
@@ -62,6 +67,8 @@ void Document::run(const Command& command) {
     if (const auto& rename = changed.outcome.rename) {
         FileNames names = renamed(file_names_, rename->from, rename->to);
         entry.file_names.emplace(std::exchange(file_names_, names), std::move(names));
+        entry.rename = rename;
+        panel_states_ = renamed(std::move(panel_states_), rename->from, rename->to);
     }
     show(std::move(changed.pattern), changed.outcome.selection.value_or(selection_));
     note(journal_line(command));
@@ -113,6 +120,7 @@ void Document::undo() {
     sim::Pattern pattern = source_.pattern;
     selvedge::editor::undo(pattern, entry.patch);
     if (entry.file_names) file_names_ = entry.file_names->first;
+    if (entry.rename) panel_states_ = renamed(std::move(panel_states_), entry.rename->to, entry.rename->from);
     show(std::move(pattern), entry.before);
     note(journal_action(JournalAction::Undo));
 }
@@ -124,6 +132,7 @@ void Document::redo() {
     sim::Pattern pattern = source_.pattern;
     apply(pattern, entry.patch);
     if (entry.file_names) file_names_ = entry.file_names->second;
+    if (entry.rename) panel_states_ = renamed(std::move(panel_states_), entry.rename->from, entry.rename->to);
     show(std::move(pattern), entry.after);
     note(journal_action(JournalAction::Redo));
 }
@@ -149,6 +158,7 @@ void Document::mark_saved() {
 
 void Document::show(sim::Pattern pattern, const Selection& selected) {
     source_.pattern = std::move(pattern);
+    panel_states_ = clean_states(std::move(panel_states_), source_.pattern);
     select(selected);
     ++revision_;
 }

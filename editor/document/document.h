@@ -1,6 +1,6 @@
 #pragma once
-// The edited document: the pattern, the selection and the undo history. Views read it; every change of the pattern is a
-// command. Also maps renamed panels to their names in the source file.
+// The edited document: the pattern, the selection, hidden and locked panels, and the undo history. Views read it; every
+// change of the pattern is a command. Also maps renamed panels to their names in the source file.
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "editor/document/apply.h"
 #include "editor/document/command.h"
 #include "editor/document/journal.h"
 #include "editor/document/selection.h"
@@ -34,7 +35,8 @@ struct HistoryEntry {
     std::string label;
     PatternPatch patch;
     std::optional<std::pair<FileNames, FileNames>> file_names = {};  // before, after; only for a rename
-    Selection before;                                                // selection before the command
+    std::optional<PanelRename> rename = {};
+    Selection before;  // selection before the command
     Selection after = {};
 };
 
@@ -56,6 +58,12 @@ class Document {
 
     // Parts that do not exist are left out.
     void select(Selection selection);
+
+    // Which panels are hidden and locked. They follow renames; removed panels leave them. Parts of panels that cannot
+    // be picked any more leave the selection. changeable() is what the views may change of it: what can be picked.
+    const PanelStates& panel_states() const { return panel_states_; }
+    void set_panel_states(PanelStates states);
+    Selection changeable() const { return pickable(selection_, panel_states_); }
 
     // Applies a command, adds it to the history and selects what it made. Throws GeometryError, with nothing changed,
     // if the command is not possible.
@@ -95,6 +103,7 @@ class Document {
     sim::PatternDocument source_;
     FileNames file_names_;
     Selection selection_;
+    PanelStates panel_states_;
     std::vector<HistoryEntry> history_;
     std::size_t position_ = 0;
     std::optional<std::size_t> saved_position_ = 0;  // none: undo and redo cannot reach the saved state

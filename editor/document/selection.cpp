@@ -42,4 +42,25 @@ Selection clean_selection(Selection selection, const sim::Pattern& pattern) {
     return selection;
 }
 
+Selection pickable(Selection selection, const PanelStates& states) {
+    std::erase_if(selection.panels, [&](const std::string& name) { return !states.may_be_picked(name); });
+    for (std::set<PartRef>* parts :
+         {&selection.vertices, &selection.edges, &selection.internal_lines, &selection.notches}) {
+        std::erase_if(*parts, [&](const PartRef& ref) { return !states.may_be_picked(ref.panel); });
+    }
+    return selection;
+}
+
+PanelStates clean_states(PanelStates states, const sim::Pattern& pattern) {
+    for (std::set<std::string>* names : {&states.hidden, &states.locked})
+        std::erase_if(*names, [&](const std::string& name) { return panel_named(pattern, name) == nullptr; });
+    return states;
+}
+
+PanelStates renamed(PanelStates states, const std::string& from, const std::string& to) {
+    for (std::set<std::string>* names : {&states.hidden, &states.locked})
+        if (names->erase(from) > 0) names->insert(to);
+    return states;
+}
+
 }  // namespace selvedge::editor

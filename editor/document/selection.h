@@ -1,6 +1,6 @@
 #pragma once
-// The selection and the hovered part, shared by all views. Panels are referred to by name, so that a selection stays
-// valid when the pattern changes.
+// The selection, the hovered part, and the panels that are hidden or locked: shared by all views. Panels are referred
+// to by name, so that a selection stays valid when the pattern changes.
 #include <optional>
 #include <set>
 #include <string>
@@ -33,6 +33,19 @@ struct Selection {
     bool operator==(const Selection&) const = default;
 };
 
+// The panels that the user has set aside while working on others. It is no part of the pattern and is not undone.
+// Hidden panels are not drawn; their cloth still drapes. Locked ones are drawn. Neither can be picked or changed in the
+// views.
+
+struct PanelStates {
+    std::set<std::string> hidden;
+    std::set<std::string> locked;
+
+    bool may_be_picked(const std::string& panel) const { return !hidden.contains(panel) && !locked.contains(panel); }
+    bool is_empty() const { return hidden.empty() && locked.empty(); }
+    bool operator==(const PanelStates&) const = default;
+};
+
 // The part under the cursor: at most one, highlighted in the sheet and in the 3D view.
 
 struct Hover {
@@ -49,5 +62,13 @@ struct Hover {
 // The selection without parts that the pattern does not have, and with all seams of the sewings in it.
 
 Selection clean_selection(Selection selection, const sim::Pattern& pattern);
+
+// The selection without the panels, and parts of panels, that cannot be picked. Seams stay.
+Selection pickable(Selection selection, const PanelStates& states);
+
+// The states without panels that the pattern does not have, and with a panel's new name instead of its old one.
+
+PanelStates clean_states(PanelStates states, const sim::Pattern& pattern);
+PanelStates renamed(PanelStates states, const std::string& from, const std::string& to);
 
 }  // namespace selvedge::editor

@@ -115,6 +115,7 @@ void draw_pin(const SheetPen& pen, const Vec2d& at) {
 void draw_vertices(const SheetLook& look, const PanelShape& shape) {
     const SheetPen& pen = look.pen;
     const std::string& name = shape.panel.name;
+    if (!shape.may_be_picked) return;
     const bool is_touched = look.touched.contains(name);
     const bool is_pointed = look.hover.panel == name && look.hover.vertex;
     if (!is_touched && !is_pointed && !look.overlay.shows_vertices) return;
@@ -130,6 +131,7 @@ void draw_vertices(const SheetLook& look, const PanelShape& shape) {
 
 void draw_curve_handles(const SheetLook& look, const PanelShape& shape) {
     const SheetPen& pen = look.pen;
+    if (!shape.may_be_picked) return;
     for (std::size_t i = 0; i < shape.panel.edges.size(); ++i) {
         const sim::OutlineEdge& edge = shape.panel.edges[i];
         const int count = control_count(edge.kind);
@@ -147,7 +149,7 @@ void draw_curve_handles(const SheetLook& look, const PanelShape& shape) {
 }  // namespace
 
 bool is_in_view(const SheetLook& look, const PanelShape& shape) {
-    return !shape.box.isEmpty() && visible_box(look.pen.camera).intersects(shape.sheet_box());
+    return !shape.is_hidden && !shape.box.isEmpty() && visible_box(look.pen.camera).intersects(shape.sheet_box());
 }
 
 void draw_cut_line(const SheetLook& look, const PanelShape& shape) {
@@ -193,7 +195,8 @@ void draw_outline(const SheetLook& look, const PanelShape& shape) {
     if (is_hovered && !is_chosen) {
         pen.list.AddPolyline(line.data(), count, packed(faded(pen.colours.hover, 0.5)), ImDrawFlags_Closed, pen.px(4));
     }
-    const render::Rgba8& colour = is_chosen ? pen.colours.accent : pen.colours.ink;
+    const render::Rgba8& unchosen = shape.may_be_picked ? pen.colours.ink : pen.colours.locked;
+    const render::Rgba8& colour = is_chosen ? pen.colours.accent : unchosen;
     pen.list.AddPolyline(line.data(), count, packed(colour), ImDrawFlags_Closed, pen.px(is_chosen ? 2 : 1.3));
 }
 
@@ -226,6 +229,8 @@ void draw_selected(const SheetLook& look, const PanelShape& shape) {
 
 void draw_hovered(const SheetLook& look) {
     const SheetPen& pen = look.pen;
+    const PanelShape* hovered = look.geometry.find(look.hover.panel);
+    if (hovered != nullptr && hovered->is_hidden) return;
     if (look.hover.edge && look.geometry.edge(*look.hover.edge) != nullptr) {
         const PanelShape& shape = *look.geometry.find(look.hover.edge->panel);
         const PanelFace& face = look.faces.face(shape, pen.camera.scale);
@@ -359,7 +364,7 @@ void draw_seams(const SheetLook& look) {
         const sim::Seam& seam = look.pattern.seams[i];
         const PanelShape* first = shape_of(look, seam.first);
         const PanelShape* second = shape_of(look, seam.second);
-        if (first == nullptr || second == nullptr) continue;
+        if (first == nullptr || second == nullptr || first->is_hidden || second->is_hidden) continue;
         const int index = static_cast<int>(i);
         const double difference = length_of(*second, seam.second) - length_of(*first, seam.first);
         const SeamLook drawn = look_of(look, index, difference);

@@ -23,7 +23,7 @@ void draw_selected(const SheetLook& look, const PanelShape& shape);
 void draw_hovered(const SheetLook& look);
 
 // Seams on the sheet: both sides in one colour; ticks and a triangle show the direction in which they meet; sides of
-// unequal length are red.
+// unequal length are red. Those of hidden panels are left out.
 
 void draw_seams(const SheetLook& look);
 

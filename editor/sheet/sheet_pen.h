@@ -34,6 +34,7 @@ struct SheetColours {
 
     render::Rgba8 ink{0x26, 0x29, 0x2E, 0xFF};          // outlines, names
     render::Rgba8 faint_ink{0x26, 0x29, 0x2E, 0x80};    // grainlines, internal lines
+    render::Rgba8 locked{0x26, 0x29, 0x2E, 0x60};       // outlines of locked panels
     render::Rgba8 cut{0x26, 0x29, 0x2E, 0xD8};          // cut lines
     render::Rgba8 plain_cloth{0xEF, 0xEA, 0xDF, 0xE8};  // panels without a tartan
     render::Rgba8 under_cloth{0xFF, 0xFF, 0xFF, 0xFF};  // below a tartan
@@ -128,6 +129,7 @@ struct SheetLook {
     CutLines* cut_lines = nullptr;                                    // null: none are drawn
 };
 
+// Whether any of the panel is drawn: it is not hidden, and its box meets the view.
 bool is_in_view(const SheetLook& look, const PanelShape& shape);
 
 }  // namespace selvedge::editor

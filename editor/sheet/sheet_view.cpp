@@ -73,7 +73,7 @@ SheetView::Mouse SheetView::place(SheetContext& context) {
 }
 
 SheetBox SheetView::content_box(const SheetContext& context) const {
-    const SheetBox box = context.tools.geometry().box();
+    const SheetBox box = context.tools.geometry().drawn_box();
     if (!context.underlay_picture) return box;
     return extended(box, context.host.document.pattern().underlays,
                     [&](const std::string& file) { return context.underlay_picture(file).size_px; });

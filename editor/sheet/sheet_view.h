@@ -50,7 +50,7 @@ class SheetView {
  public:
     SheetResult show(SheetContext& context);
 
-    // Frames everything, or the selection, in the next frame.
+    // Frames everything that is not hidden, or the selection, in the next frame.
     void frame_all() { wants_frame_ = Frame::All; }
     void frame_selected() { wants_frame_ = Frame::Selected; }
 

@@ -18,7 +18,7 @@ namespace {
 const PanelShape* panel_at(const SheetGeometry& geometry, const Vec2d& sheet) {
     const PanelShape* found = nullptr;
     for (const PanelShape& shape : geometry.panels()) {
-        if (shape.contains(shape.in_panel(sheet))) found = &shape;
+        if (shape.may_be_picked && shape.contains(shape.in_panel(sheet))) found = &shape;
     }
     return found;
 }
@@ -184,7 +184,7 @@ Command MirrorTool::command(const ToolContext& context) const {
     const Vec2d along = axis.at(1) - axis.at(0);
     if (!(along.norm() > 0)) throw GeometryError("The axis needs two points");
     const std::optional<Command> command =
-        transform_selected(context.geometry, context.document.selection(), mirror_over(axis[0], along), "Mirror");
+        transform_selected(context.geometry, context.document.changeable(), mirror_over(axis[0], along), "Mirror");
     if (!command) throw GeometryError("Select what to mirror first");
     return *command;
 }
@@ -195,7 +195,7 @@ void MirrorTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
     const Vec2d along = path_.aimed() - path_.points().front().at;
     if (!(along.norm() > 0)) return;
     const PlaneMap map = mirror_over(path_.aimed(), along);
-    for (const std::string& name : touched_panels(context.document.selection())) {
+    for (const std::string& name : touched_panels(context.document.changeable())) {
         const PanelShape* shape = context.geometry.find(name);
         if (shape == nullptr) continue;
         OverlayLine ghost{.points = {}, .tone = OverlayTone::Faint, .is_dashed = true};

@@ -197,7 +197,7 @@ std::string DartTool::hint(const ToolContext&) const {
 PickOptions CurveTool::wanted(const ToolContext& context) const {
     PickOptions options = pick_options(context);
     options.vertices = options.notches = options.internal_lines = false;
-    std::set<std::string> panels = touched_panels(context.document.selection());
+    std::set<std::string> panels = touched_panels(context.document.changeable());
     options.handle_edges = curved_edges_of(context.geometry, panels);
     return options;
 }

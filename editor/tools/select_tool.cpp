@@ -106,7 +106,7 @@ void SelectTool::begin_move(ToolContext& context, const SheetPointer& pointer) {
         context.document.select(with_picked(context.document.selection(), pressed_, pointer.modifiers.shift));
     }
     drag_ = Drag::Move;
-    moved_ = context.document.selection();
+    moved_ = context.document.changeable();
     moving_ = {};
     const std::vector<PartRef> vertices = selected_vertices(context.geometry, moved_);
     moving_.moving = {vertices.begin(), vertices.end()};
@@ -177,7 +177,7 @@ void SelectTool::drop(ToolContext& context, const SheetPointer& pointer) {
 bool SelectTool::enter(ToolContext& context, const std::vector<double>& numbers) {
     if (numbers.size() > 2) return false;
     const Vec2d by = Vec2d(numbers[0], numbers.size() > 1 ? numbers[1] : 0) / 100;
-    const std::optional<Command> command = move_selected(context.geometry, context.document.selection(), by);
+    const std::optional<Command> command = move_selected(context.geometry, context.document.changeable(), by);
     if (!command) return false;
     context.document.run(*command);
     return true;
@@ -209,7 +209,7 @@ std::string SelectTool::hint(const ToolContext& context) const {
 namespace {
 
 std::set<PartRef> shown_handles(const ToolContext& context) {
-    std::set<std::string> panels = touched_panels(context.document.selection());
+    std::set<std::string> panels = touched_panels(context.document.changeable());
     return curved_edges_of(context.geometry, panels);
 }
 
@@ -399,7 +399,7 @@ std::string in_percent(double factor) {
 
 void TransformTool::press(ToolContext& context, const SheetPointer& pointer) {
     pressed_ = pick(context.geometry, pointer.at, pick_options(context));
-    held_ = context.document.selection();
+    held_ = context.document.changeable();
     box_ = context.geometry.box_of(held_);
     pressed_at_ = pointer.at;
     handle_.reset();
@@ -411,7 +411,8 @@ void TransformTool::press(ToolContext& context, const SheetPointer& pointer) {
 }
 
 void TransformTool::click(ToolContext& context, const SheetPointer& pointer) {
-    if (!handle_) context.document.select(with_picked(held_, pressed_, pointer.modifiers.shift));
+    if (handle_) return;
+    context.document.select(with_picked(context.document.selection(), pressed_, pointer.modifiers.shift));
 }
 
 void TransformTool::drag(ToolContext& context, const SheetPointer& pointer) {
@@ -474,7 +475,7 @@ void TransformTool::drop(ToolContext& context, const SheetPointer&) {
 }
 
 bool TransformTool::enter(ToolContext& context, const std::vector<double>& numbers) {
-    const Selection& selection = context.document.selection();
+    const Selection selection = context.document.changeable();
     const SheetBox box = context.geometry.box_of(selection);
     if (box.isEmpty()) throw GeometryError("Select something first");
     PlaneMap map;
@@ -502,7 +503,7 @@ bool TransformTool::cancel(ToolContext&) {
 }
 
 void TransformTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
-    const SheetBox box = context.geometry.box_of(context.document.selection());
+    const SheetBox box = context.geometry.box_of(context.document.changeable());
     if (box.isEmpty()) return;
     add_box(overlay, box, OverlayTone::Faint);
     const HandleShape shape = mode_ == TransformMode::Rotate ? HandleShape::Round : HandleShape::Square;

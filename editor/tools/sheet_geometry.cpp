@@ -86,8 +86,19 @@ bool PanelShape::contains(const Vec2d& u) const {
     return outline.size() > 2 && box.contains(u) && sim::is_inside(u, outline);
 }
 
-void SheetGeometry::update(const sim::Pattern& pattern, std::uint64_t revision) {
-    if (revision_ == revision) return;
+void SheetGeometry::take(const PanelStates& states) {
+    states_ = states;
+    for (PanelShape& shape : panels_) {
+        shape.is_hidden = states.hidden.contains(shape.panel.name);
+        shape.may_be_picked = states.may_be_picked(shape.panel.name);
+    }
+}
+
+void SheetGeometry::update(const sim::Pattern& pattern, std::uint64_t revision, const PanelStates& states) {
+    if (revision_ == revision) {
+        if (states_ != states) take(states);
+        return;
+    }
     revision_ = revision;
     const std::vector<Vec2d> origins = sheet_positions(pattern);
     std::vector<PanelShape> kept = std::move(panels_);
@@ -109,6 +120,7 @@ void SheetGeometry::update(const sim::Pattern& pattern, std::uint64_t revision) 
         panels_.back().origin = origins[i];
     }
     seams_ = pattern.seams;
+    take(states);
 }
 
 const PanelShape* SheetGeometry::find(const std::string& panel) const {
@@ -143,6 +155,13 @@ std::optional<int> SheetGeometry::seam_of(const PartRef& edge) const {
 SheetBox SheetGeometry::box() const {
     SheetBox box;
     for (const PanelShape& shape : panels_) box.extend(shape.sheet_box());
+    return box;
+}
+
+SheetBox SheetGeometry::drawn_box() const {
+    SheetBox box;
+    for (const PanelShape& shape : panels_)
+        if (!shape.is_hidden) box.extend(shape.sheet_box());
     return box;
 }
 

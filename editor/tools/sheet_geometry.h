@@ -73,6 +73,8 @@ struct PanelShape {
     std::vector<Vec2d> outline;         // all edges as one closed polyline, each point once
     SheetBox box;                       // bounding box of the outline
     std::uint64_t outline_version = 0;  // changes whenever the outline changes
+    bool is_hidden = false;
+    bool may_be_picked = true;  // it is neither hidden nor locked
 
     Vec2d on_sheet(const Vec2d& u) const { return u + origin; }
     Vec2d in_panel(const Vec2d& sheet) const { return sheet - origin; }
@@ -82,8 +84,9 @@ struct PanelShape {
 
 class SheetGeometry {
  public:
-    // Updates the cache; panels with the same outline are kept. No effect if `revision`, the document's, is unchanged.
-    void update(const sim::Pattern& pattern, std::uint64_t revision);
+    // Updates the cache; panels with the same outline are kept. `revision`: the document's; while it is unchanged, only
+    // the states are taken.
+    void update(const sim::Pattern& pattern, std::uint64_t revision, const PanelStates& states = {});
 
     const std::vector<PanelShape>& panels() const { return panels_; }  // in the pattern's order
     const PanelShape* find(const std::string& panel) const;            // nullptr: no such panel
@@ -93,11 +96,15 @@ class SheetGeometry {
     std::optional<Vec2d> vertex(const PartRef& ref) const;  // on the sheet, m
     std::optional<int> seam_of(const PartRef& edge) const;  // index of the edge's first seam
 
-    SheetBox box() const;  // bounding box of all panels, on the sheet
+    SheetBox box() const;        // bounding box of all panels, on the sheet
+    SheetBox drawn_box() const;  // without hidden panels
     SheetBox box_of(const Selection& selection) const;
 
  private:
+    void take(const PanelStates& states);
+
     std::vector<PanelShape> panels_;
+    PanelStates states_;
     std::vector<sim::Seam> seams_;
     std::optional<std::uint64_t> revision_;
     std::uint64_t next_outline_version_ = 1;

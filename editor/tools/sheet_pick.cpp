@@ -121,6 +121,7 @@ int control_count(sim::CurveKind kind) {
 Pick pick(const SheetGeometry& geometry, const Vec2d& sheet, const PickOptions& options) {
     Best best(options.tolerance);
     for (const PanelShape& shape : geometry.panels()) {
+        if (!shape.may_be_picked) continue;
         const Vec2d u = shape.in_panel(sheet);
         offer_handles(shape, u, options, best);
         if (shape.box.isEmpty() || shape.box.exteriorDistance(u) > options.tolerance) continue;
@@ -162,6 +163,7 @@ Selection in_box(const SheetGeometry& geometry, const SheetBox& box, BoxRule rul
     Selection found;
     if (box.isEmpty()) return found;
     for (const PanelShape& shape : geometry.panels()) {
+        if (!shape.may_be_picked) continue;
         const SheetBox here(box.min() - shape.origin, box.max() - shape.origin);
         const std::string& name = shape.panel.name;
         if (targets == BoxTargets::Panels) {

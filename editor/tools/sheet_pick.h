@@ -20,8 +20,8 @@ struct PickOptions {
     std::set<PartRef> handle_edges{};  // edges whose curve handles can be picked
 };
 
-// The picked part. Priority: vertex, curve handle, notch, edge, internal line, panel; within a kind the nearest; of
-// panels the one drawn last.
+// The picked part. Hidden and locked panels are passed over, here and in a box. Priority: vertex, curve handle,
+// notch, edge, internal line, panel; within a kind the nearest; of panels the one drawn last.
 struct Pick {
     PickKind kind = PickKind::Nothing;
     std::string panel{};

@@ -17,7 +17,7 @@ template <class Use>
 void for_each_point(const SheetGeometry& geometry, const SnapOptions& options, Use&& use) {
     for (const Vec2d& point : options.more_points) use(point, SnapKind::Point);
     for (const PanelShape& shape : geometry.panels()) {
-        if (options.moving_panels.contains(shape.panel.name)) continue;
+        if (shape.is_hidden || options.moving_panels.contains(shape.panel.name)) continue;
         for (std::size_t i = 0; i < shape.panel.vertices.size(); ++i) {
             if (options.moving.contains({shape.panel.name, static_cast<int>(i)})) continue;
             use(shape.on_sheet(shape.panel.vertices[i]), SnapKind::Point);

@@ -1,6 +1,6 @@
 #pragma once
-// Snapping of a point on the sheet: to points of panels, to directions, to alignment with points, to the grid; and of a
-// position along an edge.
+// Snapping of a point on the sheet: to points of panels that are not hidden, to directions, to alignment with points,
+// to the grid; and of a position along an edge.
 #include <optional>
 #include <set>
 #include <string>

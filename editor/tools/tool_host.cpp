@@ -33,7 +33,7 @@ std::vector<Vec2d> refused_outline(const sim::Panel& panel) {
 ToolHost::ToolHost() : tool_(default_tool().make()) {}
 
 ToolContext ToolHost::context(ToolHostContext host) {
-    geometry_.update(host.document.pattern(), host.document.revision());
+    geometry_.update(host.document.pattern(), host.document.revision(), host.document.panel_states());
     const bool is_traced = !host.document.pattern().underlays.empty();  // then points follow the photo, not the grid
     return {.document = host.document,
             .geometry = geometry_,
@@ -72,7 +72,7 @@ void ToolHost::choose(ToolHostContext host, const ToolInfo& tool) {
 void ToolHost::begin_frame(const Document& document, const SheetCamera& camera, double ui_scale) {
     camera_ = camera;
     ui_scale_ = ui_scale;
-    geometry_.update(document.pattern(), document.revision());
+    geometry_.update(document.pattern(), document.revision(), document.panel_states());
 }
 
 void ToolHost::move(ToolHostContext host, const Vec2d& px, const Modifiers& modifiers) {
@@ -201,7 +201,7 @@ bool ToolHost::key_unguarded(ToolHostContext host, Key key, const Modifiers& mod
 }
 
 bool ToolHost::remove_selected(ToolHostContext host) {
-    const Selection& selected = host.document.selection();
+    const Selection selected = host.document.changeable();
     RemoveParts remove;
     remove.panels.assign(selected.panels.begin(), selected.panels.end());
     const auto add = [&](const std::set<PartRef>& from, std::vector<PartRef>& to) {
@@ -228,7 +228,7 @@ bool ToolHost::nudge(ToolHostContext host, Key key, const Modifiers& modifiers) 
     if (key == Key::Left) by.x() = -step;
     if (key == Key::Up) by.y() = step;
     if (key == Key::Down) by.y() = -step;
-    const std::optional<Command> command = move_selected(geometry_, host.document.selection(), by);
+    const std::optional<Command> command = move_selected(geometry_, host.document.changeable(), by);
     if (!command) return false;
     host.messages.dismiss();
     host.document.run(*command);
@@ -238,7 +238,7 @@ bool ToolHost::nudge(ToolHostContext host, Key key, const Modifiers& modifiers) 
 bool ToolHost::select_all(ToolHostContext host) {
     Selection all;
     for (const PanelShape& shape : geometry_.panels()) all.panels.insert(shape.panel.name);
-    host.document.select(all);
+    host.document.select(pickable(all, host.document.panel_states()));
     return true;
 }
 

@@ -24,7 +24,11 @@ std::optional<MeshHit> hit_body(const Ray& ray, const PickScene& room) {
 
 void find_surface(const Ray& ray, const std::optional<MeshHit>& body, const PickScene& room, UnderCursor& under) {
     const sim::DrawMesh& mesh = room.garment.mesh();
-    const std::optional<MeshHit> cloth = nearest_hit(ray, mesh.x, mesh.triangles);
+    const auto is_passed = [&](std::size_t triangle) {
+        const std::size_t panel = sim::panel_of(mesh, triangle);
+        return panel < mesh.panel_names.size() && room.passed.contains(mesh.panel_names[panel]);
+    };
+    const std::optional<MeshHit> cloth = nearest_hit(ray, mesh.x, mesh.triangles, is_passed);
     if (body && (!cloth || body->distance < cloth->distance - kSkin)) {
         under.surface = ray.at(body->distance);
         return;
@@ -77,6 +81,7 @@ void find_part(const Viewing& viewing, const Vec2f& px, const PickScene& room, f
     for (std::size_t p = 0; p < room.pattern.panels.size() && p < room.garment.outlines().size(); ++p) {
         const ClothOutline& outline = room.garment.outlines()[p];
         const sim::Panel& panel = room.pattern.panels[p];
+        if (room.passed.contains(panel.name)) continue;
         for (std::size_t e = 0; e < outline.starts.size() && e < panel.edges.size(); ++e) {
             if (vertices.take(distance_to_point(viewing, px, start_of(outline, e, x))))
                 hover.vertex = PartRef{panel.name, panel.edges[e].start};
@@ -124,7 +129,8 @@ UnderCursor find_under(const Viewing& viewing, const Vec2f& px, const PickScene&
 }
 
 // Moeller and Trumbore (1997), without back-face culling.
-std::optional<MeshHit> nearest_hit(const Ray& ray, const std::vector<Vec3f>& x, const TriangleList& triangles) {
+std::optional<MeshHit> nearest_hit(const Ray& ray, const std::vector<Vec3f>& x, const TriangleList& triangles,
+                                   const std::function<bool(std::size_t triangle)>& is_passed) {
     std::optional<MeshHit> nearest;
     float least = std::numeric_limits<float>::infinity();
     for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -140,7 +146,7 @@ std::optional<MeshHit> nearest_hit(const Ray& ray, const std::vector<Vec3f>& x, 
         const float w = ray.direction.dot(normal) / volume;
         if (!(w >= 0 && v + w <= 1)) continue;
         const float distance = ac.dot(normal) / volume;
-        if (!(distance > 0 && distance < least)) continue;
+        if (!(distance > 0 && distance < least) || (is_passed && is_passed(t))) continue;
         least = distance;
         nearest = {.distance = distance, .triangle = static_cast<std::uint32_t>(t), .weights = {1 - v - w, v, w}};
     }

@@ -3,8 +3,11 @@
 // Surfaces are picked with a ray, points and lines by their distance on the screen.
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <set>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "editor/document/selection.h"
@@ -24,7 +27,9 @@ struct MeshHit {
 };
 
 // Returns the nearest hit; both sides of a triangle count. Tests every triangle: about 0.2 ms for 25,000 triangles.
-std::optional<MeshHit> nearest_hit(const Ray& ray, const std::vector<Vec3f>& x, const TriangleList& triangles);
+// Triangles for which `is_passed` returns true do not stop the ray.
+std::optional<MeshHit> nearest_hit(const Ray& ray, const std::vector<Vec3f>& x, const TriangleList& triangles,
+                                   const std::function<bool(std::size_t triangle)>& is_passed = {});
 
 // Distance from the cursor on the screen, and the depth of the nearest point.
 struct ScreenDistance {
@@ -61,7 +66,8 @@ struct PickScene {
     std::span<const Vec3f> joints{};                             // m, dots of the body's joints
     const Gizmo* gizmo = nullptr;                                // null: there is no gizmo
     ClothChoice choice = ClothChoice::Panels;
-    float scale = 1;  // interface scale factor
+    float scale = 1;                    // interface scale factor
+    std::set<std::string> passed = {};  // panels that cannot be picked: what lies behind them is
 };
 
 struct UnderCursor {

@@ -82,6 +82,7 @@ void Viewport::make_scene(const ViewportContext& context) {
     const Message* message = workspace.messages.shown();
     ViewportMarks marks{.selection = document.selection(), .hover = workspace.hover};
     if (message && message->kind != MessageKind::Note) marks.wrong = message->places;
+    marks.undrawn = undrawn_panels(document.pattern(), workspace.look, document.panel_states());
     marks.has_seam_lines = workspace.look.has_seam_lines;
     marks.has_points = controller_.shows_points();
     marks.hovered_point = controller_.under().point;

@@ -107,15 +107,19 @@ void ViewportController::pick(Workspace& workspace, const ViewportInput& input, 
     }
     under_ = {};
     if (input.is_over) {
+        const Document& document = *workspace.document;
+        std::set<std::string> passed = undrawn_panels(document.pattern(), workspace.look, document.panel_states());
+        passed.insert(document.panel_states().locked.begin(), document.panel_states().locked.end());
         under_ = find_under(viewing(), input.cursor_px,
-                            {.pattern = workspace.document->pattern(),
+                            {.pattern = document.pattern(),
                              .garment = garment_,
                              .body = workspace.look.has_body ? &surface_ : nullptr,
                              .points = shows_points_ ? &current.points : nullptr,
                              .joints = std::span(joints_).first(joint_dots_),
                              .gizmo = gizmo_ ? &*gizmo_ : nullptr,
                              .choice = choice,
-                             .scale = input.scale});
+                             .scale = input.scale,
+                             .passed = std::move(passed)});
     }
     if (input.is_over || has_set_hover_) workspace.hover = under_.hover;
     has_set_hover_ = input.is_over;
@@ -124,7 +128,7 @@ void ViewportController::pick(Workspace& workspace, const ViewportInput& input, 
 void ViewportController::place_gizmo(const Workspace& workspace, float scale) {
     const sim::Pattern& pattern = workspace.document->pattern();
     const sim::SessionFrame& frame = garment_.frame();
-    const std::vector<sim::Panel> panels = panels_of(pattern, workspace.document->selection().panels);
+    const std::vector<sim::Panel> panels = panels_of(pattern, workspace.document->changeable().panels);
     const bool can_place = !panels.empty() && !frame.is_running;
     shows_points_ = can_place && workspace.look.has_points && (garment_.is_placed() || !is_sewn_up(frame.stage));
     gizmo_.reset();
@@ -141,7 +145,7 @@ void ViewportController::place_gizmo(const Workspace& workspace, float scale) {
 
 void ViewportController::find_ghosts(const Workspace& workspace) {
     ghosts_.clear();
-    std::vector<sim::Panel> panels = panels_of(workspace.document->pattern(), workspace.document->selection().panels);
+    std::vector<sim::Panel> panels = panels_of(workspace.document->pattern(), workspace.document->changeable().panels);
     const bool is_apart = gizmo_ && !garment_.is_placed() && is_sewn_up(garment_.frame().stage);
     const std::vector<sim::ArrangementPoint>& points = workspace.drape.current_body().points;
     const bool would_go = under_.point && *under_.point < points.size() && gesture_ == Gesture::None;
@@ -204,7 +208,7 @@ bool ViewportController::use_view_key(const Workspace& workspace, Key key, bool 
         orbit_.change_lens();
     else if (key == Key::Home)
         frame_all(workspace);
-    else if (key == Key::KeypadDecimal || key == key_of('F'))
+    else if (key == Key::KeypadDecimal || (key == key_of('F') && !is_opposite))  // Ctrl+F finds a panel
         frame_selection(workspace);
     else
         return false;
@@ -261,7 +265,7 @@ void ViewportController::press(Workspace& workspace, const ViewportInput& input)
         begin_drag(workspace, *gizmo_, *under_.handle, input.cursor_px);
     } else if (is_left && under_.point) {
         const std::vector<sim::Panel> panels =
-            panels_of(workspace.document->pattern(), workspace.document->selection().panels);
+            panels_of(workspace.document->pattern(), workspace.document->changeable().panels);
         if (!panels.empty())
             workspace.run(arrange_command(panels, workspace.drape.current_body().points[*under_.point]));
     } else if (is_left && under_.joint) {
@@ -314,7 +318,7 @@ void ViewportController::begin_drag(Workspace& workspace, const Gizmo& gizmo, co
         turned_from_ = *angles;
         turning_axes_ = axes_of(workspace.drape, *joint);
     } else {
-        dragged_ = panels_of(workspace.document->pattern(), workspace.document->selection().panels);
+        dragged_ = panels_of(workspace.document->pattern(), workspace.document->changeable().panels);
         if (dragged_.empty()) return;
     }
     typed_.clear();

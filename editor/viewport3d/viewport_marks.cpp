@@ -18,8 +18,9 @@ constexpr float kNeedleLength = 9;  // px
 
 class Marker {
  public:
-    Marker(const sim::Pattern& pattern, const DisplayedGarment& garment, float size, render::SolidItem& solid)
-        : pattern_(pattern), garment_(garment), size_(size), solid_(solid) {}
+    Marker(const sim::Pattern& pattern, const DisplayedGarment& garment, const ViewportMarks& marks,
+           render::SolidItem& solid)
+        : pattern_(pattern), garment_(garment), undrawn_(marks.undrawn), size_(marks.size), solid_(solid) {}
 
     void outline(const std::string& panel, float radius, const sim::Rgb8& colour) {
         if (const std::optional<std::size_t> p = seen_panel(panel))
@@ -65,6 +66,7 @@ class Marker {
 
  private:
     std::optional<std::size_t> seen_panel(const std::string& name) const {
+        if (undrawn_.contains(name)) return std::nullopt;
         for (std::size_t p = 0; p < pattern_.panels.size() && p < garment_.outlines().size(); ++p) {
             if (pattern_.panels[p].name == name && !garment_.outlines()[p].is_empty()) return p;
         }
@@ -83,6 +85,7 @@ class Marker {
 
     const sim::Pattern& pattern_;
     const DisplayedGarment& garment_;
+    const std::set<std::string>& undrawn_;
     float size_;
     render::SolidItem& solid_;
 };
@@ -154,10 +157,17 @@ std::vector<Thread> seam_lines_of(const sim::Seam& seam, const DisplayedGarment&
     return seam_lines;
 }
 
+bool is_undrawn(const sim::Pattern& pattern, std::size_t seam, const std::set<std::string>& undrawn) {
+    if (seam >= pattern.seams.size()) return false;
+    const auto has = [&](const sim::SeamSide& side) { return undrawn.contains(panel_of(pattern, side).name); };
+    return has(pattern.seams[seam].first) || has(pattern.seams[seam].second);
+}
+
 void mark_seam_lines(render::SolidItem& solid, const sim::Pattern& pattern, const DisplayedGarment& garment,
-                     float size) {
+                     const ViewportMarks& marks) {
     const auto draw = [&](const Thread& thread, std::size_t seam) {
-        add_rod(solid, thread[0], thread[1], kThread * size, render::line_colour(seam));
+        if (!marks.undrawn.empty() && is_undrawn(pattern, seam, marks.undrawn)) return;
+        add_rod(solid, thread[0], thread[1], kThread * marks.size, render::line_colour(seam));
     };
     if (garment.is_placed()) {
         for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
@@ -194,8 +204,8 @@ render::SolidItem make_marks(const sim::Pattern& pattern, const DisplayedGarment
                              const std::vector<sim::ArrangementPoint>& points, const ViewportMarks& marks,
                              const ViewportColours& colours) {
     render::SolidItem solid;
-    Marker marker(pattern, garment, marks.size, solid);
-    if (marks.has_seam_lines) mark_seam_lines(solid, pattern, garment, marks.size);
+    Marker marker(pattern, garment, marks, solid);
+    if (marks.has_seam_lines) mark_seam_lines(solid, pattern, garment, marks);
     mark_selection(marker, marks.selection, colours.selected);
     mark_hover(marker, marks, colours.hovered);
     mark_wrong(marker, marks.wrong, colours.error);

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "editor/document/selection.h"
@@ -93,6 +95,7 @@ struct ViewportMarks {
     bool has_points = false;            // shows the arrangement points
     std::optional<std::size_t> hovered_point{};
     std::optional<Vec3f> pulled_to{};  // m
+    std::set<std::string> undrawn{};   // panels whose parts and seams are not marked
     float size = 0.0028F;              // m, approximate size of a pixel: keeps the marks' size on the screen constant
 
     bool operator==(const ViewportMarks&) const = default;

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "sim/mesh/draw_mesh.h"
-#include "sim/pattern/garments.h"
 
 namespace selvedge::editor {
 namespace {
@@ -16,16 +15,11 @@ constexpr float kEdgeInk = 0.55F;
 // their middles dip into what is round.
 constexpr float kDrawnInside = 0.0015F;  // m
 
-// Without the panels of these garments.
-sim::DrawMesh without(const sim::DrawMesh& mesh, const sim::Pattern& pattern, const std::set<std::string>& garments) {
-    std::set<std::string> hidden;
-    for (const sim::Panel& panel : pattern.panels) {
-        if (garments.contains(garment_of(pattern, panel))) hidden.insert(panel.name);
-    }
+sim::DrawMesh without(const sim::DrawMesh& mesh, const std::set<std::string>& panels) {
     std::vector<std::size_t> kept;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const std::size_t panel = panel_of(mesh, t);
-        if (panel >= mesh.panel_names.size() || !hidden.contains(mesh.panel_names[panel])) kept.push_back(t);
+        if (panel >= mesh.panel_names.size() || !panels.contains(mesh.panel_names[panel])) kept.push_back(t);
     }
     return with_triangles(mesh, kept);
 }
@@ -52,7 +46,7 @@ void ViewportScene::update_cloth(const ViewportSceneInput& input) {
     cloths_.clear();
     const sim::DrawMesh& all = input.curved ? *input.curved : input.garment.mesh();
     std::optional<sim::DrawMesh> visible;
-    if (!input.look.hidden_garments.empty()) visible = without(all, input.pattern, input.look.hidden_garments);
+    if (!input.marks.undrawn.empty()) visible = without(all, input.marks.undrawn);
     const sim::DrawMesh& mesh = visible ? *visible : all;
     if (!is_sound(mesh)) return;
     render::ClothItem item{.mesh = mesh, .sett = {}, .show = input.look.show};
@@ -83,7 +77,7 @@ std::shared_ptr<const render::Scene> ViewportScene::update(const ViewportSceneIn
                          .revision = input.revision,
                          .show = input.look.show,
                          .has_edges = input.look.has_edges,
-                         .hidden = input.look.hidden_garments,
+                         .undrawn = input.marks.undrawn,
                          .curved = input.curved};
     const bool is_cloth_new = !(key == key_);
     const bool is_body_new = input.current_body.body != body_ || input.look.has_body != has_body_ ||

@@ -19,7 +19,7 @@ struct ViewportSceneInput {
     const CurrentBody& current_body;
     std::shared_ptr<const sim::DrawMesh> curved{};  // drawn instead of the garment's mesh; null: none
     ViewOptions look{};
-    ViewportMarks marks{};
+    ViewportMarks marks{};  // its undrawn panels are left out of the cloth, too
 };
 
 class ViewportScene {
@@ -36,7 +36,7 @@ class ViewportScene {
         std::uint64_t revision = 0;
         render::ShowMode show = render::ShowMode::Tartan;
         bool has_edges = false;
-        std::set<std::string> hidden;
+        std::set<std::string> undrawn;
         std::shared_ptr<const sim::DrawMesh> curved;
 
         bool operator==(const ContentKey&) const = default;

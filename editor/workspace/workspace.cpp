@@ -15,6 +15,15 @@
 #include "sim/place/free_place.h"
 
 namespace selvedge::editor {
+std::set<std::string> undrawn_panels(const sim::Pattern& pattern, const ViewOptions& look, const PanelStates& states) {
+    std::set<std::string> undrawn = states.hidden;
+    if (look.hidden_garments.empty()) return undrawn;
+    for (const sim::Panel& panel : pattern.panels) {
+        if (look.hidden_garments.contains(garment_of(pattern, panel))) undrawn.insert(panel.name);
+    }
+    return undrawn;
+}
+
 bool Workspace::run(const Command& command) {
     try {
         document->run(command);

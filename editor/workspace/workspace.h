@@ -224,6 +224,9 @@ struct ViewOptions {
     bool operator==(const ViewOptions&) const = default;
 };
 
+// The panels that the 3D view does not draw: those that are hidden, and those of hidden garments.
+std::set<std::string> undrawn_panels(const sim::Pattern& pattern, const ViewOptions& look, const PanelStates& states);
+
 struct Workspace {
     Workspace(sim::PatternDocument source, sim::SessionDrive drive, BodyMaker maker,
               MotionFinder motions = sim::find_motion)

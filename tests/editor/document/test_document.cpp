@@ -153,6 +153,65 @@ TEST(Document, a_renamed_panel_keeps_its_place_in_the_file) {
     EXPECT_EQ(document.text(), first);
 }
 
+Selection all_parts(const std::string& panel) {
+    Selection parts;
+    parts.panels = {panel};
+    parts.vertices = {{panel, 0}};
+    parts.edges = {{panel, 1}};
+    return parts;
+}
+
+TEST(PanelStates, follow_a_renamed_panel_also_when_it_is_undone_and_redone) {
+    Document document(shipped("tshirt.json"));
+    document.set_panel_states({.hidden = {"front"}, .locked = {"back", "front"}});
+    const PanelStates first = document.panel_states(), second{.hidden = {"vorn"}, .locked = {"back", "vorn"}};
+    document.run(RenamePanel{.panel = "front", .to = "vorn"});
+    EXPECT_EQ(document.panel_states(), second);
+    document.undo();
+    EXPECT_EQ(document.panel_states(), first);
+    document.redo();
+    EXPECT_EQ(document.panel_states(), second);
+}
+
+TEST(PanelStates, are_left_by_removed_panels_and_have_no_unknown_ones) {
+    Document document(shipped("tshirt.json"));
+    document.set_panel_states({.hidden = {"front", "nobody"}, .locked = {"back"}});
+    EXPECT_EQ(document.panel_states().hidden, std::set<std::string>{"front"});
+    document.run(RemoveParts{.panels = {"front"}});
+    EXPECT_EQ(document.panel_states(), (PanelStates{.hidden = {}, .locked = {"back"}}));
+    document.undo();
+    EXPECT_EQ(document.panel_states(), (PanelStates{.hidden = {}, .locked = {"back"}}));
+}
+
+TEST(PanelStates, are_no_part_of_the_pattern_and_are_not_undone) {
+    Document document(shipped("tshirt.json"));
+    std::string journal;
+    document.set_journal([&](std::string_view line) { journal += line; });
+    const std::string text = document.text();
+    const std::uint64_t revision = document.revision();
+    document.set_panel_states({.hidden = {"front"}, .locked = {}});
+    EXPECT_EQ(document.text(), text);
+    EXPECT_EQ(document.revision(), revision);
+    EXPECT_FALSE(document.can_undo());
+    EXPECT_FALSE(document.has_unsaved_changes());
+    EXPECT_TRUE(journal.empty());
+    document.run(move_point("back", 0, Vec2d(0.01, 0)));
+    document.undo();
+    EXPECT_EQ(document.panel_states().hidden, std::set<std::string>{"front"});
+}
+
+TEST(PanelStates, take_panels_out_of_the_selection_and_out_of_what_may_be_changed) {
+    Document document(shipped("tshirt.json"));
+    document.select(all_parts("front"));
+    document.set_panel_states({.hidden = {"back"}, .locked = {}});
+    EXPECT_EQ(document.selection(), all_parts("front"));
+    document.set_panel_states({.hidden = {}, .locked = {"front"}});
+    EXPECT_TRUE(document.selection().is_empty());
+    document.select(all_parts("front"));  // as a click in the tree of objects does
+    EXPECT_EQ(document.selection(), all_parts("front"));
+    EXPECT_TRUE(document.changeable().is_empty());
+}
+
 TEST(Document, names_that_change_hands_come_back_with_their_panels) {
     Document document(shipped("tshirt.json"));
     const std::string first = document.text();

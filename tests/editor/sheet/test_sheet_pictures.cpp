@@ -6,6 +6,7 @@
 
 #include "editor/sheet/sheet_pen.h"
 #include "render/image/image.h"
+#include "render/scene/colour.h"
 #include "tests/editor/sheet/sheet_support.h"
 
 namespace selvedge::editor {
@@ -88,6 +89,39 @@ TEST(SheetPictures, an_armhole_with_selection_and_handles) {
     const SheetPicture picture(stage, "armhole");
     EXPECT_TRUE(picture.shows(kColours.accent, stage.on_edge("front", 2, 0.3))) << "the selected edge";
     EXPECT_TRUE(picture.shows(kColours.handle, stage.vertex("front", 2), 8)) << "a handle at its end";
+}
+
+TEST(SheetPictures, a_hidden_panel_and_its_seams_are_not_drawn) {
+    SheetFixture stage(shipped_pattern("two_squares"));
+    const sim::Pattern& pattern = stage.document.pattern();
+    const std::string kept = pattern.panels[0].name, hidden = pattern.panels[1].name;
+    const sim::Rgb8 kind = render::line_colour(0);
+    const render::Rgba8 seam{kind[0], kind[1], kind[2], 255};
+    const auto shows_outline = [&](const SheetPicture& picture, const std::string& name) {
+        return picture.shows_line(stage.on_edge(name, 0, 0.37)) || picture.shows_line(stage.on_edge(name, 1, 0.37));
+    };
+    stage.frame();
+    const SheetPicture before(stage, "all_panels");
+    EXPECT_TRUE(shows_outline(before, kept) && shows_outline(before, hidden));
+    EXPECT_GT(before.pixels_of(seam), 0);
+    stage.document.set_panel_states({.hidden = {hidden}, .locked = {}});
+    stage.hover = {.panel = hidden};
+    stage.frame();
+    const SheetPicture after(stage, "hidden_panel");
+    EXPECT_TRUE(shows_outline(after, kept));
+    EXPECT_FALSE(shows_outline(after, hidden));
+    EXPECT_EQ(after.pixels_of(seam), 0);
+}
+
+TEST(SheetPictures, a_locked_panel_has_a_faint_outline) {
+    SheetFixture stage(shipped_pattern("two_squares"));
+    const std::string name = stage.document.pattern().panels[0].name;
+    stage.shows.seams = stage.shows.cloth = false;
+    stage.document.set_panel_states({.hidden = {}, .locked = {name}});
+    stage.frame();
+    const SheetPicture picture(stage, "locked_panel");
+    EXPECT_FALSE(picture.shows_line(stage.on_edge(name, 0, 0.37)));
+    EXPECT_TRUE(picture.shows_line(stage.on_edge(stage.document.pattern().panels[1].name, 0, 0.37)));
 }
 
 // Below the lower edge of a square, outside of it, by its allowance.

@@ -33,6 +33,19 @@ TEST(SheetView, f_frames_what_is_selected) {
     EXPECT_TRUE(visible_box(stage.view.camera()).contains(stage.tools.geometry().find("front")->sheet_box()));
 }
 
+TEST(SheetView, frames_all_panels_that_are_not_hidden) {
+    SheetFixture stage(shipped_pattern("tshirt"));
+    const double all = stage.view.camera().scale;
+    PanelStates states;
+    for (const sim::Panel& panel : stage.document.pattern().panels)
+        if (panel.name != "front") states.hidden.insert(panel.name);
+    stage.document.set_panel_states(states);
+    stage.view.frame_all();
+    stage.frame();
+    EXPECT_GT(stage.view.camera().scale, 1.2 * all);
+    EXPECT_TRUE(visible_box(stage.view.camera()).contains(stage.tools.geometry().find("front")->sheet_box()));
+}
+
 TEST(SheetView, the_wheel_zooms_to_the_cursor) {
     SheetFixture stage(shipped_pattern("tshirt"));
     const Vec2d at = stage.vertex("front", 0);

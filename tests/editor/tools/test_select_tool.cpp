@@ -47,6 +47,39 @@ TEST(SelectTool, a_dragged_vertex_snaps_to_another_panels_vertex) {
     EXPECT_EQ(user.pattern().panels.size(), 2U);
 }
 
+TEST(SelectTool, select_all_and_boxes_pass_over_hidden_and_locked_panels) {
+    SheetUser user;
+    user.document.set_panel_states({.hidden = {}, .locked = {"left"}});
+    user.key(key_of('A'), {.ctrl = true});
+    EXPECT_EQ(user.document.selection().panels, std::set<std::string>{"right"});
+    user.document.set_panel_states({.hidden = {"right"}, .locked = {}});
+    user.drag({-0.05, -0.05}, {0.6, 0.3});
+    EXPECT_EQ(user.document.selection().panels, std::set<std::string>{"left"});
+}
+
+TEST(SelectTool, a_locked_panel_that_is_selected_is_not_changed) {
+    SheetUser user;
+    user.document.set_panel_states({.hidden = {}, .locked = {"left"}});
+    Selection both;
+    both.panels = {"left", "right"};
+    user.document.select(both);  // as clicks in the tree of objects do
+    user.key(Key::Right);
+    user.type("2");
+    user.drag({0.4, 0.06}, {0.4, 0.11});
+    user.choose("rotate");
+    user.document.select(both);
+    user.type("90");
+    EXPECT_LT(user.vertex("left", 0).norm(), 1e-12);
+    EXPECT_EQ(user.panel("left").vertices, two_squares().pattern.panels[0].vertices);
+    EXPECT_GT((user.vertex("right", 0) - Vec2d(0.3, 0)).norm(), 0.02);
+    user.document.select(both);
+    user.key(Key::Delete);
+    EXPECT_EQ(user.pattern().panels.size(), 1U);
+    user.document.select(both);
+    EXPECT_FALSE(user.key(Key::Delete));
+    EXPECT_FALSE(user.key(Key::Right));
+}
+
 TEST(SelectTool, an_edge_moves_with_both_its_ends) {
     SheetUser user;
     user.drag({0.05, 0.2}, {0.05, 0.25}, {.ctrl = true});

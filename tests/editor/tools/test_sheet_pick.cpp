@@ -59,6 +59,26 @@ TEST(SheetPick, of_panels_that_overlap_the_one_drawn_last_is_picked) {
     EXPECT_EQ(pick(geometry_of(pattern), {0.15, 0.1}, {}).panel, "right");
 }
 
+TEST(SheetPick, hidden_and_locked_panels_are_passed_over) {
+    sim::Pattern pattern = bent_pattern();
+    pattern.panels[1].sheet_position = Vec2d(0.1, 0.05);
+    SheetGeometry geometry;
+    const PanelStates hidden{.hidden = {"right"}, .locked = {}}, locked{.hidden = {}, .locked = {"right"}};
+    const SheetBox all(Vec2d(-1, -1), Vec2d(1, 1));
+    for (const PanelStates& states : {hidden, locked}) {
+        geometry.update(pattern, 1, states);
+        EXPECT_EQ(pick(geometry, {0.15, 0.12}, {}).panel, "left") << "what lies under it";
+        EXPECT_EQ(pick(geometry, {0.3, 0.25}, {}).kind, PickKind::Nothing) << "its corner";
+        EXPECT_EQ(in_box(geometry, all, BoxRule::Inside, BoxTargets::Panels).panels, std::set<std::string>{"left"});
+        EXPECT_EQ(in_box(geometry, all, BoxRule::Inside, BoxTargets::Vertices).vertices.size(), 4U);
+        EXPECT_EQ(in_box(geometry, all, BoxRule::Inside, BoxTargets::Edges).edges.size(), 4U);
+    }
+    geometry.update(pattern, 1, {.hidden = {}, .locked = {"left"}});
+    EXPECT_EQ(pick(geometry, {0.15, -0.05}, {.handle_edges = {{"left", 0}}}).kind, PickKind::Nothing) << "its handle";
+    geometry.update(pattern, 1, {});
+    EXPECT_EQ(pick(geometry, {0.15, 0.12}, {}).panel, "right");
+}
+
 TEST(SheetPick, hovering_an_edge_names_its_seam) {
     sim::Pattern pattern = two_squares().pattern;
     pattern.seams.push_back({{0, 1}, {1, 3}});
@@ -228,6 +248,15 @@ TEST_F(SnapTest, a_direction_ends_in_line_with_a_point) {
     const Snap snapped = at({0.503, 0.51}, options);
     EXPECT_TRUE(snapped.point.isApprox(Vec2d(0.5, 0.5)));
     EXPECT_EQ(snapped.guides.size(), 2U);
+}
+
+TEST_F(SnapTest, not_to_points_of_hidden_panels) {
+    const sim::Pattern pattern = two_squares().pattern;
+    SheetGeometry geometry;
+    geometry.update(pattern, 1, {.hidden = {}, .locked = {"right"}});
+    EXPECT_EQ(snap(geometry, {0.302, 0.199}, {}).kind, SnapKind::Point) << "a locked panel is seen";
+    geometry.update(pattern, 1, {.hidden = {"right"}, .locked = {}});
+    EXPECT_NE(snap(geometry, {0.302, 0.199}, {}).kind, SnapKind::Point);
 }
 
 TEST_F(SnapTest, along_an_edge_to_shares_and_to_millimetres) {

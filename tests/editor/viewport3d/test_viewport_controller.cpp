@@ -45,6 +45,65 @@ TEST(ViewportController, parts_of_an_outline_are_chosen_where_they_lie_on_the_cl
     EXPECT_EQ(viewport.document().selection().vertices, (std::set<PartRef>{{"square", 2}}));
 }
 
+// A second square, 10 cm behind the first.
+ViewportFixture& with_one_behind(ViewportFixture& viewport) {
+    sim::Panel other = viewport.panel();
+    other.name = "other";
+    other.translation.z() -= 0.1;
+    viewport.workspace().run(AddPanels{.panels = {other}});
+    viewport.rest();
+    viewport.workspace().drape.session().advance(0);
+    viewport.workspace().document->select({});
+    viewport.rest();
+    return viewport;
+}
+
+TEST(ViewportController, hidden_and_locked_panels_are_passed_over) {
+    ViewportFixture viewport;
+    with_one_behind(viewport);
+    const PanelStates hidden{.hidden = {"square"}, .locked = {}}, locked{.hidden = {}, .locked = {"square"}};
+    for (const PanelStates& states : {hidden, locked}) {
+        viewport.workspace().document->set_panel_states(states);
+        viewport.move_to(viewport.seen(kMiddle));
+        EXPECT_EQ(viewport.workspace().hover.panel, "other") << "what lies behind it";
+        viewport.click(viewport.seen(kMiddle));
+        EXPECT_EQ(viewport.document().selection().panels, std::set<std::string>{"other"});
+        viewport.choice = ClothChoice::Parts;
+        viewport.move_to(viewport.seen(kMiddle + Vec3f(0.2F, 0.02F, 0)) + Vec2f(-3, 0));
+        EXPECT_NE(viewport.workspace().hover.panel, "square");
+        viewport.choice = ClothChoice::Panels;
+    }
+    viewport.workspace().document->set_panel_states({});
+    viewport.move_to(viewport.seen(kMiddle + Vec3f(-0.17F, 0.17F, 0)));
+    EXPECT_EQ(viewport.workspace().hover.panel, "square");
+}
+
+TEST(ViewportController, panels_of_hidden_garments_are_passed_over) {
+    ViewportFixture viewport;
+    with_one_behind(viewport);
+    viewport.workspace().look.hidden_garments = {""};  // that of both
+    viewport.move_to(viewport.seen(kMiddle));
+    EXPECT_EQ(viewport.workspace().hover.panel, "");
+}
+
+TEST(ViewportController, a_locked_panel_has_no_gizmo_although_it_is_selected) {
+    ViewportFixture viewport;
+    chosen(viewport);
+    viewport.workspace().document->set_panel_states({.hidden = {}, .locked = {"square"}});
+    Selection selected;
+    selected.panels = {"square"};
+    viewport.workspace().document->select(selected);  // as a click in the tree of objects does
+    viewport.rest();
+    EXPECT_FALSE(viewport.controller().gizmo());
+    EXPECT_FALSE(viewport.controller().shows_points());
+    viewport.move_to(viewport.seen(kMiddle));
+    viewport.press();
+    viewport.move_to(viewport.seen(kMiddle + Vec3f(0.1F, 0, 0)));
+    viewport.release();
+    EXPECT_EQ(viewport.panel().translation, Vec3d(0, 1, 0.3)) << "the hand does not take it";
+    EXPECT_TRUE(viewport.document().history().empty());
+}
+
 TEST(ViewportController, an_arrow_moves_the_panel_along_its_axis_and_makes_one_entry_of_the_history) {
     ViewportFixture viewport;
     chosen(viewport);

@@ -24,6 +24,8 @@ class ViewportSceneTest : public testing::Test {
  protected:
     std::shared_ptr<const render::Scene> update() {
         viewport.rest();
+        marks.undrawn = undrawn_panels(viewport.document().pattern(), viewport.workspace().look,
+                                       viewport.document().panel_states());
         return scene.update({.pattern = viewport.document().pattern(),
                              .revision = viewport.document().revision(),
                              .garment = viewport.controller().garment(),
@@ -111,6 +113,39 @@ TEST_F(ViewportSceneTest, garments_that_are_hidden_are_not_drawn) {
     EXPECT_EQ(update()->cloths.at(0).mesh.triangles.size(), all / 2);
     viewport.workspace().look.hidden_garments = {"nothing of that name"};
     EXPECT_EQ(update()->cloths.at(0).mesh.triangles.size(), all);
+}
+
+TEST_F(ViewportSceneTest, a_hidden_panel_is_neither_drawn_nor_marked_but_still_simulated) {
+    sim::Panel other = viewport.panel();
+    other.name = "other";
+    other.translation.x() += 0.5;
+    viewport.workspace().run(AddPanels{.panels = {other}});
+    viewport.rest();
+    viewport.workspace().drape.session().advance(0);
+    marks.selection.panels = {"other"};
+    const std::size_t all = update()->cloths.at(0).mesh.triangles.size();
+    EXPECT_EQ(update()->solids.size(), 1U);
+    viewport.workspace().document->set_panel_states({.hidden = {"other"}, .locked = {}});
+    const auto made = update();
+    EXPECT_EQ(made->cloths.at(0).mesh.triangles.size(), all / 2);
+    EXPECT_TRUE(made->solids.empty()) << "its outline is not marked";
+    EXPECT_EQ(viewport.controller().garment().frame().mesh.triangles.size(), all) << "the session has it";
+    viewport.workspace().document->set_panel_states({.hidden = {}, .locked = {"other"}});
+    EXPECT_EQ(update()->cloths.at(0).mesh.triangles.size(), all) << "a locked one is drawn";
+}
+
+TEST_F(ViewportSceneTest, lines_of_open_seams_to_a_hidden_panel_are_not_drawn) {
+    sim::Panel other = viewport.panel();
+    other.name = "other";
+    other.translation.x() += 0.5;
+    viewport.workspace().run(AddPanels{.panels = {other}});
+    viewport.workspace().run(SewEdges{.first = {"square", 1}, .second = {"other", 3}});
+    viewport.rest();
+    viewport.workspace().drape.session().advance(0);
+    viewport.workspace().document->select({});
+    ASSERT_EQ(update()->solids.size(), 1U);
+    viewport.workspace().document->set_panel_states({.hidden = {"other"}, .locked = {}});
+    EXPECT_TRUE(update()->solids.empty());
 }
 
 TEST_F(ViewportSceneTest, an_unknown_tartan_or_panel_does_not_stop_it) {
