@@ -77,6 +77,7 @@ void ToolHost::begin_frame(const Document& document, const SheetCamera& camera, 
 
 void ToolHost::move(ToolHostContext host, const Vec2d& px, const Modifiers& modifiers) {
     pointer_ = {to_sheet(camera_, px), modifiers};
+    is_over_ = true;
     if (state_ == MouseState::Pressed && (px - pressed_px_).norm() > kDragThreshold * ui_scale_) {
         state_ = MouseState::Dragging;
     }
@@ -111,6 +112,7 @@ void ToolHost::drop(ToolHostContext host) {
 void ToolHost::press(ToolHostContext host, const Vec2d& px, const Modifiers& modifiers) {
     host.messages.dismiss();
     pointer_ = {to_sheet(camera_, px), modifiers};
+    is_over_ = true;
     pressed_px_ = px;
     state_ = MouseState::Pressed;
     guarded(host, [&](ToolContext& given) {
@@ -139,7 +141,7 @@ void ToolHost::double_click(ToolHostContext host, const Vec2d& px, const Modifie
 }
 
 void ToolHost::leave(ToolHostContext host) {
-    if (state_ == MouseState::Up) host.hover = {};
+    if (state_ == MouseState::Up && std::exchange(is_over_, false)) host.hover = {};
 }
 
 bool ToolHost::run(ToolHostContext host, const Command& command) {

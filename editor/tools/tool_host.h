@@ -39,7 +39,7 @@ class ToolHost {
     void press(ToolHostContext host, const Vec2d& px, const Modifiers& modifiers);
     void release(ToolHostContext host, const Vec2d& px, const Modifiers& modifiers);
     void double_click(ToolHostContext host, const Vec2d& px, const Modifiers& modifiers);
-    void leave(ToolHostContext host);  // the mouse left the view
+    void leave(ToolHostContext host);  // the mouse is outside the view; clears the hover once
 
     // Each returns whether the input was used. `text` receives typed characters. `key` also handles tool shortcuts.
     bool key(ToolHostContext host, Key key, const Modifiers& modifiers);
@@ -80,6 +80,7 @@ class ToolHost {
     SheetPointer pointer_;
     Vec2d pressed_px_ = Vec2d::Zero();
     MouseState state_ = MouseState::Up;
+    bool is_over_ = false;
     std::optional<GeometryError> refused_;  // why the drag is not possible where the mouse is
     TypedInput typed_;
 };

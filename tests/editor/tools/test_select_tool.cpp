@@ -80,6 +80,17 @@ TEST(SelectTool, a_locked_panel_that_is_selected_is_not_changed) {
     EXPECT_FALSE(user.key(Key::Right));
 }
 
+TEST(ToolHost, clears_the_hover_when_the_mouse_leaves_and_then_leaves_it_to_others) {
+    SheetUser user;
+    user.move({0.1, 0.06});
+    EXPECT_EQ(user.hover.panel, "left");
+    user.tools.leave(user.host());
+    EXPECT_EQ(user.hover, Hover{});
+    user.hover = {.panel = "right"};  // as a list beside the sheet does
+    user.tools.leave(user.host());
+    EXPECT_EQ(user.hover.panel, "right");
+}
+
 TEST(SelectTool, an_edge_moves_with_both_its_ends) {
     SheetUser user;
     user.drag({0.05, 0.2}, {0.05, 0.25}, {.ctrl = true});
