@@ -14,6 +14,7 @@
 #include "editor/frame/frame.h"
 #include "editor/frame/theme.h"
 #include "editor/inspectors/drape_inspector.h"
+#include "editor/inspectors/object_tree.h"
 #include "editor/workspace/workspace.h"
 #include "sim/body/body.h"
 #include "sim/tartan/match.h"
@@ -97,6 +98,32 @@ struct DrapeState {
     std::string name{};               // name for the next one
 };
 
+// Which row of the tab Objects gets another name.
+struct RowNaming {
+    std::string row{};       // its widget; empty: none
+    bool has_begun = false;  // its box has had the keyboard
+};
+
+// What the ObjectTree was made of.
+struct ObjectListing {
+    std::uint64_t revision = 0;
+    PanelGrouping grouping = PanelGrouping::Garments;
+    std::string wanted{};
+
+    bool operator==(const ObjectListing&) const = default;
+};
+
+struct ObjectsState {
+    std::string wanted{};  // words that names must have
+    PanelGrouping grouping = PanelGrouping::Garments;
+    bool wants_find = false;    // the Find box is to take the keyboard
+    bool wants_naming = false;  // the selected panel or seam is to get another name
+    RowNaming naming{};
+    std::optional<ObjectListing> listing{};
+    ObjectTree tree{};           // of this listing
+    std::optional<Hover> lit{};  // what the hovered row stands for
+};
+
 struct InspectorState {
     BoxState boxes{};
     std::map<std::string, PanelMeasures> panels{};
@@ -104,6 +131,7 @@ struct InspectorState {
     MaterialState material{};
     BodyState body{};
     DrapeState drape{};
+    ObjectsState objects{};
     std::optional<int> hovered_seam{};  // the seam whose row in the list is hovered
 };
 
@@ -121,6 +149,7 @@ struct InspectorContext {
     std::function<void()> save_pose{};          // opens a file dialog to save the pose of the body
     std::function<void()> open_picture{};       // opens a file dialog for a picture that the panels show; may be unset
     std::function<void()> fit_photo{};          // chooses the tool that fits photos under the sheet; may be unset
+    std::function<void()> frame_selection{};    // shows what is selected on the sheet; may be unset
     std::function<void()> show_timeline{};      // shows the timeline of the motion; may be unset
     std::function<std::string(std::string_view action)> key_of{};  // "Ctrl+Z" for an action's id; unset or empty: none
 
@@ -140,5 +169,6 @@ void draw_materials(InspectorContext& context);
 void draw_body(InspectorContext& context);
 void draw_drape(InspectorContext& context);
 void draw_history(InspectorContext& context);
+void draw_objects(InspectorContext& context);
 
 }  // namespace selvedge::editor

@@ -303,9 +303,13 @@ std::string garment_fabric(const sim::Pattern& pattern) {
     return pattern.fabric.empty() ? sim::Fabric{}.name : pattern.fabric;
 }
 
+}  // namespace
+
 std::string fabric_of(const sim::Pattern& pattern, const sim::Panel& panel) {
     return panel.fabric.empty() ? garment_fabric(pattern) : panel.fabric;
 }
+
+namespace {
 
 std::string users_of(const sim::Pattern& pattern, const std::string& fabric) {
     std::string names;

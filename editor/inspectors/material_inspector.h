@@ -47,6 +47,9 @@ std::string tartan_error(const std::string& name_or_threadcount);
 // The garment's sett at its repeat size. None: the name or threadcount is invalid.
 std::optional<sim::Sett> valid_sett(const sim::Pattern& pattern);
 
+// The fabric of the panel: its own, the garment's, or the default.
+std::string fabric_of(const sim::Pattern& pattern, const sim::Panel& panel);
+
 // Whether the text contains all the words, ignoring case.
 bool has_all_words(const std::string& text, const std::string& words);
 

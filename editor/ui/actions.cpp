@@ -284,6 +284,7 @@ std::vector<Action> make_actions() {
     add_file_actions(actions);
     add_edit_actions(actions);
     add_panel_actions(actions);
+    add_object_actions(actions);
     add_selection_actions(actions);
     add_tool_actions(actions);
     add_simulate_actions(actions);
@@ -384,9 +385,9 @@ void for_each_panel(AppState& state, const std::function<Command(const std::stri
 }
 
 void mirror_panels(AppState& state, const Vec2d& axis) {
-    const SheetBox box = state.tools.geometry().box_of(selected(state));
+    const Selection selection = state.workspace.document->changeable();
+    const SheetBox box = state.tools.geometry().box_of(selection);
     if (box.isEmpty()) return;
-    const Selection& selection = selected(state);
     const auto command =
         transform_selected(state.tools.geometry(), selection, mirror_over(box.center(), axis), "Mirror");
     if (command) state.workspace.run(*command);
@@ -454,16 +455,17 @@ void add_panels(std::vector<Action>& actions) {
                        .title = "Mirror top to bottom",
                        .run = [](AppState& state) { mirror_panels(state, Vec2d(1, 0)); },
                        .can = has_panels});
-    actions.push_back({.id = "panel.unfold",
-                       .menu = "Panel",
-                       .title = "Unfold over the selected edge",
-                       .tip = "What was drawn as a half on the fold is opened",
-                       .run =
-                           [](AppState& state) {
-                               const PartRef edge = *selected(state).edges.begin();
-                               state.workspace.run(UnfoldPanel{edge.panel, edge.index});
-                           },
-                       .can = [](const AppState& state) { return selected(state).edges.size() == 1; }});
+    actions.push_back(
+        {.id = "panel.unfold",
+         .menu = "Panel",
+         .title = "Unfold over the selected edge",
+         .tip = "What was drawn as a half on the fold is opened",
+         .run =
+             [](AppState& state) {
+                 const PartRef edge = *state.workspace.document->changeable().edges.begin();
+                 state.workspace.run(UnfoldPanel{edge.panel, edge.index});
+             },
+         .can = [](const AppState& state) { return state.workspace.document->changeable().edges.size() == 1; }});
 }
 
 void add_seams(std::vector<Action>& actions) {

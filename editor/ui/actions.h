@@ -18,6 +18,10 @@ bool run_action(AppState& state, const Action& action);
 
 void add_panel_actions(std::vector<Action>& actions);
 
+// Actions that find and name panels, and hide and lock them.
+
+void add_object_actions(std::vector<Action>& actions);
+
 // Actions of the View menu: views, show modes, parts of the window, interface scale.
 
 void add_view_actions(std::vector<Action>& actions);

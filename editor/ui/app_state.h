@@ -10,6 +10,7 @@
 #include "editor/document/command.h"
 #include "editor/frame/frame.h"
 #include "editor/frame/theme.h"
+#include "editor/inspectors/inspectors.h"
 #include "editor/tools/tool_host.h"
 #include "editor/ui/action.h"
 #include "editor/ui/files.h"
@@ -29,7 +30,7 @@ struct Question {
     std::vector<Answer> answers;
 };
 
-enum class InspectorTab { Properties, Seams, Cloth, Body, Drape, History };
+enum class InspectorTab { Properties, Seams, Cloth, Body, Drape, History, Objects };
 
 // The visible parts of the window and their sizes.
 struct WindowLayout {
@@ -41,6 +42,7 @@ struct WindowLayout {
     float sheet_share = 0.5F;       // fraction of the width of both views
     float inspector_width = 21.5F;  // font heights
     InspectorTab tab = InspectorTab::Properties;
+    std::optional<InspectorTab> wanted_tab{};  // is opened in the next frame
 };
 
 // A drag on the timeline.
@@ -74,6 +76,7 @@ struct AppState {
     WidgetMap widgets;
     ShownViewport viewport;
     TimelineDrag timeline;
+    InspectorState inspectors;
     bool shows_start_page = true;
     bool wants_to_close = false;
     float user_scale = 1;            // of the interface, multiplied by the screen's scale

@@ -151,7 +151,6 @@ struct Editor::Impl {
     UiInput input;
     SheetView sheet;
     Viewport viewport;
-    InspectorState inspectors;
     MessageClock message_clock;
     FrameOutput output;
     std::vector<Key> used_keys;  // consumed by a view in this frame
@@ -254,7 +253,7 @@ void Editor::Impl::show_sheet(const Rectangle& where) {
 InspectorContext Editor::Impl::inspector_context() {
     return {.workspace = state.workspace,
             .output = output,
-            .state = inspectors,
+            .state = state.inspectors,
             .theme = state.theme,
             .fonts = &state.fonts,
             .widgets = &state.widgets,
@@ -268,6 +267,7 @@ InspectorContext Editor::Impl::inspector_context() {
                 [this] {
                     if (const Action* action = find_action(state.actions, "edit.fit_photo")) run_action(state, *action);
                 },
+            .frame_selection = [this] { sheet.frame_selected(); },
             .show_timeline = [this] { state.layout.has_timeline = true; },
             .key_of =
                 [this](std::string_view id) {
@@ -303,22 +303,25 @@ void Editor::Impl::show_viewport(const Rectangle& where, double seconds) {
 }
 
 void Editor::Impl::show_inspectors(const Rectangle& where) {
-    constexpr std::array<std::pair<const char*, InspectorTab>, 6> tabs{{{"Edit", InspectorTab::Properties},
+    constexpr std::array<std::pair<const char*, InspectorTab>, 7> tabs{{{"Edit", InspectorTab::Properties},
                                                                         {"Seams", InspectorTab::Seams},
                                                                         {"Cloth", InspectorTab::Cloth},
                                                                         {"Body", InspectorTab::Body},
                                                                         {"Drape", InspectorTab::Drape},
-                                                                        {"History", InspectorTab::History}}};
-    constexpr std::array<void (*)(InspectorContext&), 6> draws{draw_properties, draw_seams, draw_materials,
-                                                               draw_body,       draw_drape, draw_history};
+                                                                        {"History", InspectorTab::History},
+                                                                        {"Objects", InspectorTab::Objects}}};
+    constexpr std::array<void (*)(InspectorContext&), 7> draws{draw_properties, draw_seams,   draw_materials, draw_body,
+                                                               draw_drape,      draw_history, draw_objects};
     const float unit = ImGui::GetFontSize();
     begin_region("##inspectors", where, {0.6F * unit, 0.4F * unit});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.28F * unit, 0.3F * unit});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {0.1F * unit, 0.2F * unit});
     const bool has_tabs = ImGui::BeginTabBar("##tabs", ImGuiTabBarFlags_FittingPolicyScroll);
     if (has_tabs) {
+        const std::optional<InspectorTab> wanted = std::exchange(state.layout.wanted_tab, std::nullopt);
         for (const auto& [title, tab] : tabs) {
-            const bool is_open = ImGui::BeginTabItem(title);
+            const auto flags = wanted == tab ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None;
+            const bool is_open = ImGui::BeginTabItem(title, nullptr, flags);
             note_widget(state.widgets, std::string("tab.") + title);
             if (!is_open) continue;
             state.layout.tab = tab;
@@ -333,7 +336,7 @@ void Editor::Impl::show_inspectors(const Rectangle& where) {
     ImGui::EndChild();
     ImGui::End();
     // ImGui would leave the focus with the box, and its keyboard navigation would use the keys.
-    if (std::exchange(inspectors.boxes.gives_keys_back, false)) ImGui::SetWindowFocus(kSheetWindow);
+    if (std::exchange(state.inspectors.boxes.gives_keys_back, false)) ImGui::SetWindowFocus(kSheetWindow);
 }
 
 // Call before the views: of windows with a fixed order, ImGui draws the later ones below.

@@ -16,6 +16,7 @@ void visit_pattern(const sim::Pattern& pattern, const Visit& visit) {
         visit(panel.garment);
         for (const std::string& interlining : panel.interlinings) visit(interlining);
         for (const sim::OutlineEdge& edge : panel.edges) visit(edge.label);
+        for (const sim::InternalLine& line : panel.internal_lines) visit(line.name);
     }
     for (const sim::Seam& seam : pattern.seams) visit(seam.name);
 }

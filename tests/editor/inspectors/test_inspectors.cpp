@@ -16,8 +16,8 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr std::array<InspectorFixture::Draw, 6> kInspectors{draw_properties, draw_seams, draw_materials,
-                                                            draw_body,       draw_drape, draw_history};
+constexpr std::array<InspectorFixture::Draw, 7> kInspectors{draw_properties, draw_seams,   draw_materials, draw_body,
+                                                            draw_drape,      draw_history, draw_objects};
 constexpr std::array<const char*, 5> kPatterns{"tshirt.json", "tshirt_thesis.json", "skirt.json", "poncho.json",
                                                "two_squares.json"};
 
