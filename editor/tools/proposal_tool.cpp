@@ -42,6 +42,13 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
+bool may_be_sewn(const sim::Pattern& pattern, const PanelStates& states, const sim::SeamProposal& proposal) {
+    const auto may = [&](const sim::EdgeSpan& span) {
+        return states.may_be_picked(pattern.panels[static_cast<std::size_t>(span.panel)].name);
+    };
+    return std::ranges::all_of(proposal.parts, [&](const auto& part) { return may(part.first) && may(part.second); });
+}
+
 SpanRef ref_of(const sim::Pattern& pattern, const sim::EdgeSpan& span) {
     return {pattern.panels[static_cast<std::size_t>(span.panel)].name, span.edge, span.from, span.to};
 }
@@ -56,18 +63,25 @@ const ToolInfo kProposals{.id = "propose_seams",
 }  // namespace
 
 void ProposalTool::refresh(const ToolContext& context) {
-    if (revision_ == context.document.revision() || context.document.is_previewing()) return;
-    revision_ = context.document.revision();
-    proposals_ = propose_seams(context.document.pattern(), {.least_confidence = kLeastConfidence});
+    const Document& document = context.document;
+    if (is_of_now(document) || document.is_previewing()) return;
+    revision_ = document.revision();
+    states_ = document.panel_states();
+    proposals_ = propose_seams(document.pattern(), {.least_confidence = kLeastConfidence});
     std::erase_if(proposals_, [&](const sim::SeamProposal& proposal) {
-        return std::ranges::find(refused_, proposal.parts.front()) != refused_.end();
+        return std::ranges::find(refused_, proposal.parts.front()) != refused_.end() ||
+               !may_be_sewn(document.pattern(), states_, proposal);
     });
     marked_ = 0;
     is_turned_ = false;
 }
 
+bool ProposalTool::is_of_now(const Document& document) const {
+    return revision_ == document.revision() && states_ == document.panel_states();
+}
+
 bool ProposalTool::is_current(const ToolContext& context) const {
-    return revision_ == context.document.revision() && marked_ < proposals_.size();
+    return is_of_now(context.document) && marked_ < proposals_.size();
 }
 
 void ProposalTool::hover(ToolContext& context, const SheetPointer& pointer) {

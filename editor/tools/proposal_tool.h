@@ -25,6 +25,7 @@ class ProposalTool : public Tool {
 
  private:
     void refresh(const ToolContext& context);
+    bool is_of_now(const Document& document) const;
     bool is_current(const ToolContext& context) const;
     void accept(ToolContext& context);
     void refuse();
@@ -32,6 +33,7 @@ class ProposalTool : public Tool {
     std::vector<sim::SeamProposal> proposals_;  // without those refused; the marked one is shown with its reason
     std::vector<std::pair<sim::EdgeSpan, sim::EdgeSpan>> refused_;  // the first parts of those
     std::optional<std::uint64_t> revision_;                         // of the document that they are of
+    PanelStates states_;  // likewise: no seams are proposed to hidden and locked panels
     std::size_t marked_ = 0;
     bool is_turned_ = false;
 };

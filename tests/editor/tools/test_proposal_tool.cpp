@@ -61,6 +61,18 @@ TEST(ProposalTool, enter_sews_the_marked_one_and_undo_takes_it_back) {
     EXPECT_EQ(user.shown(), before);
 }
 
+TEST(ProposalTool, proposes_no_seam_to_a_hidden_or_locked_panel) {
+    ProposalUser user;
+    ASSERT_GE(user.shown(), 3U);
+    user.document.set_panel_states({.hidden = {}, .locked = {"back"}});
+    user.move({0.61, 0.2});
+    EXPECT_EQ(user.shown(), 0U);
+    EXPECT_FALSE(user.key(Key::Enter));
+    user.document.set_panel_states({});
+    user.move({0.6, 0.2});
+    EXPECT_GE(user.shown(), 3U);
+}
+
 TEST(ProposalTool, delete_refuses_tab_goes_on_and_r_turns_round) {
     ProposalUser user;
     const std::size_t before = user.shown();
