@@ -16,6 +16,7 @@
 #include "app/commands.h"
 #include "app/film.h"
 #include "app/garment_options.h"
+#include "app/interface_fonts.h"
 #include "app/options.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
@@ -265,6 +266,7 @@ int run(AnimateArguments arguments) {
     fill_in(arguments.garment, arguments.body, arguments.picture, pattern);
     check_outputs(arguments);
     if (!arguments.film.empty()) check_can_draw(arguments.picture);
+    arguments.picture.legend_font = read_legend_font();
     arguments.animation.dress = arguments.garment.dress;
     arguments.animation.frames_per_second = arguments.frames_per_second;
 

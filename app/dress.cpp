@@ -16,6 +16,7 @@
 #include "app/film.h"
 #include "app/garment_files.h"
 #include "app/garment_options.h"
+#include "app/interface_fonts.h"
 #include "app/options.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
@@ -157,6 +158,7 @@ int run(DressArguments arguments) {
     fill_in(arguments.garment, arguments.body, arguments.picture, pattern);
     check_distinct(all_outputs(arguments), input_files(arguments.garment, arguments.body));
     if (draws(arguments)) check_can_draw(arguments.picture);
+    arguments.picture.legend_font = read_legend_font();
 
     std::optional<sim::ThreadLimit> limit;
     if (arguments.garment.threads) limit.emplace(*arguments.garment.threads);

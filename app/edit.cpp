@@ -14,6 +14,7 @@
 #include "app/edit_loop.h"
 #include "app/editor_services.h"
 #include "app/fallback_fonts.h"
+#include "app/interface_fonts.h"
 #include "app/options.h"
 #include "app/picture.h"
 #include "editor/ui/files.h"
@@ -84,7 +85,7 @@ int run_window(const EditArguments& arguments) {
     // What is wrong with the file is shown in the window.
     if (!arguments.file.empty()) take_dropped_file(editor.state(), arguments.file);
     EditorSurface surface(editor);
-    run_edit_loop(surface, window, {.frame_times = arguments.frame_times});
+    run_edit_loop(surface, window, {.frame_times = arguments.frame_times, .legend_font = read_legend_font()});
     return 0;
 }
 
@@ -107,7 +108,10 @@ int run_script(const EditArguments& arguments) {
 
 render::Image play_script(const EditorScript& script) {
     const std::vector<editor::ScriptStep> steps = editor::parse_script(script.text, script.name);
-    OffscreenEditLoop loop({.width_px = script.width_px, .height_px = script.height_px, .scale = script.scale});
+    OffscreenEditLoop loop({.width_px = script.width_px,
+                            .height_px = script.height_px,
+                            .scale = script.scale,
+                            .legend_font = read_legend_font()});
     const auto render_full_quality = [](const render::Scene&) -> render::Image {
         throw sim::InputError("", "export", "a script takes pictures by 'screenshot'");
     };

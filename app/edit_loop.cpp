@@ -1,10 +1,8 @@
 #include "app/edit_loop.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <iomanip>
-#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -88,7 +86,8 @@ class FrameScheduler {
 
 }  // namespace
 
-FramePainter::FramePainter(render::GlContext& context) : context_(context), ui_draw_(context) {}
+FramePainter::FramePainter(render::GlContext& context, std::shared_ptr<const render::OutlineFont> legend_font)
+    : context_(context), legend_font_(std::move(legend_font)), ui_draw_(context) {}
 
 editor::FrameOutput FramePainter::paint(EditSurface& surface, const FrameInput& input, unsigned framebuffer,
                                         FrameTimes* times) {
@@ -129,14 +128,18 @@ void FramePainter::draw_scene(const editor::SceneRequest& scene) {
 void FramePainter::hold_legend(const editor::SceneRequest& scene, const std::optional<render::Legend>& legend) {
     editor::TextureUpload held{.texture = scene.legend,
                                .picture = render::Image(scene.width_px, scene.height_px, {0, 0, 0, 0})};
-    if (legend) draw_legend(held.picture, *legend, render::Corner::LowerRight);
+    if (legend) {
+        render::Legend written = *legend;
+        written.font = legend_font_;
+        draw_legend(held.picture, written, render::Corner::LowerRight);
+    }
     ui_draw_.hold(held);
 }
 
 void run_edit_loop(EditSurface& surface, Window& window, const EditLoopOptions& options) {
     std::optional<FrameTimesFile> file;
     if (!options.frame_times.empty()) file.emplace(options.frame_times);
-    FramePainter painter(window.context());
+    FramePainter painter(window.context(), options.legend_font);
     WindowDecorations dress;
     FrameScheduler pace;
     editor::FrameOutput output;
@@ -158,7 +161,10 @@ void run_edit_loop(EditSurface& surface, Window& window, const EditLoopOptions& 
 }
 
 OffscreenEditLoop::OffscreenEditLoop(const OffscreenOptions& options)
-    : options_(options), context_(make_context(options.maker)), picture_(context_->gl()), painter_(*context_) {
+    : options_(options),
+      context_(make_context(options.maker)),
+      picture_(context_->gl()),
+      painter_(*context_, options.legend_font) {
     picture_.resize(options.width_px, options.height_px);
 }
 
@@ -226,38 +232,6 @@ const PaintedScene& ScenePaint::painted(const std::shared_ptr<const render::Scen
     }
     painted_.scene = std::move(copy);
     return painted_;
-}
-
-namespace {
-
-struct Family {
-    const char* regular;
-    const char* medium;
-};
-
-// Paths in the packages fonts-inter, fonts-noto-core and fonts-dejavu-core.
-constexpr std::array<Family, 4> kFamilies{{
-    {"opentype/inter/Inter-Regular.otf", "opentype/inter/Inter-Medium.otf"},
-    {"truetype/inter/Inter-Regular.ttf", "truetype/inter/Inter-Medium.ttf"},
-    {"truetype/noto/NotoSans-Regular.ttf", "truetype/noto/NotoSans-Medium.ttf"},
-    {"truetype/dejavu/DejaVuSans.ttf", "truetype/dejavu/DejaVuSans.ttf"},
-}};
-
-bool is_file(const std::filesystem::path& path) {
-    std::error_code error;
-    return std::filesystem::is_regular_file(path, error);
-}
-
-}  // namespace
-
-FontFiles find_fonts(const std::vector<std::filesystem::path>& folders) {
-    for (const Family& family : kFamilies) {
-        for (const std::filesystem::path& folder : folders) {
-            const std::filesystem::path regular = folder / family.regular, medium = folder / family.medium;
-            if (is_file(regular)) return {.regular = regular, .medium = is_file(medium) ? medium : regular};
-        }
-    }
-    return {};
 }
 
 }  // namespace selvedge::app

@@ -1,8 +1,6 @@
 #pragma once
 // The host of the editor: draws its frames in a window, or offscreen for scripts and tests. Both use the same drawing
-// code, so a screenshot equals what the window shows. Also: frame times, value maps painted on the cloth, and the
-// interface's fonts.
-#include <filesystem>
+// code, so a screenshot equals what the window shows. Also: frame times, and value maps painted on the cloth.
 #include <fstream>
 #include <map>
 #include <memory>
@@ -87,7 +85,8 @@ class EditSurface {
 // Draws the output of a frame. The GL context must outlive it.
 class FramePainter {
  public:
-    explicit FramePainter(render::GlContext& context);
+    // legend_font: null: the built-in bitmap font.
+    explicit FramePainter(render::GlContext& context, std::shared_ptr<const render::OutlineFont> legend_font = nullptr);
 
     // Draws to a framebuffer of the context that has the input's size. If `times` is given, waits for GL after each
     // part and adds the durations to it.
@@ -106,6 +105,7 @@ class FramePainter {
     void hold_legend(const editor::SceneRequest& scene, const std::optional<render::Legend>& legend);
 
     render::GlContext& context_;
+    std::shared_ptr<const render::OutlineFont> legend_font_;
     UiDraw ui_draw_;
     std::map<editor::UiTexture, SceneTexture> scenes_;
     std::optional<render::Renderer> renderer_;  // for scenes that need full quality; made on first use
@@ -114,6 +114,7 @@ class FramePainter {
 struct EditLoopOptions {
     std::string frame_times;       // path of a CSV file; empty: none
     std::optional<long> frames{};  // stop after this many frames; none: when the surface closes
+    std::shared_ptr<const render::OutlineFont> legend_font{};
 };
 
 // Draws at most about 60 frames per second; draws none while there is no input and the surface is not animating, except
@@ -127,6 +128,7 @@ struct OffscreenOptions {
     float scale = 1;
     double seconds = 1.0 / 60;  // s, simulated time between frames
     std::optional<render::ContextKind> maker{};
+    std::shared_ptr<const render::OutlineFont> legend_font{};
 };
 
 // Runs a surface without a window. Time advances by a fixed step per frame, so the same events give the same images.
@@ -145,16 +147,5 @@ class OffscreenEditLoop {
     render::PictureTexture picture_;
     FramePainter painter_;
 };
-
-// The interface's fonts, searched among the system's packages at run time.
-
-struct FontFiles {
-    std::filesystem::path regular;  // empty: none was found
-    std::filesystem::path medium;   // for headings; the regular font if the family has no medium one
-};
-
-// The first family that is installed: Inter, Noto Sans, DejaVu Sans. folders: the system's font folders.
-FontFiles find_fonts(const std::vector<std::filesystem::path>& folders = {"/usr/share/fonts",
-                                                                          "/usr/local/share/fonts"});
 
 }  // namespace selvedge::app

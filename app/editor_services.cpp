@@ -6,6 +6,7 @@
 #include "app/baked_textures.h"
 #include "app/edit_loop.h"
 #include "app/import_garment.h"
+#include "app/interface_fonts.h"
 #include "app/print_files.h"
 #include "render/image/image.h"
 #include "render/image/photo.h"

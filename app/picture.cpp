@@ -306,7 +306,9 @@ std::optional<render::Legend> fill(render::Scene& scene, const RenderSubject& su
     render::ShowInput facts{.clearance = {}, .line_radius = line_px * pixel_size(scene.camera, options.height_px)};
     if (options.show == render::ShowMode::Clearance)
         facts.clearance = measure_clearance(scene.cloths.front().mesh.x, *subject.body);
-    return fill_show(scene, facts);
+    std::optional<render::Legend> legend = fill_show(scene, facts);
+    if (legend) legend->font = options.legend_font;
+    return legend;
 }
 
 // Places the stack of levels to the right of the flat panels or behind them, whichever shows both larger.
@@ -324,6 +326,7 @@ render::Legend fill_model(render::Scene& scene, const RenderSubject& subject, co
         least = pixel;
         legend = fill_hierarchy(scene, *subject.hierarchy, side, {.clearance = {}, .line_radius = line_px * pixel});
     }
+    legend.font = options.legend_font;
     return legend;
 }
 

@@ -41,8 +41,9 @@ struct PictureOptions {
     std::optional<sim::SurfaceDesign> design{};  // of all panels, by --tartan or --design; none: the pattern's
     // What each panel looks like: fabrics and surface designs of this pattern; null: the sett and the material above.
     std::shared_ptr<const sim::Pattern> pattern{};
-    std::shared_ptr<render::ClothLooks> looks{};  // keeps what was read for it; set if `pattern` is
-    SurfaceChoice surface{};                      // the simulated triangles, or a curved surface over them
+    std::shared_ptr<render::ClothLooks> looks{};               // keeps what was read for it; set if `pattern` is
+    SurfaceChoice surface{};                                   // the simulated triangles, or a curved surface over them
+    std::shared_ptr<const render::OutlineFont> legend_font{};  // null: the built-in bitmap font
 };
 
 // Adds --size, --samples, --supersample, --view, --camera, --frame, --show, --tartan, --sett-size, --sett-position,

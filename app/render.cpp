@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/film.h"
+#include "app/interface_fonts.h"
 #include "app/options.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
@@ -50,6 +51,7 @@ int render(RenderArguments& arguments) {
     check_outputs(arguments);
     show_design(arguments.picture, arguments.fabric);
     check_can_draw(arguments.picture);
+    arguments.picture.legend_font = read_legend_font();
     check_can_show(arguments.picture.show, !arguments.body.source.empty(), false);
     const sim::DrawMesh garment = sim::read_garment(arguments.garment);
     std::optional<sim::Body> body;

@@ -8,6 +8,7 @@ find_package(TBB REQUIRED)                     # sim/core/parallel
 find_package(CGAL 5.5 REQUIRED)                # sim/mesh
 find_package(assimp 5.2 REQUIRED)              # sim/body, in a child process
 find_package(PNG REQUIRED)                     # render/image
+find_path(SELVEDGE_STB_FOLDER stb_truetype.h PATH_SUFFIXES stb REQUIRED)  # render/image/outline_font
 find_package(CLI11 REQUIRED)                   # app
 find_package(GTest REQUIRED)                   # tests
 find_package(PkgConfig REQUIRED)

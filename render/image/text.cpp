@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "sim/core/assert.h"
+
 namespace selvedge::render {
 namespace {
 
@@ -93,6 +95,17 @@ void fill_rounded(Image& image, const PixelBox& box, int radius, const Rgba8& co
                 std::hypot(std::max(float(radius) - inside_x, 0.0F), std::max(float(radius) - inside_y, 0.0F));
             const float inside = radius > 0 ? std::clamp(float(radius) + 0.5F - off, 0.0F, 1.0F) : 1.0F;
             blend(image.at(x, y), colour, inside);
+        }
+    }
+}
+
+void blend_ink(Image& image, const PixelBox& box, std::span<const std::uint8_t> ink, const Rgba8& colour) {
+    SELVEDGE_ASSERT(ink.size() == static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height));
+    for (int y = 0; y < box.height; ++y) {
+        for (int x = 0; x < box.width; ++x) {
+            const std::uint8_t covered = ink[static_cast<std::size_t>(y * box.width + x)];
+            if (covered == 0 || !image.contains(box.left + x, box.top + y)) continue;
+            blend(image.at(box.left + x, box.top + y), colour, float(covered) / 255);
         }
     }
 }

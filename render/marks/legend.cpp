@@ -10,13 +10,14 @@
 namespace selvedge::render {
 namespace {
 
-// All in font pixels.
+// All in font pixels, of which capitals of the bitmap font are seven high.
 constexpr int kPadding = 8, kMargin = 10, kSwatch = 9, kGap = 6;
 constexpr int kRow = 13, kTitle = 16;
 constexpr int kBarWidth = 132, kBarHeight = 9, kBarRow = kBarHeight + 4 + kRow;
 constexpr int kBetween = 4;  // above the notes
 constexpr int kRadius = 3;
 constexpr std::size_t kMinLetters = 14;  // that remain of a name that does not fit
+constexpr float kCapital = 7, kEm = 11;  // kEm: of an outline font, with which its letters are about as wide
 
 constexpr Rgba8 kPaper{0xFC, 0xFB, 0xF9, 0xD6}, kRim{0x30, 0x30, 0x38, 0x2A};
 constexpr Rgba8 kInk{0x26, 0x26, 0x2B, 255}, kSoftInk{0x55, 0x55, 0x5C, 255};
@@ -29,24 +30,43 @@ std::string left_out(const Legend& legend, std::size_t rows) {
     return "and " + std::to_string(legend.rows.size() - rows + 1) + " more";
 }
 
-int value_width(const std::string& figure) {
-    return figure.empty() ? 0 : 2 * kGap + text_width(figure);
+float width_of(const Legend& legend, const std::string& text) {
+    return legend.font ? kEm * legend.font->text_width(text) : static_cast<float>(text_width(text));
 }
 
-int inner_width(const Legend& legend) {
-    int width = text_width(legend.title);
+float value_width(const Legend& legend, const std::string& figure) {
+    return figure.empty() ? 0 : 2 * kGap + width_of(legend, figure);
+}
+
+float inner_width(const Legend& legend) {
+    float width = width_of(legend, legend.title);
     for (const LegendRow& row : legend.rows) {
-        width = std::max(width, kSwatch + kGap + text_width(row.label) + value_width(row.figure));
+        width = std::max(width, kSwatch + kGap + width_of(legend, row.label) + value_width(legend, row.figure));
     }
     for (const auto& [name, figure] : legend.notes)
-        width = std::max(width, text_width(name) + 2 * kGap + text_width(figure));
-    return legend.scale ? std::max(width, kBarWidth) : width;
+        width = std::max(width, width_of(legend, name) + value_width(legend, figure));
+    return legend.scale ? std::max(width, static_cast<float>(kBarWidth)) : width;
+}
+
+bool is_continuation_byte(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
+// Without its last letter. Pre: the text is not empty.
+void shorten(std::string& text) {
+    while (text.size() > 1 && is_continuation_byte(text.back())) text.pop_back();
+    text.pop_back();
 }
 
 // With labels cut to kMinLetters.
-int min_width(const Legend& legend) {
+float min_width(const Legend& legend) {
     Legend cut = legend;
-    for (LegendRow& row : cut.rows) row.label = row.label.substr(0, kMinLetters);
+    const auto letters = [](const std::string& text) {
+        return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, is_continuation_byte));
+    };
+    for (LegendRow& row : cut.rows) {
+        while (letters(row.label) > kMinLetters) shorten(row.label);
+    }
     return inner_width(cut);
 }
 
@@ -66,43 +86,59 @@ PixelBox in_corner(int width, int height, int margin, Corner corner, int width_p
 }
 
 // As much of the text as fits, followed by two dots if it was cut.
-std::string shortened(const std::string& text, int room) {
-    if (text_width(text) <= room) return text;
+std::string shortened(const Legend& legend, const std::string& text, float room) {
+    constexpr float kRounding = 0.01F;
+    if (width_of(legend, text) <= room + kRounding) return text;
     std::string kept = text;
-    while (!kept.empty() && text_width(kept + "..") > room) kept.pop_back();
+    while (!kept.empty() && width_of(legend, kept + "..") > room) shorten(kept);
     return kept + "..";
+}
+
+int whole(float px) {
+    return static_cast<int>(std::lround(px));
 }
 
 // Draws from the top down; coordinates are in font pixels.
 class Pen {
  public:
-    Pen(Image& image, const PixelBox& box, int scale) : image_(image), box_(box), scale_(scale), y_(kPadding) {}
+    Pen(Image& image, const Legend& legend, const LegendLayout& layout)
+        : image_(image), legend_(legend), box_(layout.box), scale_(layout.scale) {}
 
-    int inner() const { return box_.width / scale_ - 2 * kPadding; }
+    float inner() const { return static_cast<float>(box_.width) / scale_ - 2 * kPadding; }
+    int inner_px() const { return left(inner()) - left(0); }
     void down(int by) { y_ += by; }
 
-    void box(int x, int y, int width, int height, const Rgba8& colour) const {
-        fill_box(image_, {left(x), top(y), width * scale_, height * scale_}, colour);
+    void box(float x, int y, float width, int height, const Rgba8& colour) const {
+        fill_box(image_, {left(x), top(y), left(x + width) - left(x), top(y + height) - top(y)}, colour);
     }
     void column(int x_px, int height, const Rgba8& colour) const {
-        fill_box(image_, {left(0) + x_px, top(0), 1, height * scale_}, colour);
+        fill_box(image_, {left(0) + x_px, top(0), 1, top(height) - top(0)}, colour);
     }
-    void text(int x, int y, const std::string& line, const Rgba8& colour) const {
-        draw_text(image_, left(x), top(y), line, {.scale = scale_, .colour = colour});
+    // (x, y): the upper left of the first capital letter.
+    void text(float x, int y, const std::string& line, const Rgba8& colour) const {
+        if (!legend_.font) {
+            draw_text(image_, left(x), top(y), line, {.scale = whole(scale_), .colour = colour});
+            return;
+        }
+        const float feet = static_cast<float>(y) + 0.5F * (kCapital + kEm * legend_.font->capital_height());
+        legend_.font->draw(
+            image_, line, {.left_px = left_px(x), .baseline_px = top(feet), .size_px = kEm * scale_, .colour = colour});
     }
     void text_at_right(int y, const std::string& line, const Rgba8& colour) const {
-        text(inner() - text_width(line), y, line, colour);
+        text(inner() - width_of(legend_, line), y, line, colour);
     }
-    int scale() const { return scale_; }
 
  private:
-    int left(int x) const { return box_.left + (kPadding + x) * scale_; }
-    int top(int y) const { return box_.top + (y_ + y) * scale_; }
+    float left_px(float x) const { return static_cast<float>(box_.left) + (kPadding + x) * scale_; }
+    int left(float x) const { return whole(left_px(x)); }
+    int top(float y) const { return box_.top + whole((static_cast<float>(y_) + y) * scale_); }
+    int top(int y) const { return top(static_cast<float>(y)); }
 
     Image& image_;
+    const Legend& legend_;
     PixelBox box_;
-    int scale_;
-    int y_;
+    float scale_;
+    int y_ = kPadding;
 };
 
 void draw_rows(Pen& pen, const Legend& legend, std::size_t rows) {
@@ -112,42 +148,44 @@ void draw_rows(Pen& pen, const Legend& legend, std::size_t rows) {
             pen.text(kSwatch + kGap, 1, left_out(legend, rows), kSoftInk);
         } else {
             pen.box(0, 0, kSwatch, kSwatch, opaque(legend.rows[i].colour));
-            const int room = pen.inner() - kSwatch - kGap - value_width(legend.rows[i].figure);
-            pen.text(kSwatch + kGap, 1, shortened(legend.rows[i].label, room), kInk);
+            const float room = pen.inner() - kSwatch - kGap - value_width(legend, legend.rows[i].figure);
+            pen.text(kSwatch + kGap, 1, shortened(legend, legend.rows[i].label, room), kInk);
             pen.text_at_right(1, legend.rows[i].figure, kSoftInk);
         }
         pen.down(kRow);
     }
 }
 
-void draw_scale(Pen& pen, const LegendScale& scale) {
-    const int width = pen.inner(), width_px = width * pen.scale();
+void draw_scale(Pen& pen, const Legend& legend, const LegendScale& scale) {
+    const float width = pen.inner();
+    const int width_px = pen.inner_px();
     for (int x = 0; x < width_px; ++x) {
         const auto last = static_cast<float>(scale.map.size() - 1);
         const auto at = static_cast<std::size_t>(std::lround(float(x) / float(std::max(width_px - 1, 1)) * last));
         pen.column(x, kBarHeight, opaque(scale.map[at]));
     }
     for (const LegendScale::Tick& tick : scale.ticks) {
-        const int x = static_cast<int>(std::lround(tick.place * float(width - 1)));
+        const float x = std::round(tick.place * (width - 1));
         pen.box(x, kBarHeight, 1, 2, kSoftInk);
-        const int room = text_width(tick.label);
-        pen.text(std::clamp(x - room / 2, 0, width - room), kBarHeight + 4, tick.label, kInk);
+        const float room = width_of(legend, tick.label);
+        pen.text(std::clamp(x - std::floor(room / 2), 0.0F, width - room), kBarHeight + 4, tick.label, kInk);
     }
     pen.down(kBarRow);
 }
 
 // The legend's place at this scale, or nullopt. Rows that do not fit are left out. Long names are cut at scale 1 only.
-std::optional<LegendLayout> place_at_scale(const Legend& legend, int scale, int width_px, int height_px,
+std::optional<LegendLayout> place_at_scale(const Legend& legend, float scale, int width_px, int height_px,
                                            Corner corner) {
-    int width = (inner_width(legend) + 2 * kPadding) * scale;
-    if (scale == 1) width = std::min(width, std::max(min_width(legend) + 2 * kPadding, width_px / 2));
-    const auto height_of = [&](std::size_t rows) { return (inner_height(legend, rows) + 2 * kPadding) * scale; };
+    const auto outer_px = [&](float inner) { return static_cast<int>(std::ceil((inner + 2 * kPadding) * scale)); };
+    int width = outer_px(inner_width(legend));
+    if (scale <= 1) width = std::min(width, std::max(outer_px(min_width(legend)), width_px / 2));
+    const auto height_of = [&](std::size_t rows) { return outer_px(static_cast<float>(inner_height(legend, rows))); };
     const int max_height = height_px * 3 / 4;
     std::size_t rows = legend.rows.size();
     while (rows > 0 && height_of(rows) > max_height) --rows;
     const bool shows_too_little = rows < std::min<std::size_t>(legend.rows.size(), 2);
     if (width > width_px / 2 || shows_too_little || height_of(rows) > max_height) return std::nullopt;
-    return LegendLayout{.box = in_corner(width, height_of(rows), kMargin * scale, corner, width_px, height_px),
+    return LegendLayout{.box = in_corner(width, height_of(rows), whole(kMargin * scale), corner, width_px, height_px),
                         .scale = scale,
                         .rows = rows};
 }
@@ -155,7 +193,9 @@ std::optional<LegendLayout> place_at_scale(const Legend& legend, int scale, int 
 }  // namespace
 
 std::optional<LegendLayout> place_legend(const Legend& legend, int width_px, int height_px, Corner corner) {
-    for (int scale = std::max(1, std::min(width_px, height_px) / 512); scale > 0; --scale) {
+    const float step = legend.font ? 0.25F : 1;
+    const float largest = std::floor(static_cast<float>(std::min(width_px, height_px)) / 512 / step) * step;
+    for (float scale = std::max(1.0F, largest); scale >= 1; scale -= step) {
         const auto place = place_at_scale(legend, scale, width_px, height_px, corner);
         if (place) return place;
     }
@@ -165,15 +205,16 @@ std::optional<LegendLayout> place_legend(const Legend& legend, int width_px, int
 void draw_legend(Image& image, const Legend& legend, Corner corner) {
     const std::optional<LegendLayout> place = place_legend(legend, image.width_px, image.height_px, corner);
     if (!place) return;
-    const auto& [box, scale, rows] = *place;
-    fill_rounded(image, {box.left - scale, box.top - scale, box.width + 2 * scale, box.height + 2 * scale},
-                 (kRadius + 1) * scale, kRim);
-    fill_rounded(image, box, kRadius * scale, kPaper);
-    Pen pen(image, box, scale);
+    const PixelBox& box = place->box;
+    const int rim = whole(place->scale);
+    fill_rounded(image, {box.left - rim, box.top - rim, box.width + 2 * rim, box.height + 2 * rim},
+                 whole((kRadius + 1) * place->scale), kRim);
+    fill_rounded(image, box, whole(kRadius * place->scale), kPaper);
+    Pen pen(image, legend, *place);
     pen.text(0, 0, legend.title, kInk);
     pen.down(kTitle);
-    draw_rows(pen, legend, rows);
-    if (legend.scale) draw_scale(pen, *legend.scale);
+    draw_rows(pen, legend, place->rows);
+    if (legend.scale) draw_scale(pen, legend, *legend.scale);
     if (!legend.notes.empty()) pen.down(kBetween);
     for (const auto& [name, figure] : legend.notes) {
         pen.text(0, 0, name, kSoftInk);
@@ -237,7 +278,7 @@ struct Candidate {
 
 // Frames with a free strip for the legend at the left or at the bottom, and frames with a wider margin.
 std::vector<SubjectFrame> with_room(const SubjectFrame& frame, const LegendLayout& legend, const PictureSize& size) {
-    const float edge = 8.0F * float(legend.scale);
+    const float edge = 8 * legend.scale;
     const float right = float(legend.box.left + legend.box.width) + edge;
     const float top = float(size.height_px - legend.box.top) + edge;
     const float margin = frame.options.margin / 2;  // already free on each side
@@ -253,7 +294,7 @@ std::vector<SubjectFrame> with_room(const SubjectFrame& frame, const LegendLayou
 
 // Enlarged, because marks extend beyond the cloth.
 PixelBox with_edge(const LegendLayout& place) {
-    const int edge = 6 * place.scale;
+    const int edge = whole(6 * place.scale);
     return {place.box.left - edge, place.box.top - edge, place.box.width + 2 * edge, place.box.height + 2 * edge};
 }
 

@@ -2,11 +2,13 @@
 // The legend that explains a picture's colours, drawn in a corner of it: data in, pixels out.
 // Also the choice of that corner.
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "render/image/image.h"
+#include "render/image/outline_font.h"
 #include "render/image/text.h"
 #include "render/scene/camera.h"
 #include "render/scene/scene.h"
@@ -36,19 +38,20 @@ struct Legend {
     std::vector<LegendRow> rows{};
     std::optional<LegendScale> scale{};
     std::vector<std::array<std::string, 2>> notes{};  // a name and its value each, below everything else
+    std::shared_ptr<const OutlineFont> font{};        // null: the built-in bitmap font
 };
 
 enum class Corner { LowerLeft, LowerRight, UpperLeft, UpperRight };
 
 struct LegendLayout {
     PixelBox box;
-    int scale = 1;         // picture pixels per font pixel
+    float scale = 1;       // picture pixels per font pixel
     std::size_t rows = 0;  // rows that fit; if not all do, the last of them reads "and N more"
 };
 
-// The legend's box in a corner of a picture. Scale: the picture's shorter side / 512 px, at least 1; a smaller one if
-// the legend would be wider than half of the picture. Rows beyond three quarters of the picture's height are left out.
-// nullopt if it does not fit even so.
+// The legend's box in a corner of a picture. Scale: the picture's shorter side / 512 px, at least 1, rounded down to a
+// whole number, or to a quarter with an outline font; a smaller one if the legend would be wider than half of the
+// picture. Rows beyond three quarters of the picture's height are left out. nullopt if it does not fit even so.
 std::optional<LegendLayout> place_legend(const Legend& legend, int width_px, int height_px, Corner corner);
 
 // Draws nothing if place_legend() returns nullopt.

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "app/edit_loop.h"
+#include "app/interface_fonts.h"
 #include "app/ui_draw.h"
 #include "app/window.h"
 #include "editor/frame/theme.h"

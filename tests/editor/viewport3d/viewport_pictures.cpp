@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "app/edit_loop.h"
+#include "app/interface_fonts.h"
 #include "editor/ui/ui_input.h"
 #include "editor/viewport3d/viewport.h"
 #include "render/image/image.h"

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <filesystem>
 
 #include "render/marks/legend.h"
+#include "sim/core/file.h"
 
 namespace selvedge::render {
 namespace {
@@ -124,6 +126,74 @@ TEST(Legend, figures_stand_below_each_other_at_the_right_edge) {
     };
     const int right = place->box.left + place->box.width - 8, first = place->box.top + 8 + 16;
     for (int x = right - 5; x < right; ++x) EXPECT_EQ(column_sum(x, first), column_sum(x, first + 13)) << x;
+}
+
+// Legends in the font of the interface.
+class LegendFont : public testing::Test {
+ protected:
+    void SetUp() override {
+        const std::filesystem::path path = "/usr/share/fonts/opentype/inter/Inter-Regular.otf";
+        if (!std::filesystem::exists(path)) GTEST_SKIP() << "fonts-inter is not installed";
+        legend_.font = OutlineFont::read(sim::read_file(path, 64U << 20U));
+        ASSERT_TRUE(legend_.font);
+    }
+
+    Image drawn(int width_px, int height_px) const {
+        Image image(width_px, height_px, {255, 255, 255, 255});
+        draw_legend(image, legend_, Corner::LowerLeft);
+        return image;
+    }
+
+    Legend legend_ = with_rows(4);
+};
+
+// Colours of letters: between the paper and the ink.
+int half_inked(const Image& image) {
+    return static_cast<int>(std::ranges::count_if(
+        image.pixels, [](const Rgba8& p) { return p[0] == p[1] && p[1] + 8 > p[2] && p[0] > 90 && p[0] < 200; }));
+}
+
+TEST_F(LegendFont, has_smooth_edges_that_the_bitmap_font_lacks) {
+    const Image smooth = drawn(512, 512);
+    legend_.font = nullptr;
+    const Image rough = drawn(512, 512);
+    EXPECT_GT(half_inked(smooth), 40 + half_inked(rough));
+}
+
+TEST_F(LegendFont, grows_with_the_picture_in_small_steps) {
+    const auto small = place_legend(legend_, 512, 512, Corner::LowerLeft);
+    const auto middle = place_legend(legend_, 768, 800, Corner::LowerLeft);
+    ASSERT_TRUE(small && middle);
+    EXPECT_EQ(small->scale, 1);
+    EXPECT_EQ(middle->scale, 1.5F);
+    EXPECT_NEAR(float(middle->box.width), 1.5F * float(small->box.width), 2);
+    EXPECT_NEAR(float(middle->box.height), 1.5F * float(small->box.height), 2);
+}
+
+TEST_F(LegendFont, leaves_all_outside_the_legend_alone_whatever_the_pictures_size) {
+    for (const int side : {400, 512, 777, 1100}) {
+        const Image image = drawn(side, side);
+        const auto place = place_legend(legend_, side, side, Corner::LowerLeft);
+        ASSERT_TRUE(place) << side;
+        const int rim = static_cast<int>(std::ceil(place->scale));
+        for (int y = 0; y < side; ++y) {
+            for (int x = 0; x < side; ++x) {
+                const PixelBox& box = place->box;
+                const bool is_inside = x >= box.left - rim && x < box.left + box.width + rim && y >= box.top - rim &&
+                                       y < box.top + box.height + rim;
+                ASSERT_TRUE(is_inside || image.at(x, y) == (Rgba8{255, 255, 255, 255})) << x << " " << y;
+            }
+        }
+        for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(shows(image, row_colour(i))) << i;
+    }
+}
+
+TEST_F(LegendFont, cuts_long_names_between_letters) {
+    legend_ = {.title = "Panels", .rows = {{{1, 2, 3}, {}}, {{1, 2, 3}, "back"}}, .font = legend_.font};
+    for (int i = 0; i < 60; ++i) legend_.rows[0].label += "\xC3\xA4";
+    const Image cut = drawn(400, 400);
+    legend_.rows[0].label += "\xC3\xB6";
+    EXPECT_TRUE(cut == drawn(400, 400)) << "the end is not seen";
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+#pragma once
+// The interface's fonts, searched among the system's packages at run time, and the font of legends, which is the same.
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "render/image/outline_font.h"
+
+namespace selvedge::app {
+
+struct FontFiles {
+    std::filesystem::path regular;  // empty: none was found
+    std::filesystem::path medium;   // for headings; the regular font if the family has no medium one
+};
+
+// The first family that is installed: Inter, Noto Sans, DejaVu Sans. folders: the system's font folders.
+FontFiles find_fonts(const std::vector<std::filesystem::path>& folders = {"/usr/share/fonts",
+                                                                          "/usr/local/share/fonts"});
+
+// For legends in pictures and in the 3D view. Null: no font is installed, or its file cannot be read.
+std::shared_ptr<const render::OutlineFont> read_legend_font(const FontFiles& files = find_fonts());
+
+}  // namespace selvedge::app
