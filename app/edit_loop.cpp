@@ -113,9 +113,11 @@ void FramePainter::draw_scene(const editor::SceneRequest& scene) {
     if (scene.fills_show_mode) {
         const PaintedScene& painted = drawn.paint.painted(scene.scene);
         view.scene = painted.scene;
-        hold_legend(scene, painted.legend);
+        if (!scene.sample) hold_legend(scene, painted.legend);
     }
-    if (scene.is_preview) {
+    if (scene.is_preview && scene.sample) {
+        drawn.preview.refine(view, *scene.sample, drawn.picture);
+    } else if (scene.is_preview) {
         drawn.preview.draw(view, drawn.picture);
     } else {
         if (!renderer_) renderer_.emplace(context_);

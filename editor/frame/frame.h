@@ -28,6 +28,7 @@ struct SceneRequest {
     int width_px = 0;
     int height_px = 0;
     bool is_preview = true;        // fast preview: no shadows, no ambient occlusion, one sample per pixel
+    std::optional<int> sample{};   // of a preview that rests: this sample is added to those before, from 0 on
     UiTexture legend = 0;          // receives the legend on a transparent image of the same size, if fills_show_mode
     bool fills_show_mode = false;  // before drawing, fill in the show mode of the first cloth (render/marks/show.h)
 };

@@ -13,6 +13,9 @@ namespace {
 
 constexpr float kMinSide = 8;  // px: the view is not drawn if it is narrower or lower than this
 
+// A view that has not changed for so many frames is at rest; then each frame adds a sample per pixel to its picture.
+constexpr int kFramesToRest = 5, kRestSamples = 16;
+
 constexpr std::array<int, 10> kViewKeys{static_cast<int>(Key::Home),        static_cast<int>(Key::KeypadDecimal),
                                         static_cast<int>(Key::KeypadEnter), static_cast<int>(Key::Enter),
                                         static_cast<int>(Key::Backspace),   static_cast<int>(Key::Escape),
@@ -102,6 +105,16 @@ void Viewport::make_scene(const ViewportContext& context) {
     light_ = fills_show_mode(workspace.look.show) ? even_light(camera) : studio_light(camera);
 }
 
+// The sample of a view at rest that this frame adds; none: it moved lately, or has all samples. While cloth is
+// simulated the view does not rest, however slowly it comes.
+std::optional<int> Viewport::next_sample(const ViewportContext& context) {
+    if (context.workspace.drape.frame()->is_running) frames_at_rest_ = 0;
+    if (frames_at_rest_ >= kFramesToRest + kRestSamples) return std::nullopt;
+    const int sample = frames_at_rest_++ - kFramesToRest;
+    context.output.is_animating = true;
+    return sample < 0 ? std::nullopt : std::optional(sample);
+}
+
 void Viewport::request_rendering(const ViewportContext& context) {
     if (!shown_) return;
     const Drawn wanted{.scene = shown_,
@@ -109,7 +122,10 @@ void Viewport::request_rendering(const ViewportContext& context) {
                        .width_px = static_cast<int>(size_px_.x()),
                        .height_px = static_cast<int>(size_px_.y()),
                        .texture = context.texture};
-    if (wanted == drawn_) return;
+    const bool has_changed = wanted != drawn_;
+    if (has_changed) frames_at_rest_ = 0;
+    const std::optional<int> sample = next_sample(context);
+    if (!has_changed && !sample) return;
     drawn_ = wanted;
     context.output.scenes.push_back({.texture = context.texture,
                                      .scene = shown_,
@@ -118,6 +134,7 @@ void Viewport::request_rendering(const ViewportContext& context) {
                                      .width_px = wanted.width_px,
                                      .height_px = wanted.height_px,
                                      .is_preview = true,
+                                     .sample = sample,
                                      .legend = context.legend,
                                      .fills_show_mode = fills_show_mode(context.workspace.look.show)});
 }

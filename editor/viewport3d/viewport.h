@@ -29,7 +29,7 @@ class Viewport {
     explicit Viewport(ViewportColours colours = {}) : colours_(colours), scene_(colours) {}
 
     // Fills the remaining region of the current ImGui window. Requests a new rendering of the scene only if something
-    // in it has changed.
+    // in it has changed, and then, once it rests, one sample after the other of a smooth picture.
     void show(const ViewportContext& context);
 
     // The scene of the last frame; null: there is nothing to show.
@@ -60,6 +60,7 @@ class Viewport {
     bool wants_curved(const Workspace& workspace) const;
     void make_scene(const ViewportContext& context);
     void request_rendering(const ViewportContext& context);
+    std::optional<int> next_sample(const ViewportContext& context);
     void choose_cursor(const ViewportContext& context) const;
 
     ViewportColours colours_;
@@ -69,7 +70,8 @@ class Viewport {
     std::shared_ptr<const render::Scene> shown_;
     render::Light light_;
     Drawn drawn_;
-    Vec2f low_px_{0, 0};  // upper left corner of the view in the window
+    int frames_at_rest_ = 0;  // since the last rendering, as far as they matter
+    Vec2f low_px_{0, 0};      // upper left corner of the view in the window
     Vec2f size_px_{1, 1};
     bool is_focused_ = false;
 };

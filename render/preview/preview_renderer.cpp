@@ -16,6 +16,7 @@
 #include "render/draw/scene_buffers.h"
 #include "render/gl/context.h"
 #include "render/gl/target.h"
+#include "render/preview/picture_mean.h"
 #include "render/scene/colour.h"
 #include "sim/core/assert.h"
 
@@ -45,12 +46,39 @@ std::optional<Footprint> footprint_of(const Scene& scene) {
                      .reach = {0.5F * box.sizes().x() + margin, 0.5F * box.sizes().z() + margin}};
 }
 
-// World space to clip space, upside down: the texture's row 0 is the picture's top row.
-Eigen::Matrix4f upside_down_matrix(const SceneView& view, const PictureTexture& to) {
+// World space to clip space, upside down: the texture's row 0 is the picture's top row. The picture is shifted by
+// `offset_px`.
+Eigen::Matrix4f upside_down_matrix(const SceneView& view, const PictureTexture& to, const Vec2f& offset_px) {
     Eigen::Matrix4f matrix =
         projection_matrix(view.camera, float(to.width_px()) / float(to.height_px())) * view_matrix(view.camera);
     matrix.row(1) *= -1;
+    const Eigen::RowVector4f w = matrix.row(3);
+    matrix.row(0) += 2 * offset_px.x() / float(to.width_px()) * w;
+    matrix.row(1) += 2 * offset_px.y() / float(to.height_px()) * w;
     return matrix;
+}
+
+// The digits of the number behind the point, in reverse order: 0..1.  (van der Corput 1935)
+float reversed_digits(int number, int base) {
+    float result = 0, place = 1;
+    for (; number > 0; number /= base) {
+        place /= float(base);
+        result += place * float(number % base);
+    }
+    return result;
+}
+
+// What one picture of a view is, of several that are averaged.
+struct Sample {
+    Vec2f offset_px = Vec2f::Zero();  // within the pixel, -0.5 to 0.5
+    float finer = 0;                  // by so many levels of a tartan's texture than its pixels ask for
+};
+
+// Within the pixel, -0.5 to 0.5 px: evenly spread, however many there are. Sample 0 is the pixel's centre. (Halton
+// 1960)
+Vec2f offset_of(int sample) {
+    const auto centred = [](float x) { return x < 0.5F ? x : x - 1; };
+    return {centred(reversed_digits(sample, 2)), centred(reversed_digits(sample, 3))};
 }
 
 void set_light(const Program& program, const SceneView& view, const Eigen::Matrix4f& camera) {
@@ -146,6 +174,22 @@ struct PreviewRenderer::Impl {
         gl.Clear(GL_DEPTH_BUFFER_BIT);
     }
 
+    void draw(const SceneView& view, const Sample& how, const PictureTexture& to) {
+        context.make_current();
+        prepare(view.scene);
+        const Eigen::Matrix4f camera = upside_down_matrix(view, to, how.offset_px);
+        begin(to);
+        attach_depth(to);  // first: GL draws only to the size of the smallest attachment
+        draw_backdrop(view.scene->background, to);
+        gl.FrontFace(GL_CW);  // because the picture is upside down
+        draw_ground(camera);
+        gl.Enable(GL_DEPTH_TEST);
+        draw_cloths(view, camera, how.finer);  // before bodies: parts of a body that it hides are not shaded
+        draw_surfaces(view, camera);
+        gl.Disable(GL_DEPTH_TEST);
+        gl.FrontFace(GL_CCW);
+    }
+
     void draw_ground(const Eigen::Matrix4f& camera) const {
         if (!footprint) return;
         ground.use();
@@ -162,12 +206,13 @@ struct PreviewRenderer::Impl {
         gl.Disable(GL_BLEND);
     }
 
-    void draw_cloths(const SceneView& view, const Eigen::Matrix4f& camera) const {
+    void draw_cloths(const SceneView& view, const Eigen::Matrix4f& camera, float finer) const {
         if (cloths.empty()) return;
         cloth.use();
         set_light(cloth, view, camera);
         cloth.set("picture", 0);
         cloth.set("line_px", 0.6F);
+        cloth.set("finer", finer);
         gl.ActiveTexture(GL_TEXTURE0);
         for (std::size_t i = 0; i < cloths.size(); ++i) draw_cloth(cloths[i], scene->cloths[i]);
     }
@@ -241,26 +286,29 @@ struct PreviewRenderer::Impl {
     std::deque<PreviewCloth> cloths;
     std::deque<PreviewSurface> bodies, solids;
     std::optional<Footprint> footprint;
+    std::optional<PictureMean> mean;  // both made when a view first rests
+    std::optional<PictureTexture> sample;
 };
 
 PreviewRenderer::PreviewRenderer(GlContext& context) : impl_(std::make_unique<Impl>(context)) {}
 PreviewRenderer::~PreviewRenderer() = default;
 
 void PreviewRenderer::draw(const SceneView& view, PictureTexture& to) {
+    impl_->draw(view, {}, to);
+}
+
+void PreviewRenderer::refine(const SceneView& view, int sample, PictureTexture& to) {
+    SELVEDGE_ASSERT(sample >= 0);
     Impl& impl = *impl_;
     impl.context.make_current();
-    impl.prepare(view.scene);
-    const Eigen::Matrix4f camera = upside_down_matrix(view, to);
-    impl.begin(to);
-    impl.attach_depth(to);  // first: GL draws only to the size of the smallest attachment
-    impl.draw_backdrop(view.scene->background, to);
-    impl.gl.FrontFace(GL_CW);  // because the picture is upside down
-    impl.draw_ground(camera);
-    impl.gl.Enable(GL_DEPTH_TEST);
-    impl.draw_cloths(view, camera);  // before bodies: parts of a body that it hides are not shaded
-    impl.draw_surfaces(view, camera);
-    impl.gl.Disable(GL_DEPTH_TEST);
-    impl.gl.FrontFace(GL_CCW);
+    if (!impl.mean) impl.mean.emplace(impl.gl);
+    if (!impl.sample) impl.sample.emplace(impl.gl);
+    if (sample == 0) impl.mean->clear(to.width_px(), to.height_px());
+    impl.sample->resize(to.width_px(), to.height_px());
+    constexpr float kFiner = 2;  // sixteen samples see each a sixteenth of the pixel
+    impl.draw(view, {.offset_px = offset_of(sample), .finer = sample > 0 ? kFiner : 0}, *impl.sample);
+    impl.mean->add(*impl.sample);
+    impl.mean->draw(to);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 // Draws the picture that an editor shows while something moves: no shadows, no ambient occlusion, one sample per pixel,
-// no single threads, lighting per vertex. Colours and view are those of Renderer, at a small part of its cost.
+// no single threads, lighting per vertex. Colours and view are those of Renderer, at a small part of its cost. A view
+// that rests is refined: its picture becomes the mean of several samples per pixel, one more with each frame.
 // Also its GL buffers.
 #include <array>
 #include <cstdint>
@@ -25,6 +26,11 @@ class PreviewRenderer {
     // Draws at the texture's size; row 0 of the texture is the top row of the picture. The scene may be empty.
     // Pre: the texture belongs to the context; the scene's numbers are finite.
     void draw(const SceneView& view, PictureTexture& to);
+
+    // Draws sample number `sample` of each pixel, from 0 on, and shows the mean of the samples so far. Sample 0 is the
+    // picture of draw(). Pre: as draw(); for other samples, the calls of refine() before drew the samples before, of
+    // the same view at the same size.
+    void refine(const SceneView& view, int sample, PictureTexture& to);
 
  private:
     struct Impl;

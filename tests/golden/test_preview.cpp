@@ -6,6 +6,7 @@
 #include "render/draw/renderer.h"
 #include "render/image/image.h"
 #include "render/preview/preview_renderer.h"
+#include "render/scene/colour.h"
 #include "tests/golden/frozen_scene.h"
 
 namespace selvedge::test {
@@ -108,6 +109,72 @@ TEST_F(Previews, fill_a_picture_that_has_grown) {
     preview(renderer, view);
     to_.resize(kWidth, kHeight);
     EXPECT_TRUE(preview(renderer, view) == fresh_preview(*view.scene));
+}
+
+// Samples of one view, until its picture is smooth.
+constexpr int kSamples = 16;
+
+render::Image smooth_preview(render::PreviewRenderer& renderer, const render::SceneView& view,
+                             render::PictureTexture& to) {
+    for (int i = 0; i < kSamples; ++i) renderer.refine(view, i, to);
+    return to.read();
+}
+
+// The mean, in linear light, of each block of `factor` x `factor` px.
+std::vector<Vec3f> shrunk(const render::Image& image, int factor) {
+    std::vector<Vec3f> means;
+    for (int top = 0; top < image.height_px; top += factor) {
+        for (int left = 0; left < image.width_px; left += factor) {
+            Vec3f sum = Vec3f::Zero();
+            for (int i = 0; i < factor * factor; ++i) {
+                const render::Rgba8& pixel = image.at(left + i % factor, top + i / factor);
+                sum += render::to_linear(sim::Rgb8{pixel[0], pixel[1], pixel[2]});
+            }
+            means.emplace_back(sum / float(factor * factor));
+        }
+    }
+    return means;
+}
+
+double mean_difference(const std::vector<Vec3f>& a, const std::vector<Vec3f>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += double((a[i] - b[i]).cwiseAbs().mean());
+    return sum / double(a.size());
+}
+
+// As a tartan does that is seen from the side: its stripes are not much wider than a pixel.
+render::SceneView striped_view() {
+    render::Scene scene = make_frozen_scene();
+    scene.camera = turned(scene.camera, 0.9F, Vec3f::Zero());
+    return view_of(scene);
+}
+
+TEST_F(Previews, at_rest_are_the_mean_of_much_finer_pictures) {
+    render::PreviewRenderer renderer(*context_);
+    const render::SceneView view = striped_view();
+    const render::Image moving = preview(renderer, view);
+    const render::Image resting = smooth_preview(renderer, view, to_);
+    constexpr int kFiner = 8;
+    to_.resize(kFiner * kWidth, kFiner * kHeight);
+    const std::vector<Vec3f> fine = shrunk(preview(renderer, view), kFiner);
+    const double of_moving = mean_difference(shrunk(moving, 1), fine);
+    const double of_resting = mean_difference(shrunk(resting, 1), fine);
+    RecordProperty("differences", std::to_string(of_moving) + " " + std::to_string(of_resting));
+    EXPECT_LT(of_resting, 0.4 * of_moving) << of_moving << " " << of_resting;
+}
+
+TEST_F(Previews, at_rest_begin_as_they_were_and_show_a_change_at_once) {
+    render::PreviewRenderer renderer(*context_);
+    const render::SceneView view = striped_view(), other = view_of(make_frozen_scene());
+    const render::Image first = preview(renderer, view);
+    renderer.refine(view, 0, to_);
+    EXPECT_TRUE(to_.read() == first) << "no pixel jumps when the view comes to rest";
+    const render::Image smooth = smooth_preview(renderer, view, to_);
+    EXPECT_FALSE(smooth == first);
+    EXPECT_TRUE(preview(renderer, other) == fresh_preview(*other.scene));
+    EXPECT_TRUE(smooth_preview(renderer, view, to_) == smooth) << "whatever was drawn before";
+    to_.resize(kHeight, kWidth);
+    EXPECT_EQ(smooth_preview(renderer, view, to_).width_px, kHeight);
 }
 
 TEST_F(Previews, show_painted_cloth_marks_and_an_empty_room) {

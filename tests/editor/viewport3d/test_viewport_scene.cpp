@@ -203,7 +203,7 @@ class CurvedDrapeTest : public testing::Test {
         ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize({800, 600});
         ImGui::Begin("view", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
-        view.show({.workspace = workspace, .output = output});
+        view.show({.workspace = workspace, .output = output, .seconds = seconds});
         ImGui::End();
         ImGui::Render();
     }
@@ -239,7 +239,41 @@ class CurvedDrapeTest : public testing::Test {
         {.pattern = sim::test::session_pattern("two_squares"), .json = {}}, sim::SessionDrive::Caller, mannequin};
     FrameOutput output;
     Viewport view;
+    float seconds = 0;  // s, per frame
 };
+
+// A view that rests is drawn once more for each sample of a smooth picture, and then no more.
+TEST_F(CurvedDrapeTest, rests_while_its_picture_gets_smooth) {
+    const auto samples_of = [&](int frames) {
+        std::vector<std::optional<int>> samples;
+        for (int i = 0; i < frames; ++i) {
+            output = {};
+            show();
+            for (const SceneRequest& request : output.scenes) samples.push_back(request.sample);
+        }
+        return samples;
+    };
+    seconds = 0.1F;
+    samples_of(60);  // until the view that is new has come to rest
+    EXPECT_TRUE(samples_of(5).empty());
+    EXPECT_FALSE(output.is_animating) << "resting costs nothing";
+
+    view.controller().look_from(StandardView::Left);
+    output = {};
+    show();
+    ASSERT_EQ(output.scenes.size(), 1U) << "a change shows at once";
+    EXPECT_FALSE(output.scenes.front().sample);
+    std::vector<std::optional<int>> after = samples_of(60);
+    EXPECT_FALSE(output.is_animating);
+    std::erase(after, std::nullopt);  // the camera's way
+    ASSERT_EQ(after.size(), 16U);
+    for (int i = 0; i < 16; ++i) EXPECT_EQ(after[static_cast<std::size_t>(i)], i);
+
+    view.controller().look_from(StandardView::Front);
+    for (const std::optional<int>& sample : samples_of(6)) EXPECT_FALSE(sample);
+    workspace.drape.session().start();
+    for (const std::optional<int>& sample : samples_of(30)) EXPECT_FALSE(sample) << "cloth moves";
+}
 
 TEST_F(CurvedDrapeTest, is_shown_at_rest_only_and_only_if_the_view_option_is_on) {
     ASSERT_TRUE(view.scene());
