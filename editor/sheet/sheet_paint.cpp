@@ -474,16 +474,17 @@ void draw_lit_places(const SheetLook& look, const std::vector<PartLocation>& pla
     }
 }
 
-void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& overlay, const TypedInput& typed) {
+void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& overlay, const ToolHost& tools) {
+    const TypedInput& typed = tools.typed();
+    const bool is_typing = tools.is_asking() || !typed.is_empty();
     std::vector<std::string> lines = overlay.readout;
     if (!overlay.problem.empty()) lines.insert(lines.begin(), overlay.problem);
-    if (lines.empty() && typed.is_empty()) return;
+    if (lines.empty() && !is_typing) return;
     const float line_height = ImGui::GetTextLineHeight() + pen.px(2), margin = pen.px(7);
     float width = 0;
     for (const std::string& line : lines) width = std::max(width, ImGui::CalcTextSize(line.c_str()).x);
     const float large = ImGui::GetFontSize() * 1.25F;
     const std::string typed_text = typed.text() + "|";
-    const bool is_typing = !typed.is_empty();
     const ImVec2 typed_size = ImGui::GetFont()->CalcTextSizeA(large, 1e6F, 0, typed_text.c_str());
     if (is_typing) width = std::max(width, typed_size.x + pen.px(6));
     const float height = line_height * static_cast<float>(lines.size()) + (is_typing ? large + pen.px(8) : 0);
@@ -498,7 +499,7 @@ void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& ov
     if (is_typing) {
         pen.list.AddRectFilled({at.x - pen.px(2), at.y}, {low.x + width + margin + pen.px(2), at.y + large + pen.px(4)},
                                packed(pen.colours.handle), pen.px(3));
-        const render::Rgba8& ink = typed.numbers() ? pen.colours.ink : pen.colours.error;
+        const render::Rgba8& ink = typed.numbers() || typed.is_empty() ? pen.colours.ink : pen.colours.error;
         pen.list.AddText(ImGui::GetFont(), large, {at.x + pen.px(1), at.y + pen.px(2)}, packed(ink),
                          typed_text.c_str());
         at.y += large + pen.px(8);

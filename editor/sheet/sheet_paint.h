@@ -36,6 +36,6 @@ void draw_overlay(const SheetLook& look);
 void draw_lit_places(const SheetLook& look, const std::vector<PartLocation>& places);
 
 // Shows the typed text in large letters and the tool's problem and readout beside the cursor. `cursor` in px.
-void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& overlay, const TypedInput& typed);
+void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& overlay, const ToolHost& tools);
 
 }  // namespace selvedge::editor

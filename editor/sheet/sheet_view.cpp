@@ -110,12 +110,17 @@ void SheetView::frame_again(const SheetContext& context) {
     if (is_same && camera_.view_size != framed_.view_size && wants_frame_ == Frame::None) frame_all();
 }
 
-void SheetView::navigate(const Mouse& mouse, SheetResult& answer) {
+void SheetView::navigate(const SheetContext& context, const Mouse& mouse, SheetResult& answer) {
     const ImGuiIO& io = ImGui::GetIO();
     if (mouse.is_over && io.MouseWheel != 0) zoom_at(camera_, mouse.at, double(io.MouseWheel));
     const bool is_held = ImGui::IsMouseDown(ImGuiMouseButton_Middle) || ImGui::IsMouseDown(ImGuiMouseButton_Right);
     const bool begins = ImGui::IsMouseClicked(ImGuiMouseButton_Middle) || ImGui::IsMouseClicked(ImGuiMouseButton_Right);
     constexpr double kClick = 4;  // px
+    const bool is_right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    if (is_right && mouse.is_over && !is_panning_ && context.tools.ask_number(context.host)) {
+        last_at_ = mouse.at;
+        return;
+    }
     if (begins && mouse.is_over) {
         is_panning_ = true;
         panned_px_ = 0;
@@ -151,7 +156,7 @@ void SheetView::forward_mouse(SheetContext& context, const Mouse& mouse) {
 void SheetView::forward_keys(SheetContext& context, const Mouse& mouse, SheetResult& answer) {
     const bool is_here = mouse.is_over || has_left_ || ImGui::IsWindowFocused();
     if (!context.takes_keys || !is_here || ImGui::GetIO().WantTextInput) return;
-    const bool was_typing = !context.tools.typed().is_empty();
+    const bool was_typing = !context.tools.typed().is_empty() || context.tools.is_asking();
     if (!mouse.modifiers.ctrl && !mouse.modifiers.alt) context.tools.text(context.host, written());
     for (const Key key : pressed_keys()) {
         if (context.tools.key(context.host, key, mouse.modifiers)) {
@@ -169,7 +174,7 @@ SheetResult SheetView::show(SheetContext& context) {
     context.tools.begin_frame(context.host.document, camera_, context.ui_scale);
     frame_again(context);
     frame_wanted(context);
-    navigate(mouse, answer);
+    navigate(context, mouse, answer);
     context.tools.begin_frame(context.host.document, camera_, context.ui_scale);
     if (!is_panning_) forward_mouse(context, mouse);
     forward_keys(context, mouse, answer);
@@ -260,7 +265,7 @@ void SheetView::draw(SheetContext& context, const Mouse& mouse) {
     draw_overlay(look);
     draw_rulers(pen, mouse.is_over ? std::optional<Vec2d>(mouse.at) : std::nullopt);
     draw_readout(pen, mouse);
-    if (mouse.is_over || has_left_) draw_bubble(pen, mouse.at, overlay, context.tools.typed());
+    if (mouse.is_over || has_left_) draw_bubble(pen, mouse.at, overlay, context.tools);
     list.PopClipRect();
     if (overlay.readout.empty()) show_whole_name(context, mouse);
 }

@@ -72,7 +72,7 @@ class SheetView {
     Mouse place(SheetContext& context);
     void frame_wanted(const SheetContext& context);
     void frame_again(const SheetContext& context);
-    void navigate(const Mouse& mouse, SheetResult& answer);
+    void navigate(const SheetContext& context, const Mouse& mouse, SheetResult& answer);
     void forward_mouse(SheetContext& context, const Mouse& mouse);
     void forward_keys(SheetContext& context, const Mouse& mouse, SheetResult& answer);
     SheetBox content_box(const SheetContext& context) const;

@@ -176,6 +176,7 @@ void SelectTool::drop(ToolContext& context, const SheetPointer& pointer) {
 // Moves the selection by dx or by dx x dy, cm.
 bool SelectTool::enter(ToolContext& context, const std::vector<double>& numbers) {
     if (numbers.size() > 2) return false;
+    drag_ = Drag::None;
     const Vec2d by = Vec2d(numbers[0], numbers.size() > 1 ? numbers[1] : 0) / 100;
     const std::optional<Command> command = move_selected(context.geometry, context.document.changeable(), by);
     if (!command) return false;
@@ -475,6 +476,7 @@ void TransformTool::drop(ToolContext& context, const SheetPointer&) {
 }
 
 bool TransformTool::enter(ToolContext& context, const std::vector<double>& numbers) {
+    is_dragging_ = false;
     const Selection selection = context.document.changeable();
     const SheetBox box = context.geometry.box_of(selection);
     if (box.isEmpty()) throw GeometryError("Select something first");

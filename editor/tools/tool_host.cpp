@@ -76,6 +76,7 @@ void ToolHost::begin_frame(const Document& document, const SheetCamera& camera, 
 }
 
 void ToolHost::move(ToolHostContext host, const Vec2d& px, const Modifiers& modifiers) {
+    if (is_asking_) return;
     pointer_ = {to_sheet(camera_, px), modifiers};
     is_over_ = true;
     if (state_ == MouseState::Pressed && (px - pressed_px_).norm() > kDragThreshold * ui_scale_) {
@@ -110,6 +111,7 @@ void ToolHost::drop(ToolHostContext host) {
 }
 
 void ToolHost::press(ToolHostContext host, const Vec2d& px, const Modifiers& modifiers) {
+    if (is_asking_) end_asking(host);
     host.messages.dismiss();
     pointer_ = {to_sheet(camera_, px), modifiers};
     is_over_ = true;
@@ -123,7 +125,7 @@ void ToolHost::press(ToolHostContext host, const Vec2d& px, const Modifiers& mod
 }
 
 void ToolHost::release(ToolHostContext host, const Vec2d& px, const Modifiers& modifiers) {
-    if (state_ == MouseState::Up) return;
+    if (state_ == MouseState::Up || is_asking_) return;
     move(host, px, modifiers);
     const bool was_dragged = state_ == MouseState::Dragging;
     state_ = MouseState::Up;
@@ -150,8 +152,9 @@ bool ToolHost::run(ToolHostContext host, const Command& command) {
 }
 
 bool ToolHost::cancel(ToolHostContext host) {
-    const bool had_typed = !typed_.is_empty();
+    const bool had_typed = !typed_.is_empty() || is_asking_;
     typed_.clear();
+    is_asking_ = false;
     host.messages.dismiss();
     if (state_ == MouseState::Dragging) state_ = MouseState::Up;
     refused_.reset();
@@ -172,22 +175,15 @@ bool ToolHost::key(ToolHostContext host, Key key, const Modifiers& modifiers) {
 
 bool ToolHost::key_unguarded(ToolHostContext host, Key key, const Modifiers& modifiers) {
     if (key == Key::Escape) {
+        if (is_asking_ && state_ != MouseState::Dragging) return is_asking_ = false, typed_.clear(), true;
         if (cancel(host)) return true;
         if (!host.document.selection().is_empty()) return host.document.select({}), true;
         if (info_ != &default_tool()) return choose(host, default_tool()), true;
         return false;
     }
-    if (!typed_.is_empty()) {
+    if (!typed_.is_empty() || is_asking_) {
         if (key == Key::Backspace) return typed_.remove_last(), true;
-        if (key == Key::Enter || key == Key::KeypadEnter) {
-            const std::optional<std::vector<double>> numbers = typed_.numbers();
-            ToolContext given = context(host);
-            host.messages.dismiss();
-            if (!numbers) return host.messages.warn("\"" + typed_.text() + "\" is no number"), true;
-            typed_.clear();
-            if (!tool_->enter(given, *numbers)) host.messages.warn("This tool does not use a number here");
-            return true;
-        }
+        if (key == Key::Enter || key == Key::KeypadEnter) return enter_number(host);
         if (key == key_of('X')) return true;  // arrives as text: 30 x 40
     }
     ToolContext given = context(host);
@@ -199,6 +195,34 @@ bool ToolHost::key_unguarded(ToolHostContext host, Key key, const Modifiers& mod
     const ToolInfo* wanted = tool_of_key(key);
     if (wanted == nullptr) return false;
     choose(host, *wanted);
+    return true;
+}
+
+bool ToolHost::ask_number(ToolHostContext host) {
+    if (is_asking_ || !info_->takes_numbers) return is_asking_;
+    const bool is_drawing = info_->is_drawing && !overlay(host).readout.empty();
+    return is_asking_ = state_ == MouseState::Dragging || is_drawing;
+}
+
+// Without a number: what is dragged ends where it is.
+void ToolHost::end_asking(ToolHostContext host) {
+    is_asking_ = false;
+    typed_.clear();
+    if (std::exchange(state_, MouseState::Up) == MouseState::Dragging) drop(host);
+}
+
+bool ToolHost::enter_number(ToolHostContext host) {
+    if (typed_.is_empty()) return end_asking(host), true;
+    const std::optional<std::vector<double>> numbers = typed_.numbers();
+    host.messages.dismiss();
+    if (!numbers) return host.messages.warn("\"" + typed_.text() + "\" is no number"), true;
+    typed_.clear();
+    is_asking_ = false;
+    state_ = MouseState::Up;  // a drag ends: the number replaces what the mouse has done
+    refused_.reset();
+    if (host.document.is_previewing()) host.document.rollback();
+    ToolContext given = context(host);
+    if (!tool_->enter(given, *numbers)) host.messages.warn("This tool does not use a number here");
     return true;
 }
 

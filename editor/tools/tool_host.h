@@ -46,6 +46,12 @@ class ToolHost {
     bool text(ToolHostContext host, std::string_view typed);
     bool cancel(ToolHostContext host);
 
+    // Opens the box for typed numbers beside the cursor, if the tool would use one now: it drags, or shows a length of
+    // what it draws. Until Enter or Escape the mouse moves nothing, and a drag does not end with the button. Returns
+    // whether the box is open.
+    bool ask_number(ToolHostContext host);
+    bool is_asking() const { return is_asking_; }
+
     // Applies a command; a GeometryError becomes a message. Returns whether the command was applied.
     bool run(ToolHostContext host, const Command& command);
 
@@ -71,6 +77,8 @@ class ToolHost {
     bool nudge(ToolHostContext host, Key key, const Modifiers& modifiers);
     bool remove_selected(ToolHostContext host);
     bool select_all(ToolHostContext host);
+    bool enter_number(ToolHostContext host);
+    void end_asking(ToolHostContext host);
 
     const ToolInfo* info_ = &default_tool();
     std::unique_ptr<Tool> tool_;
@@ -83,6 +91,7 @@ class ToolHost {
     bool is_over_ = false;
     std::optional<GeometryError> refused_;  // why the drag is not possible where the mouse is
     TypedInput typed_;
+    bool is_asking_ = false;  // the box for numbers is open, also while it is empty
 };
 
 // The context from a workspace.

@@ -28,6 +28,7 @@ struct ToolInfo {
     Key other_key = Key::None;  // a common shortcut in other programs
     bool is_drawing = true;     // the cursor over the sheet is a cross
     bool picks_parts = false;   // a click in the 3D view also selects points and edges
+    bool takes_numbers = true;  // typed ones: lengths, angles or factors
 };
 
 // For ToolInfo::make. arguments: those of T's constructor.

@@ -267,6 +267,64 @@ TEST(ToolHost, every_tool_has_a_name_a_hint_and_a_key_of_its_own) {
     }
 }
 
+TEST(AskedNumber, ends_a_drag_with_the_number_instead_of_the_mouse) {
+    SheetUser user;
+    const Vec2d before = user.vertex("left", 0);
+    user.press({0.1, 0.1});
+    user.move({0.14, 0.13});
+    user.move({0.17, 0.15});
+    ASSERT_TRUE(user.tools.ask_number(user.host()));
+    user.move({0.5, 0.4});
+    user.release({0.5, 0.4});
+    EXPECT_TRUE(user.document.is_previewing()) << "it waits for the number";
+    user.type("12.5x3");
+    EXPECT_FALSE(user.tools.is_asking());
+    EXPECT_FALSE(user.document.is_previewing());
+    EXPECT_LT((user.vertex("left", 0) - before - Vec2d(0.125, 0.03)).norm(), 1e-9);
+    EXPECT_TRUE(user.overlay().readout.empty()) << "the drag is over";
+    user.move({0.6, 0.1});
+    EXPECT_FALSE(user.document.is_previewing());
+    user.document.undo();
+    EXPECT_LT((user.vertex("left", 0) - before).norm(), 1e-9) << "one entry of the history";
+}
+
+TEST(AskedNumber, may_be_refused) {
+    for (const Key key : {Key::Escape, Key::Enter}) {
+        SheetUser user;
+        const Vec2d before = user.vertex("left", 0);
+        user.press({0.1, 0.1});
+        user.move({0.15, 0.1});
+        user.move({0.2, 0.1});
+        ASSERT_TRUE(user.tools.ask_number(user.host()));
+        user.release({0.2, 0.1});
+        EXPECT_TRUE(user.key(Key::Backspace)) << "nothing is deleted";
+        EXPECT_TRUE(user.key(key));
+        EXPECT_FALSE(user.tools.is_asking());
+        const double moved = (user.vertex("left", 0) - before).x();
+        EXPECT_NEAR(moved, key == Key::Escape ? 0 : 0.1, 1e-9) << "Enter keeps what the mouse has done";
+        EXPECT_EQ(user.pattern().panels.size(), 2U);
+    }
+}
+
+TEST(AskedNumber, is_a_length_of_what_is_drawn) {
+    SheetUser user;
+    user.choose("polygon");
+    EXPECT_FALSE(user.tools.ask_number(user.host())) << "nothing is drawn yet";
+    user.click({0, 0.5});
+    user.move({0.3, 0.5});
+    ASSERT_TRUE(user.tools.ask_number(user.host()));
+    user.move({0.1, 0.9});
+    user.type("25");
+    user.click({0.25, 0.8});
+    user.key(Key::Enter);
+    ASSERT_EQ(user.pattern().panels.size(), 3U);
+    EXPECT_NEAR((user.vertex("panel", 1) - user.vertex("panel", 0)).norm(), 0.25, 1e-6);
+    user.choose("measure");
+    user.click({0, 0});
+    user.move({0.2, 0});
+    EXPECT_FALSE(user.tools.ask_number(user.host())) << "it takes none";
+}
+
 TEST(ToolHost, no_tool_minds_any_click_or_key_on_an_empty_sheet) {
     for (const ToolInfo& info : all_tools()) {
         SheetUser user(sim::PatternDocument{});

@@ -116,5 +116,14 @@ TEST_F(KeysOfEditor, of_which_there_are_very_many_are_shown_on_their_way) {
     EXPECT_TRUE(output.is_animating) << "the host draws the next frame at once";
 }
 
+TEST_F(KeysOfEditor, ask_for_a_number_by_a_right_click_while_something_is_drawn) {
+    const std::size_t panels = document().pattern().panels.size();
+    play("key h\nclick sheet 0 70\nmove sheet 20 70\nclick sheet 20 70 right\nmove sheet 5 90\ntype 12.5\nkey enter\n");
+    play("click sheet 5 95\nkey enter\n");
+    ASSERT_EQ(document().pattern().panels.size(), panels + 1);
+    const sim::Panel& drawn = document().pattern().panels.back();
+    EXPECT_NEAR((drawn.vertices[1] - drawn.vertices[0]).norm(), 0.125, 1e-6);
+}
+
 }  // namespace
 }  // namespace selvedge::editor
