@@ -115,11 +115,14 @@ render::Image play_script(const EditorScript& script) {
     const auto render_full_quality = [](const render::Scene&) -> render::Image {
         throw sim::InputError("", "export", "a script takes pictures by 'screenshot'");
     };
-    editor::Editor editor(make_editor_services({.state = script.state, .render_full_quality = render_full_quality}),
-                          {.drive = sim::SessionDrive::Caller,
-                           .fonts = read_fonts(),
-                           .find_fonts = find_fallback_fonts,
-                           .is_steady = true});
+    editor::Services services =
+        make_editor_services({.state = script.state, .render_full_quality = render_full_quality});
+    services.load_key_map = nullptr;  // a script's keys are the editor's own, whatever the user chose
+    services.save_key_map = nullptr;
+    editor::Editor editor(std::move(services), {.drive = sim::SessionDrive::Caller,
+                                                .fonts = read_fonts(),
+                                                .find_fonts = find_fallback_fonts,
+                                                .is_steady = true});
     open_at_start(editor, script.file);
     EditorSurface surface(editor);
     const auto shoot = [&](const std::string& file) { write_png(file, loop.screenshot()); };

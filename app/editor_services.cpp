@@ -154,6 +154,7 @@ std::string print_from_editor(const sim::Pattern& pattern, const std::string& fi
 editor::Services make_editor_services(const EditorServicesOptions& options) {
     const auto journals = std::make_shared<JournalStore>(options.state / "journals");
     const auto recent = std::make_shared<const RecentFiles>(options.state / "recent.json");
+    const auto keys = std::make_shared<const KeyMapFile>(options.state / "settings.json");
     editor::Services services;
     services.load = [](const std::string& file) { return sim::load_pattern(file); };
     services.save = [](const std::string& file, const std::string& text) { sim::write_file_atomically(file, text); };
@@ -168,6 +169,8 @@ editor::Services make_editor_services(const EditorServicesOptions& options) {
     services.write_export = [options](const editor::ExportRequest& request) { write_export(request, options); };
     services.make_body = make_body;
     services.find_motion = sim::find_motion;
+    services.load_key_map = [keys] { return keys->load(); };
+    services.save_key_map = [keys](editor::KeyMap map) { keys->save(map); };
     services.recent_files = [recent] { return recent->list(); };
     services.remember_file = [recent](const std::string& file) { recent->add(file); };
     services.examples = examples();
@@ -204,6 +207,32 @@ void RecentFiles::add(const std::string& path) const {
     try {
         sim::write_file_atomically(file_, write_json(json));
     } catch (const sim::InputError&) {  // not important enough to report
+    }
+}
+
+namespace {
+
+constexpr std::string_view kMarvelousDesigner = "marvelous_designer", kSelvedge = "selvedge";
+
+}  // namespace
+
+editor::KeyMap KeyMapFile::load() const {
+    try {
+        const sim::Json json = sim::read_json(file_);
+        const sim::Json* keys = json.find("keys");
+        if (keys != nullptr && keys->is_string() && keys->string() == kMarvelousDesigner)
+            return editor::KeyMap::MarvelousDesigner;
+    } catch (const sim::InputError&) {  // no choice yet, or an invalid file
+    }
+    return editor::KeyMap::Selvedge;
+}
+
+void KeyMapFile::save(editor::KeyMap map) const {
+    sim::Json json = sim::Json::object();
+    json["keys"] = sim::Json(map == editor::KeyMap::MarvelousDesigner ? kMarvelousDesigner : kSelvedge);
+    try {
+        sim::write_file_atomically(file_, write_json(json));
+    } catch (const sim::InputError&) {  // the choice holds until the editor ends
     }
 }
 

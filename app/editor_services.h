@@ -39,6 +39,19 @@ class RecentFiles {
     std::filesystem::path file_;
 };
 
+// The user's choice of keys, stored between runs.
+
+class KeyMapFile {
+ public:
+    explicit KeyMapFile(std::filesystem::path file) : file_(std::move(file)) {}
+
+    editor::KeyMap load() const;          // the editor's own, if nothing valid is stored
+    void save(editor::KeyMap map) const;  // write errors are ignored
+
+ private:
+    std::filesystem::path file_;
+};
+
 // Adapts the editor to the EditSurface interface of the loop.
 
 class EditorSurface final : public EditSurface {

@@ -98,6 +98,10 @@ inline constexpr Key key_of(char c) {
     return static_cast<Key>(c);
 }
 
+// Which keys choose tools, views and commands: the editor's own, or those of Marvelous Designer as far as it has the
+// same commands.
+enum class KeyMap { Selvedge, MarvelousDesigner };
+
 struct Modifiers {
     bool ctrl = false;
     bool shift = false;

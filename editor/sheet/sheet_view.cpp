@@ -157,7 +157,8 @@ void SheetView::forward_keys(SheetContext& context, const Mouse& mouse, SheetRes
     const bool is_here = mouse.is_over || has_left_ || ImGui::IsWindowFocused();
     if (!context.takes_keys || !is_here || ImGui::GetIO().WantTextInput) return;
     const bool was_typing = !context.tools.typed().is_empty() || context.tools.is_asking();
-    if (!mouse.modifiers.ctrl && !mouse.modifiers.alt) context.tools.text(context.host, written());
+    const bool takes_text = context.takes_text && !mouse.modifiers.ctrl && !mouse.modifiers.alt;
+    if (takes_text) context.tools.text(context.host, written());
     for (const Key key : pressed_keys()) {
         if (context.tools.key(context.host, key, mouse.modifiers)) {
             answer.used_keys.push_back(key);

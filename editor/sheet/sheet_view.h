@@ -34,6 +34,7 @@ struct SheetContext {
     UiTexture first_texture = 1;  // of kSheetTextures
     double ui_scale = 1;          // framebuffer px per px of the interface
     bool takes_keys = true;       // false: ignore the keyboard. An active text field always takes precedence
+    bool takes_text = true;       // typed numbers are the tool's
     SheetColours colours{};
     SheetVisibility shows{};
     std::function<UnderlayPicture(const std::string& file)> underlay_picture{};  // unset: there are none

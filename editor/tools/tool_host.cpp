@@ -192,7 +192,7 @@ bool ToolHost::key_unguarded(ToolHostContext host, Key key, const Modifiers& mod
     if (key >= Key::Right && key <= Key::Up) return nudge(host, key, modifiers);
     if (modifiers.ctrl && !modifiers.alt && key == key_of('A')) return select_all(host);
     if (modifiers.ctrl || modifiers.alt || modifiers.shift) return false;
-    const ToolInfo* wanted = tool_of_key(key);
+    const ToolInfo* wanted = tool_of_key(key, key_map);
     if (wanted == nullptr) return false;
     choose(host, *wanted);
     return true;

@@ -63,6 +63,7 @@ class ToolHost {
     const SheetPointer& pointer() const { return pointer_; }
 
     bool is_snapping = true;
+    KeyMap key_map = KeyMap::Selvedge;
 
  private:
     enum class MouseState { Up, Pressed, Dragging };

@@ -1,6 +1,7 @@
 #include "editor/tools/tool_table.h"
 
 #include <algorithm>
+#include <array>
 
 #include "editor/tools/draw_tools.h"
 #include "editor/tools/outline_tools.h"
@@ -164,6 +165,19 @@ const std::vector<ToolInfo> kTools{
      .takes_numbers = false},
 };
 
+// Tools whose keys differ in Marvelous Designer's map.
+struct OtherKeys {
+    std::string_view id;
+    std::array<Key, 2> keys;
+};
+
+constexpr std::array kMarvelousDesigner{
+    OtherKeys{"select", {key_of('A'), key_of('Q')}},         // Transform Pattern; Select/Move of the 3D window
+    OtherKeys{"edit_point", {key_of('Z'), key_of('V')}},     // Edit Pattern; Edit Curve Point
+    OtherKeys{"internal_line", {key_of('G'), key_of('I')}},  // Internal Polygon/Line
+    OtherKeys{"measure", {key_of('Y'), Key::None}},          // its own key selects there
+    OtherKeys{"mirror", {Key::None, Key::None}}};            // its own key draws there
+
 }  // namespace
 
 std::string_view title_of(ToolGroup group) {
@@ -196,9 +210,17 @@ const ToolInfo& info_of(std::string_view id) {
     return *found;
 }
 
-const ToolInfo* tool_of_key(Key key) {
+std::array<Key, 2> keys_of(const ToolInfo& tool, KeyMap map) {
+    if (map == KeyMap::MarvelousDesigner) {
+        const auto found = std::ranges::find(kMarvelousDesigner, tool.id, &OtherKeys::id);
+        if (found != kMarvelousDesigner.end()) return found->keys;
+    }
+    return {tool.key, tool.other_key};
+}
+
+const ToolInfo* tool_of_key(Key key, KeyMap map) {
     if (key == Key::None) return nullptr;
-    const auto has_key = [&](const ToolInfo& tool) { return tool.key == key || tool.other_key == key; };
+    const auto has_key = [&](const ToolInfo& tool) { return std::ranges::count(keys_of(tool, map), key) > 0; };
     const auto found = std::ranges::find_if(kTools, has_key);
     return found == kTools.end() ? nullptr : &*found;
 }

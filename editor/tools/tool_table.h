@@ -1,6 +1,7 @@
 #pragma once
 // The table of the sheet's tools. A row is all that the rest of the editor knows of a tool: the toolbar, menus, keys,
 // scripts and both views read it from here.
+#include <array>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -24,7 +25,7 @@ struct ToolInfo {
     // D x y r a filled one. Empty: none.
     std::string_view icon;
     ToolGroup group = ToolGroup::Draw;
-    Key key = Key::None;        // None: only in menus
+    Key key = Key::None;        // in the editor's own key map; None: only in menus
     Key other_key = Key::None;  // a common shortcut in other programs
     bool is_drawing = true;     // the cursor over the sheet is a cross
     bool picks_parts = false;   // a click in the 3D view also selects points and edges
@@ -46,7 +47,10 @@ const ToolInfo& default_tool();
 // Pre: there is a tool with this id.
 const ToolInfo& info_of(std::string_view id);
 
+// The tool's keys in a key map, the one that menus show first; Key::None: fewer.
+std::array<Key, 2> keys_of(const ToolInfo& tool, KeyMap map);
+
 // Returns nullptr if no tool has this key.
-const ToolInfo* tool_of_key(Key key);
+const ToolInfo* tool_of_key(Key key, KeyMap map = KeyMap::Selvedge);
 
 }  // namespace selvedge::editor

@@ -1,6 +1,7 @@
 #include "editor/ui/actions.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "editor/geometry/panel_edit.h"
@@ -11,6 +12,7 @@
 #include "editor/tools/underlay_tool.h"
 #include "editor/ui/app_state.h"
 #include "editor/ui/files.h"
+#include "sim/core/assert.h"
 
 namespace selvedge::editor {
 namespace {
@@ -177,7 +179,7 @@ void add_simulate_actions(std::vector<Action>& actions) {
     actions.push_back({.id = "simulate.unpin",
                        .menu = "Simulate",
                        .title = "Unpin all",
-                       .tip = "Takes out the pins that were set with P in the 3D view",
+                       .tip = "Takes out the pins that were set in the 3D view",
                        .run = [](AppState& state) { state.workspace.drape.session().unpin_all(); },
                        .can = [](const AppState& state) { return !state.workspace.drape.frame()->pins.empty(); }});
 }
@@ -257,8 +259,8 @@ void add_help_actions(std::vector<Action>& actions) {
                        .is_on = [](const AppState& state) { return state.shows_start_page; }});
 }
 
-// One action per tool of the sheet, with the tool's key.
-void add_tool_actions(std::vector<Action>& actions) {
+// One action per tool of the sheet, with the tool's keys.
+void add_tool_actions(std::vector<Action>& actions, KeyMap map) {
     ToolGroup group = all_tools().front().group;
     for (const ToolInfo& tool : all_tools()) {
         const bool begins_group = tool.group != group;
@@ -270,7 +272,7 @@ void add_tool_actions(std::vector<Action>& actions) {
                       .begins_group = begins_group,
                       .run = [&tool](AppState& state) { state.tools.choose(tool_host_context(state.workspace), tool); },
                       .is_on = [&tool](const AppState& state) { return &state.tools.info() == &tool; }};
-        for (const Key key : {tool.key, tool.other_key}) {
+        for (const Key key : keys_of(tool, map)) {
             if (key != Key::None) action.chords.push_back({key, {}});
         }
         actions.push_back(std::move(action));
@@ -279,19 +281,40 @@ void add_tool_actions(std::vector<Action>& actions) {
 
 }  // namespace
 
-std::vector<Action> make_actions() {
+namespace {
+
+// What has other keys in Marvelous Designer's map than in the editor's own. Tools: keys_of().
+void use_other_keys(std::vector<Action>& actions) {
+    const std::array<std::pair<std::string_view, std::vector<Chord>>, 3> other{
+        {{"edit.duplicate", {}}, {"panel.symmetric_copy", {ctrl('D')}}, {"seam.edit", {{key_of('B'), {}}}}}};
+    for (const auto& [id, chords] : other) {
+        const auto found = std::ranges::find(actions, id, &Action::id);
+        SELVEDGE_ASSERT(found != actions.end());
+        found->chords = chords;
+    }
+}
+
+}  // namespace
+
+std::vector<Action> make_actions(KeyMap map) {
     std::vector<Action> actions;
     add_file_actions(actions);
     add_edit_actions(actions);
     add_panel_actions(actions);
     add_object_actions(actions);
     add_selection_actions(actions);
-    add_tool_actions(actions);
+    add_tool_actions(actions, map);
     add_simulate_actions(actions);
     add_motion_actions(actions);
     add_view_actions(actions);
     add_help_actions(actions);
+    if (map == KeyMap::MarvelousDesigner) use_other_keys(actions);
     return actions;
+}
+
+void choose_key_map(AppState& state, KeyMap map) {
+    state.tools.key_map = map;
+    if (state.services.save_key_map) state.services.save_key_map(map);
 }
 
 std::vector<std::string> menu_names() {
@@ -468,6 +491,12 @@ void add_panels(std::vector<Action>& actions) {
          .can = [](const AppState& state) { return state.workspace.document->changeable().edges.size() == 1; }});
 }
 
+void edit_seams(AppState& state) {
+    state.tools.choose(tool_host_context(state.workspace), default_tool());
+    state.layout.has_inspectors = true;
+    state.layout.wanted_tab = InspectorTab::Seams;
+}
+
 void add_seams(std::vector<Action>& actions) {
     const auto add = [&](const char* id, const char* title, const char* tip, std::function<Command(int)> make) {
         actions.push_back({.id = id,
@@ -495,13 +524,18 @@ void add_seams(std::vector<Action>& actions) {
                                state.workspace.run(RemoveParts{.seams = {seams.begin(), seams.end()}});
                            },
                        .can = has_seams});
+    actions.push_back({.id = "seam.edit",
+                       .menu = "Seam",
+                       .title = "Edit seams",
+                       .tip = "The list of seams, and the tool that selects them on the sheet",
+                       .begins_group = true,
+                       .run = edit_seams});
     actions.push_back(
         {.id = "seam.propose",
          .menu = "Seam",
          .title = "Propose seams",
          .tip = "Goes through the seams that the pattern probably has: Enter sews, Delete refuses",
          .chords = {{key_of('L'), {}}},
-         .begins_group = true,
          .run = [](AppState& state) { state.tools.choose(tool_host_context(state.workspace), proposal_tool()); }});
     actions.push_back(
         {.id = "seam.match",
@@ -560,6 +594,21 @@ void add_modes(std::vector<Action>& actions) {
              .run = [show = mode.mode](AppState& state) { state.workspace.look.show = show; },
              .is_on = [show = mode.mode](const AppState& state) { return state.workspace.look.show == show; }});
     }
+}
+
+void add_keys(std::vector<Action>& actions) {
+    actions.push_back(
+        {.id = "view.keys_marvelous",
+         .menu = "View",
+         .title = "Keys as in Marvelous Designer",
+         .tip = "Tools, views and commands by the keys that are usual there",
+         .begins_group = true,
+         .run =
+             [](AppState& state) {
+                 const bool is_on = state.tools.key_map == KeyMap::MarvelousDesigner;
+                 choose_key_map(state, is_on ? KeyMap::Selvedge : KeyMap::MarvelousDesigner);
+             },
+         .is_on = [](const AppState& state) { return state.tools.key_map == KeyMap::MarvelousDesigner; }});
 }
 
 void scale_by(AppState& state, float step) {
@@ -638,6 +687,7 @@ void add_view_actions(std::vector<Action>& actions) {
     add_switch(
         actions, {.id = "view.snap", .title = "Snap to grid and points", .begins_group = true},
         [](auto& state) -> auto& { return state.tools.is_snapping; });
+    add_keys(actions);
     add_sizes(actions);
 }
 

@@ -6,7 +6,10 @@
 
 namespace selvedge::editor {
 
-std::vector<Action> make_actions();
+std::vector<Action> make_actions(KeyMap map = KeyMap::Selvedge);
+
+// Keys and menus follow the key map from the next frame on. The choice is kept for the next start.
+void choose_key_map(AppState& state, KeyMap map);
 
 // The titles of the menus, in the order of the menu bar.
 std::vector<std::string> menu_names();

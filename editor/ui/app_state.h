@@ -64,7 +64,8 @@ struct AppState {
     Services services;
     Workspace workspace;
     ToolHost tools;
-    std::vector<Action> actions;
+    std::vector<Action> actions;  // in the key map of `actions_map`
+    KeyMap actions_map = KeyMap::Selvedge;
     Theme theme;
     Fonts fonts;
     WindowLayout layout;

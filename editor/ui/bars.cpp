@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "editor/frame/item.h"
 #include "editor/tools/tool_host.h"
@@ -286,14 +287,32 @@ void show_sheet_menu(AppState& state) {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 8> kKeys{{{"Space", "start and pause the drape"},
-                                                                    {"H, S, E", "draw a polygon, rectangle, ellipse"},
-                                                                    {"Z, X, C", "move points, add points, bend edges"},
-                                                                    {"N, M", "sew edges, sew freely"},
-                                                                    {"V", "select and move"},
-                                                                    {"F", "show what is selected, or all"},
-                                                                    {"Ctrl+Z", "undo, also while it drapes"},
-                                                                    {"Ctrl+K", "find any action by its name"}}};
+// A line of the start page: the keys of actions, or a key of the views, and what they do.
+struct KeyLine {
+    std::vector<const char*> actions;
+    const char* key = "";
+    const char* what = "";
+};
+
+const std::array<KeyLine, 8> kKeyLines{
+    {{.actions = {"simulate.run"}, .what = "start and pause the drape"},
+     {.actions = {"tool.polygon", "tool.rectangle", "tool.ellipse"}, .what = "draw a polygon, rectangle, ellipse"},
+     {.actions = {"tool.edit_point", "tool.add_point", "tool.curve_point"},
+      .what = "move points, add points, bend edges"},
+     {.actions = {"tool.segment_sewing", "tool.free_sewing"}, .what = "sew edges, sew freely"},
+     {.actions = {"tool.select"}, .what = "select and move"},
+     {.actions = {}, .key = "F", .what = "show what is selected, or all"},
+     {.actions = {"edit.undo"}, .what = "undo, also while it drapes"},
+     {.actions = {"help.find"}, .what = "find any action by its name"}}};
+
+std::string keys_text(const AppState& state, const KeyLine& line) {
+    std::string text = line.key;
+    for (const char* id : line.actions) {
+        const Action* action = find_action(state.actions, id);
+        if (action != nullptr) text += (text.empty() ? "" : ", ") + chord_text(*action);
+    }
+    return text;
+}
 
 void show_examples(AppState& state) {
     const float unit = ImGui::GetFontSize();
@@ -324,10 +343,10 @@ void show_keys(AppState& state) {
     ImGui::PushFont(state.fonts.bold);
     ImGui::TextUnformatted("Keys");
     ImGui::PopFont();
-    for (const auto& [key, what] : kKeys) {
-        ImGui::TextUnformatted(key);
+    for (const KeyLine& line : kKeyLines) {
+        ImGui::TextUnformatted(keys_text(state, line).c_str());
         ImGui::SameLine(9 * ImGui::GetFontSize());
-        ImGui::TextDisabled("%s", what);
+        ImGui::TextDisabled("%s", line.what);
     }
 }
 

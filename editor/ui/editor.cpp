@@ -115,7 +115,9 @@ void keep_last(std::vector<Request>& requests) {
 AppState::AppState(Services given, sim::SessionDrive drive)
     : services(std::move(given)),
       workspace(empty_garment(), drive, services.make_body, services.find_motion),
-      actions(make_actions()) {}
+      actions(make_actions()) {
+    if (services.load_key_map) tools.key_map = services.load_key_map();
+}
 
 struct Editor::Impl {
     Impl(Services services, EditorOptions given)
@@ -238,6 +240,7 @@ void Editor::Impl::show_sheet(const Rectangle& where) {
         .first_texture = kSheetTexture,
         .ui_scale = static_cast<double>(scale),
         .takes_keys = !state.finder.is_open() && !state.browser.is_open(),
+        .takes_text = !(state.tools.key_map == KeyMap::MarvelousDesigner && viewport.is_over()),
         .underlay_picture =
             [this](const std::string& file) {
                 return UnderlayPicture{state.underlays.find(file), state.underlays.size_px(file)};
@@ -291,7 +294,8 @@ void Editor::Impl::show_viewport(const Rectangle& where, double seconds) {
                    .legend = kLegendTexture,
                    .seconds = static_cast<float>(seconds),
                    .scale = scale,
-                   .choice = state.tools.info().picks_parts ? ClothChoice::Parts : ClothChoice::Panels});
+                   .choice = state.tools.info().picks_parts ? ClothChoice::Parts : ClothChoice::Panels,
+                   .key_map = state.tools.key_map});
     ImGui::End();
     if (state.layout.has_timeline) {
         const Rectangle below{{where.low.x, where.low.y + bar + height}, {where.size.x, timeline}};
@@ -408,6 +412,10 @@ FrameOutput Editor::frame(const std::vector<InputEvent>& events, const FrameSize
     AppState& state = impl.state;
     ImGui::SetCurrentContext(impl.context);
     impl.output = {};
+    if (state.actions_map != state.tools.key_map) {
+        state.actions_map = state.tools.key_map;
+        state.actions = make_actions(state.actions_map);
+    }
     impl.update_letters(events);
     impl.set_size(size);
     impl.input.add(events);

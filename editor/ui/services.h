@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "editor/document/journal.h"
+#include "editor/frame/frame.h"
 #include "editor/ui/underlay_pictures.h"
 #include "editor/workspace/workspace.h"
 #include "render/scene/scene.h"
@@ -71,6 +72,10 @@ struct Services {
     std::function<void(const ExportRequest& request)> write_export;
     BodyMaker make_body = make_mannequin_body;
     MotionFinder find_motion = sim::find_motion;
+
+    // The user's choice of keys, kept from one start to the next. Unset: it is not kept.
+    std::function<KeyMap()> load_key_map{};
+    std::function<void(KeyMap map)> save_key_map{};
 
     std::function<std::vector<std::string>()> recent_files;  // newest first
     std::function<void(const std::string& file)> remember_file;

@@ -16,19 +16,24 @@ constexpr float kMinSide = 8;  // px: the view is not drawn if it is narrower or
 // A view that has not changed for so many frames is at rest; then each frame adds a sample per pixel to its picture.
 constexpr int kFramesToRest = 5, kRestSamples = 16;
 
-constexpr std::array<int, 10> kViewKeys{static_cast<int>(Key::Home),        static_cast<int>(Key::KeypadDecimal),
-                                        static_cast<int>(Key::KeypadEnter), static_cast<int>(Key::Enter),
-                                        static_cast<int>(Key::Backspace),   static_cast<int>(Key::Escape),
-                                        static_cast<int>(key_of('F')),      static_cast<int>(key_of('P')),
-                                        static_cast<int>(key_of('.')),      static_cast<int>(Key::KeypadSubtract)};
+// Keys of drags, in every key map.
+constexpr std::array kDragKeys{Key::Enter, Key::KeypadEnter, Key::Backspace, Key::Escape};
 
-std::vector<Key> pressed_keys() {
+bool is_typed_digit(Key key) {
+    return key >= key_of('0') && key <= key_of('9');
+}
+
+// Digits may be meant for the sheet's tool: they count only while the cursor is over the view.
+std::vector<Key> pressed_keys(KeyMap map, bool is_over) {
     std::vector<Key> keys;
-    const auto take = [&](int key) {
-        if (ImGui::IsKeyPressed(key, false)) keys.push_back(static_cast<Key>(key));
+    const auto take = [&](Key key) {
+        const bool is_new = std::ranges::find(keys, key) == keys.end();
+        if (is_new && ImGui::IsKeyPressed(static_cast<int>(key), false)) keys.push_back(key);
     };
-    for (const int key : kViewKeys) take(key);
-    for (int key = static_cast<int>(Key::Keypad0); key <= static_cast<int>(Key::Keypad9); ++key) take(key);
+    for (const Key key : kDragKeys) take(key);
+    for (const ViewKey& known : view_keys(map)) {
+        if (is_over || !is_typed_digit(known.key)) take(known.key);
+    }
     return keys;
 }
 
@@ -68,8 +73,10 @@ ViewportInput Viewport::take_input(const ViewportContext& context) {
     if (is_pressed) is_focused_ = input.is_over;
     if (input.is_over) input.wheel = io.MouseWheel;
     input.modifiers = {.ctrl = io.KeyCtrl, .shift = io.KeyShift, .alt = io.KeyAlt};
+    input.key_map = context.key_map;
+    is_over_ = input.is_over;
     if (!io.WantTextInput && (input.is_over || is_focused_)) {
-        input.keys = pressed_keys();
+        input.keys = pressed_keys(context.key_map, input.is_over);
         input.text = typed_text(io);
     }
     return input;

@@ -22,6 +22,7 @@ struct ViewportContext {
     float seconds = 0;      // s, since the last frame
     float scale = 1;        // interface scale factor
     ClothChoice choice = ClothChoice::Panels;
+    KeyMap key_map = KeyMap::Selvedge;
 };
 
 class Viewport {
@@ -37,6 +38,7 @@ class Viewport {
     render::Camera camera() const { return controller_.orbit().camera(); }
     render::Light light() const { return light_; }
     bool is_focused() const { return is_focused_; }
+    bool is_over() const { return is_over_; }  // the cursor, in the last frame
 
     // Projects a 3D point (m) to px of the window; none: the point is behind the eye.
     std::optional<Vec2f> world_to_px(const Vec3f& x) const;
@@ -74,6 +76,7 @@ class Viewport {
     Vec2f low_px_{0, 0};      // upper left corner of the view in the window
     Vec2f size_px_{1, 1};
     bool is_focused_ = false;
+    bool is_over_ = false;
 };
 
 }  // namespace selvedge::editor

@@ -193,26 +193,33 @@ void ViewportController::frame_selection(const Workspace& workspace) {
     orbit_.frame(points, size_px_.x() / size_px_.y());
 }
 
-bool ViewportController::use_view_key(const Workspace& workspace, Key key, bool is_opposite) {
-    const auto keypad = [](int digit) { return static_cast<Key>(static_cast<int>(Key::Keypad0) + digit); };
-    const auto look = [&](StandardView view, StandardView opposite) {
-        orbit_.look_from(is_opposite ? opposite : view);
-        return true;
-    };
-    if (key == keypad(1)) return look(StandardView::Front, StandardView::Back);
-    if (key == keypad(3)) return look(StandardView::Left, StandardView::Right);
-    if (key == keypad(7)) return look(StandardView::Top, StandardView::Bottom);
-    if (key == keypad(9))
-        orbit_.turn_opposite();
-    else if (key == keypad(5))
-        orbit_.change_lens();
-    else if (key == Key::Home)
-        frame_all(workspace);
-    else if (key == Key::KeypadDecimal || (key == key_of('F') && !is_opposite))  // Ctrl+F finds a panel
-        frame_selection(workspace);
-    else
-        return false;
-    return true;
+void ViewportController::run(Workspace& workspace, ViewCommand command) {
+    switch (command) {
+        case ViewCommand::Front:
+            return look_from(StandardView::Front);
+        case ViewCommand::Back:
+            return look_from(StandardView::Back);
+        case ViewCommand::Left:
+            return look_from(StandardView::Left);
+        case ViewCommand::Right:
+            return look_from(StandardView::Right);
+        case ViewCommand::Top:
+            return look_from(StandardView::Top);
+        case ViewCommand::Bottom:
+            return look_from(StandardView::Bottom);
+        case ViewCommand::Opposite:
+            return orbit_.turn_opposite();
+        case ViewCommand::Lens:
+            return orbit_.change_lens();
+        case ViewCommand::FrameAll:
+            return frame_all(workspace);
+        case ViewCommand::FrameSelected:
+            return frame_selection(workspace);
+        case ViewCommand::Pin:
+            return pin_under(workspace);
+        case ViewCommand::UnpinAll:
+            return workspace.drape.session().unpin_all();
+    }
 }
 
 // Keyboard.
@@ -220,13 +227,8 @@ bool ViewportController::use_view_key(const Workspace& workspace, Key key, bool 
 void ViewportController::use_keys(Workspace& workspace, const ViewportInput& input) {
     if (drag_) return type(workspace, input);
     for (const Key key : input.keys) {
-        if (key == key_of('P') && input.modifiers.shift) {
-            workspace.drape.session().unpin_all();
-        } else if (key == key_of('P')) {
-            pin_under(workspace);
-        } else {
-            use_view_key(workspace, key, input.modifiers.ctrl);
-        }
+        const std::optional<ViewCommand> command = view_command(input.key_map, key, input.modifiers);
+        if (command) run(workspace, *command);
     }
 }
 

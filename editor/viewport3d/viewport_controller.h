@@ -14,6 +14,7 @@
 #include "editor/viewport3d/gizmo.h"
 #include "editor/viewport3d/orbit_camera.h"
 #include "editor/viewport3d/pick.h"
+#include "editor/viewport3d/view_keys.h"
 #include "editor/viewport3d/viewport_marks.h"
 #include "editor/workspace/workspace.h"
 #include "sim/core/math.h"
@@ -38,6 +39,7 @@ struct ViewportInput {
     std::array<ButtonInput, 3> buttons{};  // indexed by MouseButton
     float wheel = 0;                       // notches, over the view
     Modifiers modifiers{};
+    KeyMap key_map = KeyMap::Selvedge;
     std::vector<Key> keys{};  // pressed in this frame; empty while another widget takes text
     std::string text{};       // typed in this frame; empty while another widget takes text
 
@@ -93,7 +95,7 @@ class ViewportController {
     void pick(Workspace& workspace, const ViewportInput& input, ClothChoice choice);
 
     void use_keys(Workspace& workspace, const ViewportInput& input);
-    bool use_view_key(const Workspace& workspace, Key key, bool is_opposite);
+    void run(Workspace& workspace, ViewCommand command);
     void type(Workspace& workspace, const ViewportInput& input);
     void pin_under(Workspace& workspace);
     sim::ClothPoint cloth_point(const MeshHit& hit) const;

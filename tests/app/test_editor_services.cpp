@@ -56,6 +56,17 @@ TEST_F(EditorServices, a_folder_is_listed_with_folders_first_and_without_what_is
     EXPECT_EQ(services_.list_folder("").folder, fs::current_path().string());
 }
 
+TEST_F(EditorServices, the_choice_of_keys_is_kept) {
+    EXPECT_EQ(services_.load_key_map(), editor::KeyMap::Selvedge) << "none is stored";
+    services_.save_key_map(editor::KeyMap::MarvelousDesigner);
+    EXPECT_EQ(services_.load_key_map(), editor::KeyMap::MarvelousDesigner);
+    EXPECT_EQ(KeyMapFile(folder_.path() / "state" / "settings.json").load(), editor::KeyMap::MarvelousDesigner);
+    services_.save_key_map(editor::KeyMap::Selvedge);
+    EXPECT_EQ(services_.load_key_map(), editor::KeyMap::Selvedge);
+    std::ofstream(folder_.path() / "state" / "settings.json") << "{\"keys\": [";
+    EXPECT_EQ(services_.load_key_map(), editor::KeyMap::Selvedge) << "an invalid file";
+}
+
 TEST_F(EditorServices, a_folder_that_is_not_there_is_an_input_error) {
     EXPECT_THROW(services_.list_folder(folder_ / "none"), sim::InputError);
     std::ofstream(folder_ / "file") << "";

@@ -267,6 +267,27 @@ TEST(ToolHost, every_tool_has_a_name_a_hint_and_a_key_of_its_own) {
     }
 }
 
+TEST(ToolHost, no_key_chooses_two_tools_in_either_key_map) {
+    for (const KeyMap map : {KeyMap::Selvedge, KeyMap::MarvelousDesigner}) {
+        std::set<Key> keys{key_of('F')};  // frames the view
+        for (const ToolInfo& info : all_tools()) {
+            for (const Key key : keys_of(info, map)) {
+                if (key == Key::None) continue;
+                EXPECT_TRUE(keys.insert(key).second) << info.id;
+                SheetUser user;
+                user.tools.key_map = map;
+                user.choose(info.id == "select" ? "polygon" : "select");
+                EXPECT_TRUE(user.key(key));
+                EXPECT_EQ(user.tools.info().id, info.id);
+            }
+        }
+    }
+    EXPECT_EQ(tool_of_key(key_of('Q'))->id, "measure");
+    EXPECT_EQ(tool_of_key(key_of('Q'), KeyMap::MarvelousDesigner)->id, "select");
+    EXPECT_EQ(tool_of_key(key_of('V'), KeyMap::MarvelousDesigner)->id, "edit_point");
+    EXPECT_EQ(tool_of_key(key_of('I'), KeyMap::MarvelousDesigner)->id, "internal_line");
+}
+
 TEST(AskedNumber, ends_a_drag_with_the_number_instead_of_the_mouse) {
     SheetUser user;
     const Vec2d before = user.vertex("left", 0);

@@ -3,11 +3,16 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "editor/tools/tool_table.h"
+#include "editor/ui/actions.h"
+#include "editor/ui/app_state.h"
 #include "editor/ui/editor.h"
 #include "editor/ui/files.h"
 #include "editor/ui/script.h"
+#include "editor/viewport3d/view_keys.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/editor/ui/services_without_files.h"
 #include "tests/support/checkout.h"
@@ -123,6 +128,78 @@ TEST_F(KeysOfEditor, ask_for_a_number_by_a_right_click_while_something_is_drawn)
     ASSERT_EQ(document().pattern().panels.size(), panels + 1);
     const sim::Panel& drawn = document().pattern().panels.back();
     EXPECT_NEAR((drawn.vertices[1] - drawn.vertices[0]).norm(), 0.125, 1e-6);
+}
+
+// Keys of Marvelous Designer.
+class OtherKeys : public KeysOfEditor {
+ protected:
+    OtherKeys() { play("action view.keys_marvelous\nframes 2\n"); }
+    std::string tool() { return std::string(editor_.state().tools.info().id); }
+    std::string keys_of_action(std::string_view id) { return chord_text(*find_action(editor_.state().actions, id)); }
+};
+
+TEST_F(OtherKeys, choose_tools_and_commands_and_stand_in_menus) {
+    play("key b\nframes 2\n");
+    EXPECT_EQ(editor_.state().layout.tab, InspectorTab::Seams);
+    for (const auto& [key, id] :
+         {std::pair{"q", "select"}, {"v", "edit_point"}, {"i", "internal_line"}, {"y", "measure"}}) {
+        play(std::string("key ") + key + "\n");
+        EXPECT_EQ(tool(), id) << key;
+    }
+    EXPECT_EQ(keys_of_action("tool.select"), "A");
+    EXPECT_EQ(keys_of_action("tool.mirror"), "");
+    EXPECT_EQ(keys_of_action("edit.duplicate"), "");
+    EXPECT_EQ(keys_of_action("panel.symmetric_copy"), "Ctrl+D");
+    play("action view.keys_marvelous\nframes 2\nkey q\n");
+    EXPECT_EQ(tool(), "measure") << "the editor's own keys again";
+    EXPECT_EQ(keys_of_action("edit.duplicate"), "Ctrl+D");
+}
+
+TEST_F(OtherKeys, turn_the_3d_view_by_digits_while_the_cursor_is_over_it) {
+    const auto ahead = [&] {  // of a point 1 m before the body, px right of the body's middle
+        return (*editor_.world_to_px({0, 1, 1}) - *editor_.world_to_px({0, 1, 0})).x();
+    };
+    play("move room 0 1 0\nkey 4\nframes 30\n");
+    const double from_left = ahead();
+    play("key 6\nframes 30\n");
+    EXPECT_LT(ahead() * from_left, -1000) << "the other side";
+    play("key 2\nframes 30\n");
+    EXPECT_NEAR(ahead(), 0, 2);
+    EXPECT_TRUE(editor_.state().tools.typed().is_empty());
+    play("key h\nmove sheet 0 70\ntype 6\nframes 30\n");
+    EXPECT_NEAR(ahead(), 0, 2) << "this digit is the tool's";
+    EXPECT_EQ(editor_.state().tools.typed().text(), "6");
+}
+
+TEST(KeyMaps, bind_no_key_twice) {
+    for (const KeyMap map : {KeyMap::Selvedge, KeyMap::MarvelousDesigner}) {
+        std::set<std::string> keys;
+        for (const Action& action : make_actions(map)) {
+            for (const Chord& chord : action.chords) EXPECT_TRUE(keys.insert(text_of(chord)).second) << action.id;
+        }
+        std::set<ViewCommand> commands;
+        for (const ViewKey& key : view_keys(map)) {
+            EXPECT_TRUE(keys.insert(text_of({key.key, key.modifiers})).second) << text_of({key.key, key.modifiers});
+            EXPECT_EQ(view_command(map, key.key, key.modifiers), key.command);
+            commands.insert(key.command);
+        }
+        EXPECT_EQ(commands.size(), 12U) << "all of them";
+        for (const ToolInfo& tool : all_tools()) {
+            EXPECT_TRUE(find_action(make_actions(map), "tool." + std::string(tool.id))) << tool.id;
+        }
+    }
+}
+
+TEST(KeyMaps, are_kept_by_the_program) {
+    Services services = services_without_files();
+    KeyMap kept = KeyMap::MarvelousDesigner;
+    services.load_key_map = [&] { return kept; };
+    services.save_key_map = [&](KeyMap map) { kept = map; };
+    Editor editor(services, {.drive = sim::SessionDrive::Caller, .is_steady = true});
+    editor.frame({}, {}, 1.0 / 30);
+    EXPECT_EQ(chord_text(*find_action(editor.state().actions, "panel.symmetric_copy")), "Ctrl+D");
+    choose_key_map(editor.state(), KeyMap::Selvedge);
+    EXPECT_EQ(kept, KeyMap::Selvedge);
 }
 
 }  // namespace
