@@ -40,7 +40,7 @@ struct WindowLayout {
     bool has_tools = true;
     bool has_timeline = false;      // under the 3D view
     float sheet_share = 0.5F;       // fraction of the width of both views
-    float inspector_width = 21.5F;  // font heights
+    float inspector_width = 22.5F;  // font heights
     InspectorTab tab = InspectorTab::Properties;
     std::optional<InspectorTab> wanted_tab{};  // is opened in the next frame
 };

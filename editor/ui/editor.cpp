@@ -318,7 +318,7 @@ void Editor::Impl::show_inspectors(const Rectangle& where) {
                                                                draw_drape,      draw_history, draw_objects};
     const float unit = ImGui::GetFontSize();
     begin_region("##inspectors", where, {0.6F * unit, 0.4F * unit});
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.28F * unit, 0.3F * unit});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.18F * unit, 0.3F * unit});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {0.1F * unit, 0.2F * unit});
     const bool has_tabs = ImGui::BeginTabBar("##tabs", ImGuiTabBarFlags_FittingPolicyScroll);
     if (has_tabs) {
