@@ -274,6 +274,7 @@ Outcome run(sim::Pattern& pattern, const PlacePanel& command) {
     panel.translation = command.translation;
     panel.rotation = command.rotation;
     panel.wrap_radius = command.wrap_radius;
+    if (command.wrap_radius > 0) panel.wrap_cone.reset();
     return {};
 }
 

@@ -260,6 +260,12 @@ void visit_fields(sim::Seam& seam, Visitor&& visit) {
 }
 
 template <class Visitor>
+void visit_fields(sim::WrapCone& cone, Visitor&& visit) {
+    visit("apex", cone.apex);
+    visit("sine", cone.sine);
+}
+
+template <class Visitor>
 void visit_fields(sim::InternalLine& line, Visitor&& visit) {
     visit("name", line.name);
     visit("points", line.points);
@@ -297,6 +303,7 @@ void visit_fields(sim::Panel& panel, Visitor&& visit) {
     visit("pieces", panel.pieces);
     visit("is_worn", panel.is_worn);
     visit("wrap_radius", panel.wrap_radius);
+    visit("wrap_cone", panel.wrap_cone);
     visit("mirror_of", panel.mirror_of);
     visit("surface", panel.surface);
     visit("sheet_position", panel.sheet_position);

@@ -64,6 +64,7 @@ class PanelChecker {
         bool is_sound = std::all_of(panel_.vertices.begin(), panel_.vertices.end(), is_near_point) &&
                         is_near(panel_.translation) && panel_.rotation.allFinite() && is_near(panel_.sett_offset) &&
                         std::isfinite(panel_.grain_angle) && is_near(panel_.wrap_radius) && panel_.wrap_radius >= 0 &&
+                        is_near(panel_.wrap_cone.value_or(sim::WrapCone()).apex) &&
                         is_near(panel_.sheet_position.value_or(Vec2d::Zero()));
         for (const sim::InternalLine& line : panel_.internal_lines) {
             is_sound = is_sound && std::all_of(line.points.begin(), line.points.end(), is_near_point);

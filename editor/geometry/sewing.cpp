@@ -200,14 +200,17 @@ std::vector<int> one_of_each_sewing(const sim::Pattern& pattern, const std::set<
     return chosen;
 }
 
-std::string free_sewing_name(const sim::Pattern& pattern) {
-    const auto is_taken = [&](const std::string& name) {
-        return std::any_of(pattern.seams.begin(), pattern.seams.end(),
-                           [&](const sim::Seam& seam) { return seam.sewing == name; });
-    };
-    for (int i = 1;; ++i) {
-        std::string name = "sewing " + std::to_string(i);
-        if (!is_taken(name)) return name;
+std::vector<int> one_of_each_sewing(const sim::Pattern& pattern) {
+    std::set<int> all;
+    for (std::size_t i = 0; i < pattern.seams.size(); ++i) all.insert(static_cast<int>(i));
+    return one_of_each_sewing(pattern, all);
+}
+
+void toggle_sewing(const sim::Pattern& pattern, int seam, std::set<int>& seams) {
+    const bool was_there = seams.contains(seam);
+    for (const int part : sewing_of(pattern, seam)) {
+        if (was_there) seams.erase(part);
+        if (!was_there) seams.insert(part);
     }
 }
 

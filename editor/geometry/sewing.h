@@ -16,9 +16,11 @@ std::vector<int> sewing_of(const sim::Pattern& pattern, int seam);
 
 // One seam of each sewing among the seams: the first of it in the order of the pattern.
 std::vector<int> one_of_each_sewing(const sim::Pattern& pattern, const std::set<int>& seams);
+// The same of all seams of the pattern.
+std::vector<int> one_of_each_sewing(const sim::Pattern& pattern);
 
-// A name for a sewing that the pattern does not use yet.
-std::string free_sewing_name(const sim::Pattern& pattern);
+// Adds the seam's sewing to the seams, or takes it out if the seam is among them.
+void toggle_sewing(const sim::Pattern& pattern, int seam, std::set<int>& seams);
 
 // Gives the sewings of the seams from index `first` on names of their own: copies of seams are not parts of the sewing
 // of their originals.

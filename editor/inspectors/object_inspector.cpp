@@ -3,9 +3,11 @@
 
 #include <algorithm>
 
+#include "editor/geometry/sewing.h"
 #include "editor/inspectors/controls.h"
 #include "editor/inspectors/material_inspector.h"
 #include "editor/inspectors/number_box.h"
+#include "editor/inspectors/pattern_measures.h"
 
 namespace selvedge::editor {
 namespace {
@@ -225,13 +227,14 @@ void draw_seam(InspectorContext& context, int seam, const std::string& title, co
     const std::string row = "objects.seam." + std::to_string(seam);
     const sim::Seam& held = context.pattern().seams[static_cast<std::size_t>(seam)];
     if (is_naming(context, row)) {
-        if (const auto name = draw_naming(context, row, held.name))
+        if (const auto name = draw_naming(context, row, held.sewing.empty() ? held.name : held.sewing))
             context.workspace.run(NameSeam{.seam = seam, .to = *name});
         return;
     }
     const RowUse use = draw_row(
         context, {.name = row, .title = title, .tip = tip, .is_selected = context.selection().seams.contains(seam)});
-    use_row(context, use, {.seam = seam}, [&](Selection& selection) { toggle(selection.seams, seam); });
+    use_row(context, use, {.seam = seam},
+            [&](Selection& selection) { toggle_sewing(context.pattern(), seam, selection.seams); });
     if (use.names) context.state.objects.naming = {.row = row};
 }
 
@@ -309,8 +312,7 @@ void draw_seam_group(InspectorContext& context, const std::vector<int>& seams) {
     use_row(context, use, {}, [&](Selection& selection) { selection.seams.insert(seams.begin(), seams.end()); });
     if (!use.is_open) return;
     for (const int seam : seams) {
-        const sim::Seam held = context.pattern().seams[static_cast<std::size_t>(seam)];
-        draw_seam(context, seam, seam_name(context.pattern(), held), "");
+        draw_seam(context, seam, seam_measures(context.pattern(), seam).name, "");
     }
     ImGui::TreePop();
 }
@@ -349,9 +351,9 @@ void draw_grouping(InspectorContext& context) {
 }
 
 // Begins to name the selected panel or seam.
-void begin_naming(ObjectsState& state, const Selection& selection) {
+void begin_naming(ObjectsState& state, const sim::Pattern& pattern, const Selection& selection) {
     if (selection.panels.size() == 1) state.naming = {.row = "objects.panel." + *selection.panels.begin()};
-    if (selection.panels.empty() && selection.seams.size() == 1)
+    if (selection.panels.empty() && one_of_each_sewing(pattern, selection.seams).size() == 1)
         state.naming = {.row = "objects.seam." + std::to_string(*selection.seams.begin())};
 }
 
@@ -362,7 +364,7 @@ void draw_objects(InspectorContext& context) {
     if (context.pattern().panels.empty()) return paragraph(context, "No panels yet. Draw one, or open a garment.");
     const std::string wanted = draw_find_box(context);
     draw_grouping(context);
-    if (std::exchange(state.wants_naming, false)) begin_naming(state, context.selection());
+    if (std::exchange(state.wants_naming, false)) begin_naming(state, context.pattern(), context.selection());
     const ObjectListing listing{context.workspace.document->revision(), state.grouping, wanted};
     if (state.listing != listing) {
         state.tree = list_objects(context.pattern(), state.grouping, wanted);

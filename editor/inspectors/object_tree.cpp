@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "editor/geometry/sewing.h"
 #include "editor/inspectors/material_inspector.h"
 #include "sim/pattern/garments.h"
 
@@ -97,10 +98,10 @@ ObjectTree list_objects(const sim::Pattern& pattern, PanelGrouping grouping, con
         if (group != tree.groups.end()) group->panels.push_back(std::move(listed));
     }
     std::erase_if(tree.groups, [](const PanelGroup& group) { return group.panels.empty(); });
-    for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
-        const sim::Seam& seam = pattern.seams[s];
-        if (!is_dart(pattern, seam) && has_all_words(seam_name(pattern, seam), wanted))
-            tree.seams.push_back(static_cast<int>(s));
+    for (const int s : one_of_each_sewing(pattern)) {
+        const sim::Seam& seam = pattern.seams[static_cast<std::size_t>(s)];
+        if (!is_dart(pattern, seam) && has_all_words(seam.sewing + " " + seam_name(pattern, seam), wanted))
+            tree.seams.push_back(s);
     }
     return tree;
 }

@@ -30,7 +30,7 @@ struct PanelGroup {
 
 struct ObjectTree {
     std::vector<PanelGroup> groups{};  // garments: the outermost first; fabrics: by name
-    std::vector<int> seams{};          // indices into Pattern::seams, without darts
+    std::vector<int> seams{};          // indices into Pattern::seams, without darts; one of each sewing
 
     // How many have the wanted name. Edges count by their labels.
     int panels = 0;

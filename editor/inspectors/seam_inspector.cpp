@@ -36,10 +36,7 @@ void draw_chip(int seam, float side_px) {
 void choose(InspectorContext& context, int seam) {
     Selection selected;
     if (ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl) selected = context.selection();
-    const bool was_selected = selected.seams.contains(seam);
-    for (const int part : sewing_of(context.pattern(), seam)) {
-        was_selected ? selected.seams.erase(part) : selected.seams.insert(part).second;
-    }
+    toggle_sewing(context.pattern(), seam, selected.seams);
     context.workspace.document->select(std::move(selected));
 }
 
@@ -192,9 +189,7 @@ void draw_seams(InspectorContext& context) {
     if (context.pattern().seams.empty())
         return paragraph(context, "No seams yet. Choose Segment sewing and click two edges.");
     std::size_t wrong = 0;
-    std::set<int> all;
-    for (std::size_t i = 0; i < context.pattern().seams.size(); ++i) all.insert(static_cast<int>(i));
-    for (const int seam : one_of_each_sewing(context.pattern(), all)) {
+    for (const int seam : one_of_each_sewing(context.pattern())) {
         const SeamMeasures measures = seam_measures(context.pattern(), seam);
         wrong += measures.is_wrong() ? 1 : 0;
         draw_seam_row(context, seam, measures);

@@ -25,7 +25,8 @@ bool has_equal_surface(const Body& a, const Body& b) {
 
 bool is_placed_otherwise(const Pattern& a, const Pattern& b) {
     return !std::ranges::equal(a.panels, b.panels, [](const Panel& p, const Panel& q) {
-        return p.translation == q.translation && p.rotation == q.rotation && p.wrap_radius == q.wrap_radius;
+        return p.translation == q.translation && p.rotation == q.rotation && p.wrap_radius == q.wrap_radius &&
+               p.wrap_cone == q.wrap_cone;
     });
 }
 

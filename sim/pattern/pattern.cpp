@@ -1,5 +1,6 @@
 #include "sim/pattern/pattern.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace selvedge::sim {
@@ -10,6 +11,15 @@ Vec3d Panel::place(const Vec2d& u) const {
         const double angle = u.x() / wrap_radius;
         local.x() = side * wrap_radius * std::sin(angle);
         local.z() = side * wrap_radius * (std::cos(angle) - 1);
+    }
+    if (wrap_cone) {
+        const Vec2d from_apex = u - wrap_cone->apex;
+        const double reach = from_apex.norm();
+        const double angle = std::atan2(from_apex.x(), -from_apex.y()) / wrap_cone->sine;
+        const double cosine = std::sqrt(std::max(0.0, 1 - wrap_cone->sine * wrap_cone->sine));
+        local.x() = side * (wrap_cone->apex.x() + reach * wrap_cone->sine * std::sin(angle));
+        local.y() = wrap_cone->apex.y() - reach * cosine;
+        local.z() = side * reach * wrap_cone->sine * std::cos(angle);
     }
     return rotation * local + translation;
 }
@@ -54,6 +64,17 @@ std::vector<int> find_seams(const Pattern& pattern, std::string_view name) {
         }
     }
     return found;
+}
+
+std::string free_sewing_name(const Pattern& pattern) {
+    const auto is_taken = [&](const std::string& name) {
+        return std::any_of(pattern.seams.begin(), pattern.seams.end(),
+                           [&](const Seam& seam) { return seam.sewing == name; });
+    };
+    for (int i = 1;; ++i) {
+        std::string name = "sewing " + std::to_string(i);
+        if (!is_taken(name)) return name;
+    }
 }
 
 }  // namespace selvedge::sim

@@ -62,6 +62,15 @@ struct Notch {
     bool operator==(const Notch&) const = default;
 };
 
+// A cone to which a panel is bent without stretching it, as the sector of a disc is for a skirt. It opens downwards;
+// its axis is parallel to the panel's y, through the apex. The ray from the apex straight down stays where it is.
+struct WrapCone {
+    Vec2d apex = Vec2d::Zero();  // panel frame, m
+    double sine = 1;             // of the angle between axis and cloth, 0 (exclusive) to 1; 1: flat, square to the axis
+
+    bool operator==(const WrapCone&) const = default;
+};
+
 struct Panel {
     std::string name;
     std::vector<Vec2d> vertices;        // m, panel frame
@@ -86,6 +95,7 @@ struct Panel {
     bool is_worn = true;                   // false: it is cut, but takes no part in the drape, as a pocket or a facing
     double wrap_radius = 0;  // m; 0: the panel starts flat. Otherwise it starts bent to a cylinder of this radius, with
                              // the axis parallel to the panel's y, behind x = 0 on the fabric's wrong side
+    std::optional<WrapCone> wrap_cone = {};     // the panel starts bent to this cone; none: flat, or to the cylinder
     std::string mirror_of = {};                 // this panel is kept a mirror image of that panel; empty: of none
     std::string label = {};                     // GarmentCode's part of the body: "body", "leg", "arm"; or anything
     std::optional<SurfaceDesign> surface = {};  // what it shows; none: its fabric's or the pattern's
@@ -182,6 +192,9 @@ const Panel& panel_of(const Pattern& pattern, const SeamSide& side);
 
 // The seam's name: Seam::name, or if that is empty a name made of its two edges, first side first: "front.3+back.1".
 std::string seam_name(const Pattern& pattern, const Seam& seam);
+
+// A name for a sewing (Seam::sewing) that the pattern does not use yet.
+std::string free_sewing_name(const Pattern& pattern);
 
 // The seams (indices into pattern.seams, ascending) with this name. The name can be Seam::name, the name made of the
 // two edges in either order, or the label of one of the edges; several seams can share a label.

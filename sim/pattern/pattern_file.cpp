@@ -412,6 +412,13 @@ class Writer {
         }
         if (own.find("notches") || !panel.notches.empty()) write_notches(own["notches"], panel);
         set_number_unless_zero(own, "wrap_radius", units_ * panel.wrap_radius);
+        if (!panel.wrap_cone) own.erase("wrap_cone");
+        if (const auto& cone = panel.wrap_cone) {
+            Json& bent = own["wrap_cone"];
+            if (!bent.is_object()) bent = Json::object();
+            set_numbers(bent["apex"], {units_ * cone->apex.x(), units_ * cone->apex.y()});
+            set_number(bent["sine"], cone->sine);
+        }
         if (panel.mirror_of.empty()) own.erase("mirror_of");
         set_unless_default(own, "mirror_of", panel.mirror_of, std::string());
         if (!panel.sheet_position) own.erase("sheet_position");

@@ -139,6 +139,7 @@ class Reader : private FaultReader {
             panel.wrap_radius = length(wrap).value_or(0);
             if (panel.wrap_radius < 0) error(wrap, "wrap_radius must not be negative");
         }
+        if (const Node cone = node.member("wrap_cone")) read_wrap_cone(cone, panel);
         if (const Node other = node.member("mirror_of")) {
             const auto name = text(other);
             if (name) mirrors_.push_back({other, panel.name, *name});
@@ -210,6 +211,18 @@ class Reader : private FaultReader {
                 error(mirror.node, "panel '" + mirror.of + "' is a mirror image itself, of '" + other.mirror_of + "'");
             }
         }
+    }
+
+    void read_wrap_cone(const Node& node, Panel& panel) {
+        if (!expect(node, Json::Kind::Object)) return;
+        if (panel.wrap_radius > 0) return error(node, "a panel has wrap_radius or wrap_cone, not both");
+        const Node apex = node.member("apex"), sine = node.member("sine");
+        if (!apex || !sine) return error(node, std::string("no key '") + (apex ? "sine" : "apex") + "'");
+        const auto at = point(apex);
+        const auto value = number(sine);
+        if (!at || !value) return;
+        if (!(*value > 0 && *value <= 1)) return error(sine, "the sine is above 0, and 1 at most");
+        panel.wrap_cone = WrapCone{*at, *value};
     }
 
     void read_internal_lines(const Node& lines, Panel& panel) {

@@ -29,9 +29,10 @@ struct Anchors {
     double shoulder = 0;  // of the neck's side, where a shoulder seam begins
     double waist = 0;
     double crotch = 0;
-    Vec3d centre = Vec3d::Zero();            // of the trunk at the waist
-    double front = 0, back = 0;              // z of the trunk's outermost points
-    double waist_front = 0, waist_back = 0;  // of those at the waist
+    Vec3d centre = Vec3d::Zero();        // of the trunk at the waist
+    double front = 0, back = 0;          // z of the trunk's outermost points
+    Vec3d waist_centre = Vec3d::Zero();  // of the trunk's section at the waist
+    double waist_reach = 0;              // from there to its outermost point
 };
 
 Anchors anchors_of(const Body& body, const Stature& stature) {
@@ -50,8 +51,10 @@ Anchors anchors_of(const Body& body, const Stature& stature) {
     Eigen::AlignedBox3d waist;
     for (const Vec3d& p : trunk_points(body, heights.waist, stature.height())) waist.extend(p);
     if (waist.isEmpty()) waist = box;
-    anchors.waist_front = waist.max().z();
-    anchors.waist_back = waist.min().z();
+    anchors.waist_centre = Vec3d(waist.center().x(), heights.waist, waist.center().z());
+    for (const Vec3d& p : trunk_points(body, heights.waist, stature.height())) {
+        anchors.waist_reach = std::max(anchors.waist_reach, (p - anchors.waist_centre).norm());
+    }
     anchors.centre = Vec3d(box.center().x(), heights.waist, box.center().z());
     anchors.front = box.max().z();
     anchors.back = box.min().z();
@@ -189,6 +192,7 @@ class Arranger {
         Panel& own = panel(p);
         const Eigen::AlignedBox2d& box = boxes_[p];
         own.wrap_radius = 0;
+        own.wrap_cone.reset();
         own.rotation = is_back ? Eigen::AngleAxisd(std::numbers::pi, Vec3d::UnitY()).toRotationMatrix()
                                : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
         const double flip = is_back ? -1 : 1;
@@ -257,25 +261,25 @@ class Arranger {
         return arc;
     }
 
-    // A skirt of one piece whose waist is an arc lies flat round the body, like a disc, open at the back. It stands so
-    // far back that its straight edges meet behind the body.
+    // A skirt of one piece whose waist is an arc is bent to a cone round the body. At the waist it stands clear of the
+    // body, so that it stays open at the back if its waist is too short to go all the way round there.
     bool place_round_skirt(std::size_t p) {
+        constexpr double kClear = 0.02;    // m, from the body to the waist
+        constexpr double kOpen = 0.97;     // of a full turn, so that the edges do not meet
+        constexpr double kShortest = 0.4;  // of a full turn: a shorter one is no skirt round the body
         Panel& own = panel(p);
         const WaistArc arc = waist_arc(own);
         if (!closes_round(p) || arc.radius == 0) return false;
+        const double full = 2 * std::numbers::pi;
+        const double round = std::min(kOpen * full, arc.angle * arc.radius / (anchors_.waist_reach + kClear));
+        if (round < kShortest * full) return false;
         const Vec2d middle = boxes_[p].center() - arc.centre;  // the way to the front
         const double turn = std::atan2(middle.x(), -middle.y());
         own.wrap_radius = 0;
-        own.rotation =
-            (Eigen::AngleAxisd(-turn, Vec3d::UnitY()) * Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3d::UnitX()))
-                .toRotationMatrix();
-        own.translation.setZero();
-        constexpr double kClear = 0.02;  // m
-        const double seam = arc.radius * std::cos(std::min(std::numbers::pi, arc.angle / 2));
-        Vec3d centre = anchors_.centre;
-        centre.z() = std::min(centre.z(), anchors_.waist_back - kClear - seam);
-        centre.z() = std::max(centre.z(), anchors_.waist_front + kClear - arc.radius);
-        own.translation = centre - own.place(arc.centre);
+        own.wrap_cone = WrapCone{.apex = arc.centre, .sine = std::min(1.0, arc.angle / round)};
+        own.rotation = Eigen::AngleAxisd(-turn / own.wrap_cone->sine, Vec3d::UnitY()).toRotationMatrix();
+        const double below = arc.radius * std::sqrt(1 - own.wrap_cone->sine * own.wrap_cone->sine);
+        own.translation = anchors_.waist_centre - own.rotation * Vec3d(arc.centre.x(), arc.centre.y() - below, 0);
         is_placed_[p] = true;
         return true;
     }
@@ -398,6 +402,7 @@ class Arranger {
         if (!sewn.is_reversed) wanted = -wanted;
         const double turn = std::atan2(cross2(along, wanted), along.dot(wanted));
         own.wrap_radius = 0;
+        own.wrap_cone.reset();
         own.rotation = other.rotation * Eigen::AngleAxisd(turn, Vec3d::UnitZ()).toRotationMatrix();
         own.translation.setZero();
         own.translation = other.place(middle_of(sewn.other)) - own.place(middle_of(sewn.own));

@@ -71,6 +71,7 @@ void place_freely(Panel& panel, const Pattern& pattern, const Body* body) {
     }
     panel.rotation = Eigen::Matrix3d::Identity();
     panel.wrap_radius = 0;
+    panel.wrap_cone.reset();
     panel.translation = Vec3d::Zero();
     const Vec3d centre = panel.place(outline_box(panel).center());
     panel.translation = Vec3d(0, kChest * pattern.body_height, before) - centre;

@@ -557,6 +557,7 @@ void arrange(Panel& panel, const ArrangementPoint& point) {
     frame.col(1) = point.upward;
     frame.col(2) = side * point.outward;
     frame.col(0) = frame.col(1).cross(frame.col(2));
+    panel.wrap_cone.reset();
     panel.wrap_radius = point.radius;
     const double turned = middle.x() / panel.wrap_radius;
     panel.rotation = frame * Eigen::AngleAxisd(-turned, Vec3d::UnitY()).toRotationMatrix();

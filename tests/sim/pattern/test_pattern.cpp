@@ -63,6 +63,50 @@ TEST(PanelPlace, a_wrap_and_a_flat_panel_touch_at_x_0) {
     }
 }
 
+Panel bent_to_cone(bool is_mirrored, double sine) {
+    Panel panel;
+    panel.is_mirrored = is_mirrored;
+    panel.wrap_cone = WrapCone{.apex = {0.1, 0.5}, .sine = sine};
+    panel.translation = {0.1, 1.2, 0.3};
+    return panel;
+}
+
+TEST(PanelPlace, a_cone_keeps_lengths_and_has_its_right_side_outside) {
+    for (const bool is_mirrored : {false, true}) {
+        for (const double sine : {0.3, 0.7, 1.0}) {
+            const Panel panel = bent_to_cone(is_mirrored, sine);
+            const Vec3d apex = panel.place(panel.wrap_cone->apex);
+            for (const Vec2d& u : {Vec2d(0.1, 0), Vec2d(-0.2, 0.2), Vec2d(0.4, 0.45)}) {
+                const double step = 1e-6;
+                const Vec3d x = (panel.place(u + Vec2d(step, 0)) - panel.place(u - Vec2d(step, 0))) / (2 * step);
+                const Vec3d y = (panel.place(u + Vec2d(0, step)) - panel.place(u - Vec2d(0, step))) / (2 * step);
+                EXPECT_NEAR(x.norm(), 1, 1e-7);
+                EXPECT_NEAR(y.norm(), 1, 1e-7);
+                EXPECT_NEAR(x.dot(y), 0, 1e-7);
+                Vec3d outward = panel.place(u) - apex;
+                const double reach = (u - panel.wrap_cone->apex).norm();
+                EXPECT_NEAR(outward.norm(), reach, 1e-12);
+                outward.y() = 0;
+                EXPECT_NEAR(outward.norm(), reach * sine, 1e-12);
+                if (sine < 1) EXPECT_GT(x.cross(y).dot(outward), 0);
+            }
+        }
+    }
+}
+
+TEST(PanelPlace, a_sector_goes_round_the_cone_by_its_angle_over_the_sine) {
+    const Panel panel = bent_to_cone(false, 0.5);
+    const auto from_axis = [&](double angle) -> Vec3d {  // rad, on the panel from straight down
+        const Vec2d u = panel.wrap_cone->apex + 0.3 * Vec2d(std::sin(angle), -std::cos(angle));
+        return panel.place(u) - panel.place(panel.wrap_cone->apex);
+    };
+    const double quarter = std::acos(0.0);
+    EXPECT_NEAR((from_axis(quarter) - from_axis(-quarter)).norm(), 0, 1e-9) << "a half disc closes";
+    EXPECT_NEAR(from_axis(0).z(), 0.15, 1e-12);
+    EXPECT_NEAR(from_axis(quarter).z(), -0.15, 1e-12);
+    EXPECT_NEAR(from_axis(quarter / 2).x(), 0.15, 1e-12);
+}
+
 TEST(SeamName, follows_from_the_edges_unless_the_seam_has_its_own) {
     Pattern pattern = parse_pattern(sample_text(), "").pattern;
     EXPECT_EQ(seam_name(pattern, pattern.seams[0]), "front.1+back.2");

@@ -444,10 +444,12 @@ TEST(PatternAdditions, go_to_a_file_that_had_none_and_come_back) {
     back.wrap_radius = 0.125;
     back.mirror_of = "front";
     back.sheet_position = Vec2d(-0.5, 0.25);
+    document.pattern.panels[0].wrap_cone = WrapCone{.apex = {0.25, 0.5}, .sine = 0.625};
     document.pattern.seams[1].is_eased = true;
     const PatternDocument again = parse_pattern(write_pattern(document), "");
     EXPECT_EQ(again.pattern.panels[1].notches, back.notches);
     EXPECT_EQ(again.pattern.panels[1].wrap_radius, back.wrap_radius);
+    EXPECT_EQ(again.pattern.panels[0].wrap_cone, document.pattern.panels[0].wrap_cone);
     EXPECT_EQ(again.pattern.panels[1].mirror_of, "front");
     EXPECT_EQ(again.pattern.panels[1].sheet_position, back.sheet_position);
     EXPECT_FALSE(again.pattern.seams[0].is_eased);

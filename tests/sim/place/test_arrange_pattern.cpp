@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/collide/body_collider.h"
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/outline.h"
 #include "tests/support/mannequin.h"
 
 namespace selvedge::sim::test {
@@ -62,6 +64,44 @@ TEST(ArrangePattern, wraps_each_sleeve_round_the_arm_of_its_armhole) {
     EXPECT_LT(middle_of(pattern.panels[3]).x(), -0.15);
     EXPECT_GE(pattern.panels[2].wrap_radius, 0.4 / 6.3);
     EXPECT_EQ(pattern.panels[2].label, "arm");
+}
+
+// A half disc with a hollow waist, drawn with the waist up.
+Panel half_disc_skirt(double waist_radius, double hem_radius) {
+    Panel skirt;
+    skirt.name = "skirt";
+    skirt.vertices = {{-hem_radius, 0}, {hem_radius, 0}, {waist_radius, 0}, {-waist_radius, 0}};
+    const auto arc = [](int start, double radius, bool turns_right) {
+        return OutlineEdge{
+            .start = start, .end = start + 1, .kind = CurveKind::Arc, .arc_radius = radius, .turns_right = turns_right};
+    };
+    skirt.edges = {
+        arc(0, hem_radius, false), {.start = 1, .end = 2}, arc(2, waist_radius, true), {.start = 3, .end = 0}};
+    return skirt;
+}
+
+TEST(ArrangePattern, bends_a_skirt_that_is_half_a_disc_to_a_cone_round_the_waist) {
+    Pattern pattern;
+    pattern.panels = {half_disc_skirt(0.28, 0.75)};
+    pattern.seams = {{{0, 1}, {0, 3}}};
+    arrange_pattern(pattern, mannequin());
+    const Panel& skirt = pattern.panels[0];
+    ASSERT_TRUE(skirt.wrap_cone);
+    const BodyCollider body(mannequin());
+    for (const double t : {0.02, 0.25, 0.5, 0.75, 0.98}) {
+        const Vec3d waist = skirt.place(outline_point(skirt, skirt.edges[2], t));
+        const Vec3d hem = skirt.place(outline_point(skirt, skirt.edges[0], 1 - t));
+        EXPECT_GT(body.contact(waist.cast<float>()).distance, 0.01F) << t;
+        EXPECT_LT(hem.y(), waist.y() - 0.2) << t;
+        EXPECT_NEAR(waist.y(), skirt.place(outline_point(skirt, skirt.edges[2], 0.5)).y(), 1e-9) << t;
+    }
+    const Vec3d front = skirt.place(outline_point(skirt, skirt.edges[0], 0.5));
+    EXPECT_GT(front.z(), 0.3) << "its middle is before the body";
+    EXPECT_NEAR(front.x(), 0, 0.02);
+    const Vec3d end = skirt.place({0.28, 0}), other = skirt.place({-0.28, 0});
+    EXPECT_LT(end.z(), 0) << "and its ends are behind it";
+    EXPECT_LT(other.z(), 0);
+    EXPECT_LT((end - other).norm(), 0.25);
 }
 
 TEST(ArrangePattern, says_what_it_placed_by_guess_and_continues_what_is_sewn) {
