@@ -214,6 +214,10 @@ void Session::set_pattern(const Pattern& pattern) {
     worker_->put(request::SetPattern{pattern});
 }
 
+void Session::reread_fabrics() {
+    worker_->put(request::RereadFabrics{});
+}
+
 void Session::set_options(const SessionOptions& options) {
     worker_->put(request::SetOptions{options});
 }

@@ -120,6 +120,9 @@ class Session {
     void set_body(std::shared_ptr<const Body> body);  // the collider is built on the session's thread
     void set_pattern(const Pattern& pattern);         // may be called often; outdated requests are skipped
     void set_options(const SessionOptions& options);
+    // The files of the pattern's fabrics were written: the garment takes their values, from where it hangs. Nothing
+    // happens while the last pattern is refused.
+    void reread_fabrics();
 
     void look_from(const ViewPoint& viewer);  // may be called often
 

@@ -340,14 +340,32 @@ void SessionState::operator()(request::SetBody& request) {
 
 void SessionState::operator()(request::SetPattern& request) {
     if (request.pattern == dressing_.pattern() && problem_.empty()) return;
-    has_changed_ = true;
     const bool is_seen = compare(dressing_.pattern(), request.pattern) != PatternChange::None;
+    if (take_pattern(std::move(request.pattern))) show_changed_cloth(is_seen);
+}
+
+void SessionState::operator()(request::RereadFabrics) {
+    if (!problem_.empty()) return;
+    const auto fabrics = [&] {
+        return dressing_.cloth() ? dressing_.cloth()->material.fabrics : std::vector<Fabric>();
+    };
+    const std::vector<Fabric> before = fabrics();
+    if (take_pattern(dressing_.pattern())) show_changed_cloth(fabrics() != before);
+}
+
+// False: it is refused, and problem_ says why.
+bool SessionState::take_pattern(Pattern pattern) {
+    has_changed_ = true;
     try {
-        dressing_.set_pattern(std::move(request.pattern));
+        dressing_.set_pattern(std::move(pattern));
+        return true;
     } catch (const InputError& error) {
         problem_ = error.what();
-        return;
+        return false;
     }
+}
+
+void SessionState::show_changed_cloth(bool is_seen) {
     if (is_seen) cloth_at_rest_.reset();
     if (is_seen) leave_motion();
     has_failed_ = false;

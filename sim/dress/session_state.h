@@ -25,6 +25,7 @@ struct SetBody {
 struct SetPattern {
     Pattern pattern;
 };
+struct RereadFabrics {};
 struct SetOptions {
     SessionOptions options;
 };
@@ -78,11 +79,12 @@ struct Message {
 };
 }  // namespace request
 
-using Request = std::variant<request::SetBody, request::SetPattern, request::SetOptions, request::LookFrom,
-                             request::Start, request::Pause, request::Reset, request::Pull, request::PullTo,
-                             request::LetGo, request::Pin, request::UnpinAll, request::SaveDrape, request::RestoreDrape,
-                             request::GoTo, request::Follow, request::SetClip, request::SetPlayback, request::Play,
-                             request::PauseMotion, request::Seek, request::BackToStart, request::Message>;
+using Request =
+    std::variant<request::SetBody, request::SetPattern, request::RereadFabrics, request::SetOptions, request::LookFrom,
+                 request::Start, request::Pause, request::Reset, request::Pull, request::PullTo, request::LetGo,
+                 request::Pin, request::UnpinAll, request::SaveDrape, request::RestoreDrape, request::GoTo,
+                 request::Follow, request::SetClip, request::SetPlayback, request::Play, request::PauseMotion,
+                 request::Seek, request::BackToStart, request::Message>;
 
 // Timings of the last frames.
 class FrameTimes {
@@ -105,6 +107,7 @@ class SessionState {
     // Each carries out one request.
     void operator()(request::SetBody& request);
     void operator()(request::SetPattern& request);
+    void operator()(request::RereadFabrics);
     void operator()(const request::SetOptions& request);
     void operator()(const request::LookFrom& request);
     void operator()(request::Start);
@@ -148,6 +151,8 @@ class SessionState {
 
  private:
     SessionStage stage() const;
+    bool take_pattern(Pattern pattern);
+    void show_changed_cloth(bool is_seen);
     void sew();
     void sew_if_running();
     void say(std::string message);
