@@ -17,6 +17,7 @@
 #include "sim/core/json.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/paper/drawing_file.h"
+#include "sim/pattern/fabric_file.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::app {
@@ -171,6 +172,7 @@ editor::Services make_editor_services(const EditorServicesOptions& options) {
     services.find_motion = sim::find_motion;
     services.load_key_map = [keys] { return keys->load(); };
     services.save_key_map = [keys](editor::KeyMap map) { keys->save(map); };
+    services.read_fabric = sim::read_fabric_file;
     services.recent_files = [recent] { return recent->list(); };
     services.remember_file = [recent](const std::string& file) { recent->add(file); };
     services.examples = examples();

@@ -73,7 +73,6 @@ struct TartanPicture {
 };
 
 struct MaterialState {
-    std::string fabric{};  // the fabric whose values are shown; empty: the garment's
     std::string search{};
     std::vector<std::pair<std::string, TartanPicture>> tartans{};  // built-in tartans, by name
     UiTexture repeats = 0;                                         // texture of the preview that shows repeats
@@ -148,9 +147,13 @@ struct InspectorContext {
     std::function<void()> open_pose{};          // the same for a pose
     std::function<void()> save_pose{};          // opens a file dialog to save the pose of the body
     std::function<void()> open_picture{};       // opens a file dialog for a picture that the panels show; may be unset
-    std::function<void()> fit_photo{};          // chooses the tool that fits photos under the sheet; may be unset
+    std::function<void()> open_fabric{};        // opens a file dialog for a fabric, which is then shown; may be unset
+    std::function<void(const std::string& name)> open_fabric_picture{};  // the same for what its draft shows
+    std::function<void(const std::string& name)> save_fabric{};     // writes its draft to its own file; may be unset
+    std::function<void(const std::string& name)> save_fabric_as{};  // opens a file dialog to do so; may be unset
+    std::function<void()> fit_photo{};      // chooses the tool that fits photos under the sheet; may be unset
     std::function<void()> frame_selection{};    // shows what is selected on the sheet; may be unset
-    std::function<void()> show_timeline{};      // shows the timeline of the motion; may be unset
+    std::function<void()> show_timeline{};  // shows the timeline of the motion; may be unset
     std::function<std::string(std::string_view action)> key_of{};  // "Ctrl+Z" for an action's id; unset or empty: none
 
     const sim::Pattern& pattern() const { return workspace.document->pattern(); }

@@ -174,52 +174,6 @@ void draw_threadcount(InspectorContext& context) {
 
 namespace {
 
-// Three significant digits without an exponent: 8000, 56, 0.35.
-std::string number_text(double value) {
-    char buffer[64];
-    const double size = value < 0 ? -value : value;
-    const int decimals = size >= 100 || size == 0 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3;
-    std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
-    std::string text = buffer;
-    if (text.find('.') == std::string::npos) return text;
-    while (text.back() == '0') text.pop_back();
-    if (text.back() == '.') text.pop_back();
-    return text;
-}
-
-std::string both(double warp, double weft, const char* unit) {
-    const std::string a = number_text(warp), b = number_text(weft);
-    return (a == b ? a : a + " \u00D7 " + b) + unit;
-}
-
-}  // namespace
-
-std::vector<FabricRow> fabric_rows(const sim::Fabric& fabric) {
-    return {
-        {"Weight", number_text(fabric.area_density * 1e3) + " g/m\u00B2", "What a square metre weighs."},
-        {"Stretch", both(fabric.stretch_warp, fabric.stretch_weft, " N/m"),
-         "Force per width that would double its length: along the warp \u00D7 along the weft."},
-        {"Shear", number_text(fabric.shear) + " N/m", "Force per width and radian that makes squares of it oblique."},
-        {"Bending", both(fabric.bending_warp * 1e6, fabric.bending_weft * 1e6, " \u00B5N\u00B7m"),
-         "How stiffly it bends: along the warp \u00D7 along the weft. Silk about 5, denim about 40."},
-        {"Thickness", number_text(fabric.thickness * 1e3) + " mm", "Of one layer."},
-        {"Friction", number_text(fabric.friction), "Against the body: 0 slides like oil, 1 hardly slides."},
-        {"Damping", number_text(fabric.damping) + " /s", "How fast its motion dies away by itself."},
-        {"Strain limit", number_text(fabric.strain_limit * 100) + " %", "Beyond this strain it no longer gives."},
-    };
-}
-
-std::string readable_name(const std::string& name) {
-    const std::size_t slash = name.find_last_of('/');
-    if (name.ends_with(".json")) return slash == std::string::npos ? name : name.substr(slash + 1);
-    std::string text = name;
-    for (char& c : text) c = c == '_' ? ' ' : c;
-    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    return text;
-}
-
-namespace {
-
 std::string stripe_text(const sim::SettStripe& stripe, bool is_pivot) {
     return stripe.code + (is_pivot ? "/" : "") + std::to_string(stripe.threads);
 }
@@ -298,80 +252,6 @@ bool has_all_words(const std::string& text, const std::string& words) {
 // The material inspector: fabrics with their values, the tartan, and how it matches at seams.
 
 namespace {
-
-std::string garment_fabric(const sim::Pattern& pattern) {
-    return pattern.fabric.empty() ? sim::Fabric{}.name : pattern.fabric;
-}
-
-}  // namespace
-
-std::string fabric_of(const sim::Pattern& pattern, const sim::Panel& panel) {
-    return panel.fabric.empty() ? garment_fabric(pattern) : panel.fabric;
-}
-
-namespace {
-
-std::string users_of(const sim::Pattern& pattern, const std::string& fabric) {
-    std::string names;
-    std::size_t count = 0;
-    for (const sim::Panel& panel : pattern.panels) {
-        if (fabric_of(pattern, panel) != fabric) continue;
-        names += (names.empty() ? "" : ", ") + panel.name;
-        ++count;
-    }
-    if (count == 0) return "no panel";
-    return count == pattern.panels.size() ? "all panels" : names;
-}
-
-void draw_fabric_rows(InspectorContext& context, const std::string& name) {
-    try {
-        for (const FabricRow& row : fabric_rows(sim::find_fabric(name))) fact(context, row.label, row.value, row.tip);
-    } catch (const sim::InputError& error) {
-        message_text(context.theme.error, error.problem());
-    }
-}
-
-void draw_fabric_choice(InspectorContext& context, const std::string& shown) {
-    std::vector<std::string> names = sim::fabric_names(), labels;
-    if (std::find(names.begin(), names.end(), shown) == names.end()) names.push_back(shown);
-    int chosen = -1;
-    for (const std::string& name : names) {
-        if (name == shown) chosen = static_cast<int>(labels.size());
-        labels.push_back(readable_name(name));
-    }
-    const int now = choice_box(context, {.name = "material.fabric",
-                                         .shown = readable_name(shown),
-                                         .items = labels,
-                                         .chosen = chosen,
-                                         .tip = "The fabric whose values are shown. The buttons below put it to use.",
-                                         .width_px = ImGui::GetContentRegionAvail().x});
-    if (now >= 0) context.state.material.fabric = names[static_cast<std::size_t>(now)];
-}
-
-void draw_fabric(InspectorContext& context) {
-    const sim::Pattern& pattern = context.pattern();
-    std::string& viewed = context.state.material.fabric;
-    const std::set<std::string> selected = context.selection().panels;
-    const std::string shown = viewed.empty() ? garment_fabric(pattern) : viewed;
-    draw_fabric_choice(context, shown);
-    draw_fabric_rows(context, shown);
-    const std::string users = users_of(pattern, shown);
-    fact(context, "Used by", users, "The panels that are made of it: " + users + ".");
-    ButtonRow row(context);
-    if (row.button({.name = "material.fabric.garment",
-                    .title = "Use for the garment",
-                    .tip = "All panels that have no fabric of their own are made of it.",
-                    .is_enabled = shown != garment_fabric(pattern)})) {
-        context.workspace.run(SetFabric{.fabric = shown});
-    }
-    const std::string title = selected.size() == 1 ? "Use for " + *selected.begin() : "Use for selected panels";
-    if (row.button({.name = "material.fabric.panels",
-                    .title = title.c_str(),
-                    .tip = selected.empty() ? "Select panels first." : "The selected panels are made of it.",
-                    .is_enabled = !selected.empty()})) {
-        for (const std::string& name : selected) context.workspace.run(SetFabric{.panel = name, .fabric = shown});
-    }
-}
 
 void draw_sett_place(InspectorContext& context) {
     const sim::Pattern& pattern = context.pattern();

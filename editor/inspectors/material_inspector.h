@@ -1,13 +1,16 @@
 #pragma once
-// The material inspector: the list of tartans with woven previews, editing of a threadcount, and a fabric's values as
-// text.
+// The material inspector: a fabric's values and their editing, what the cloth shows, the list of tartans with woven
+// previews, and editing of a threadcount.
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "editor/inspectors/inspectors.h"
+#include "editor/inspectors/number_box.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/pattern.h"
+#include "sim/pattern/surface_design.h"
 #include "sim/tartan/sett.h"
 
 namespace selvedge::editor {
@@ -15,11 +18,30 @@ namespace selvedge::editor {
 // The search box and the list of matching tartans; a click selects one.
 void draw_tartan_list(InspectorContext& context);
 
-// What the selected panels show, or the garment: tartan, colour, picture or test pattern.
+// Rows to edit a surface design: tartan, colour, picture or test pattern.
+struct DesignRows {
+    std::optional<sim::SurfaceDesign> now{};
+    std::string names{};                   // what the names of the widgets begin with: "surface."
+    std::string none{};                    // what stands for no design in the list of kinds
+    std::string tip{};                     // of that list
+    std::function<void()> open_picture{};  // opens a file dialog for a picture; may be unset
+};
+struct DesignEdit {
+    EditPhase phase = EditPhase::None;
+    std::optional<sim::SurfaceDesign> surface{};  // of Rollback: as it was before
+
+    explicit operator bool() const { return phase != EditPhase::None; }
+};
+DesignEdit design_rows(InspectorContext& context, const DesignRows& rows);
+
+// What the selected panels show, or the garment.
 void draw_surface(InspectorContext& context);
 
 // The threadcount field, with a preview of the weave while typing, and the error if the text is invalid.
 void draw_threadcount(InspectorContext& context);
+
+// The fabric's values, which can be edited and saved as a file, and what is made of it.
+void draw_fabric(InspectorContext& context);
 
 // A fabric's values in the units of the textile trade.
 

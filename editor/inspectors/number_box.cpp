@@ -47,13 +47,19 @@ struct ArrowKeys {
     bool is_used = false;
 };
 
+// The value after `steps` steps, a multiple of the box's step.
+double stepped(const NumberBox& box, double value, double steps) {
+    if (!box.step) return stepped(value, box.unit, steps);
+    return std::round((value + steps * *box.step) / *box.step) * *box.step;
+}
+
 // Callback of the up and down arrow keys: steps the number in the field.
 int step_by_arrow(ImGuiInputTextCallbackData* data) {
     auto& keys = *static_cast<ArrowKeys*>(data->UserData);
     const std::optional<double> now = read_number(keys.box, std::string(data->Buf, size_t(data->BufTextLen))).value;
     const double from = now ? *now : keys.box.standing_for.value_or(0);
     const double steps = (data->EventKey == ImGuiKey_UpArrow ? 1 : -1) * (ImGui::GetIO().KeyShift ? kFastStep : 1);
-    const std::string text = text_of(keys.box, limited(keys.box, stepped(from, keys.box.unit, steps)));
+    const std::string text = text_of(keys.box, limited(keys.box, stepped(keys.box, from, steps)));
     data->DeleteChars(0, data->BufTextLen);
     data->InsertChars(0, text.c_str());
     data->SelectAll();
@@ -214,7 +220,7 @@ NumberEdit drag_number(InspectorContext& context, const NumberBox& box, float wi
     const float px_per_step = kPxPerStep * ImGui::GetFontSize() / 13;
     const double steps =
         std::trunc(ImGui::GetMouseDragDelta().x / px_per_step) * (ImGui::GetIO().KeyShift ? kFastStep : 1);
-    const double value = steps == 0 ? scrub.before : limited(box, stepped(scrub.before, box.unit, steps));
+    const double value = steps == 0 ? scrub.before : limited(box, stepped(box, scrub.before, steps));
     if (value == scrub.value) return edit;
     scrub.value = value;
     scrub.has_preview = true;
@@ -329,6 +335,20 @@ UnitRow row_of(Unit unit) {
             return {.size = 1, .decimals = 4, .word = "", .step = 0.01};
         case Unit::Plain:
             return {.size = 1, .decimals = 3, .word = "", .step = 0.1};
+        case Unit::GramsPerArea:
+            return {.size = 1e-3, .decimals = 2, .word = " g/m\u00B2", .step = 1};
+        case Unit::NewtonsPerMetre:
+            return {.size = 1, .decimals = 3, .word = " N/m", .step = 1};
+        case Unit::MicronewtonMetres:
+            return {.size = 1e-6, .decimals = 3, .word = " \u00B5N\u00B7m", .step = 0.1};
+        case Unit::Millinewtons:
+            return {.size = 1e-3, .decimals = 4, .word = " mN", .step = 0.01};
+        case Unit::Thickness:
+            return {.size = 1e-3, .decimals = 4, .word = " mm", .step = 0.01};
+        case Unit::PerSecond:
+            return {.size = 1, .decimals = 3, .word = " /s", .step = 0.1};
+        case Unit::Percent:
+            return {.size = 0.01, .decimals = 3, .word = " %", .step = 0.1};
         case Unit::Whole:
             break;
     }
@@ -336,7 +356,7 @@ UnitRow row_of(Unit unit) {
 }
 
 bool is_length(Unit unit) {
-    return unit == Unit::Centimetres || unit == Unit::Millimetres;
+    return unit == Unit::Centimetres || unit == Unit::Millimetres || unit == Unit::Thickness;
 }
 
 struct Suffix {
@@ -345,8 +365,22 @@ struct Suffix {
     bool (*fits)(Unit) = nullptr;
 };
 
+template <Unit wanted>
+bool is_unit(Unit unit) {
+    return unit == wanted;
+}
+
 // Suffixes are tested in order: a suffix that ends in another one ("cm", "mm") comes before it ("m").
-constexpr std::array<Suffix, 8> kSuffixes{{
+constexpr std::array<Suffix, 17> kSuffixes{{
+    {"kg/m\u00B2", 1, is_unit<Unit::GramsPerArea>},
+    {"g/m\u00B2", 1e-3, is_unit<Unit::GramsPerArea>},
+    {"g/m2", 1e-3, is_unit<Unit::GramsPerArea>},
+    {"N/m", 1, is_unit<Unit::NewtonsPerMetre>},
+    {"\u00B5N\u00B7m", 1e-6, is_unit<Unit::MicronewtonMetres>},
+    {"uNm", 1e-6, is_unit<Unit::MicronewtonMetres>},
+    {"mN", 1e-3, is_unit<Unit::Millinewtons>},
+    {"N", 1, is_unit<Unit::Millinewtons>},
+    {"/s", 1, is_unit<Unit::PerSecond>},
     {"cm", 0.01, is_length},
     {"mm", 0.001, is_length},
     {"m", 1, is_length},
@@ -354,7 +388,7 @@ constexpr std::array<Suffix, 8> kSuffixes{{
     {"\"", kInch, is_length},
     {"\u00B0", kDegree, [](Unit unit) { return unit == Unit::Degrees; }},
     {"deg", kDegree, [](Unit unit) { return unit == Unit::Degrees; }},
-    {"%", 0.01, [](Unit unit) { return unit == Unit::Factor; }},
+    {"%", 0.01, [](Unit unit) { return unit == Unit::Factor || unit == Unit::Percent; }},
 }};
 
 std::string_view without_blanks_behind(std::string_view text) {

@@ -22,6 +22,14 @@ enum class Unit {
     Factor,       // 1.05, or typed as 105%
     Plain,
     Whole,  // integer
+    // Of fabrics:
+    GramsPerArea,       // value in kg/m^2, as g/m^2
+    NewtonsPerMetre,    // value in N/m
+    MicronewtonMetres,  // value in N m
+    Millinewtons,       // value in N
+    Thickness,          // value in m, as mm with four decimals
+    PerSecond,          // value in 1/s
+    Percent,            // 0.03 as 3 %
 };
 
 // For example "92.5": without the unit, never "-0".
@@ -34,7 +42,8 @@ std::string quantity_text(double value, Unit unit);
 // kind.
 std::optional<double> parse_quantity(std::string_view text, Unit unit);
 
-// The step of one arrow key press or of two px of dragging, SI: 1 mm, 0.1 mm, 1 degree, 0.01, 0.1, 1.
+// The step of one arrow key press or of two px of dragging, SI: 1 mm, 0.1 mm, 1 degree, 0.01, 0.1, 1; of fabrics 1
+// g/m^2, 1 N/m, 0.1 uN m, 0.01 mN, 0.01 mm, 0.1 /s, 0.1 %.
 double step_of(Unit unit);
 
 // The value after `steps` steps, rounded to a multiple of the step: 92.53 + 0.1 gives 92.6.
@@ -62,6 +71,7 @@ struct NumberBox {
     float label_px = 0;  // 0: the label's own width
     std::optional<double> least{};
     std::optional<double> most{};
+    std::optional<double> step{};  // SI; none: step_of(unit)
     bool may_be_empty = false;
     std::optional<double> standing_for{};  // value that an empty field stands for, shown in grey
     bool has_unit = true;                  // shows the unit after the number

@@ -1,4 +1,4 @@
-// The section of the surface design: what the selected panels show, or the garment if none is selected.
+// The rows of a surface design, and the section of what the selected panels show, or the garment if none is selected.
 #include <imgui.h>
 #include <algorithm>
 #include <array>
@@ -28,49 +28,38 @@ const sim::Panel* shown_panel(const InspectorContext& context) {
     return found == panels.end() ? nullptr : &*found;
 }
 
-void apply_to_all(InspectorContext& context, const std::optional<SurfaceDesign>& surface) {
-    const std::set<std::string> selected = context.selection().panels;  // a copy: commands may change it
-    if (selected.empty()) context.workspace.run(SetSurface{.surface = surface});
-    for (const std::string& panel : selected) context.workspace.run(SetSurface{.panel = panel, .surface = surface});
-}
-
-// A drag previews the first panel only; the others follow when it ends.
-void apply_number(InspectorContext& context, const NumberEdit& edit, const SurfaceDesign& surface) {
-    if (!edit) return;
-    const std::set<std::string>& selected = context.selection().panels;
-    if (edit.phase == EditPhase::Commit && selected.size() > 1) return apply_to_all(context, surface);
-    apply_edit(context, edit, SetSurface{.panel = selected.empty() ? "" : *selected.begin(), .surface = surface});
-}
-
 constexpr std::array<std::pair<const char*, std::optional<DesignKind>>, 5> kKinds{{{"As above", std::nullopt},
                                                                                    {"Tartan", DesignKind::Tartan},
                                                                                    {"Colour", DesignKind::Colour},
                                                                                    {"Picture", DesignKind::Picture},
                                                                                    {"Test pattern", DesignKind::Test}}};
 
-void choose_kind(InspectorContext& context, const std::optional<SurfaceDesign>& now) {
+DesignEdit choose_kind(InspectorContext& context, const DesignRows& rows) {
+    const std::optional<SurfaceDesign>& now = rows.now;
     std::vector<std::string> items;
     int chosen = 0;
     for (std::size_t i = 0; i < kKinds.size(); ++i) {
         items.emplace_back(kKinds[i].first);
         if (now && kKinds[i].second == now->kind) chosen = static_cast<int>(i);
     }
-    items[0] = context.selection().panels.empty() ? "The tartan below" : "As the garment";
-    row_label(context, "Shows", "What the cloth shows: of the selected panels, or of the garment if none is selected.");
-    const int now_chosen = choice_box(context, {.name = "surface.kind",
+    items[0] = rows.none;
+    row_label(context, "Shows", rows.tip);
+    const std::string name = rows.names + "kind";
+    const int now_chosen = choice_box(context, {.name = name.c_str(),
                                                 .shown = items[static_cast<std::size_t>(chosen)],
                                                 .items = items,
                                                 .chosen = chosen,
                                                 .width_px = field_width()});
-    if (now_chosen < 0) return;
+    if (now_chosen < 0) return {};
     const std::optional<DesignKind> kind = kKinds[static_cast<std::size_t>(now_chosen)].second;
-    if (!kind) return apply_to_all(context, std::nullopt);
+    if (!kind) return {.phase = EditPhase::Commit};
     SurfaceDesign design{.kind = *kind};
     if (now) design.position = now->position;
     if (kind == DesignKind::Tartan) design.source = context.pattern().tartan;
     if (kind == DesignKind::Colour) design.source = "#7A1F2B";
-    if (kind != DesignKind::Picture) return apply_to_all(context, design);
-    if (context.open_picture) context.open_picture();
+    if (kind != DesignKind::Picture) return {.phase = EditPhase::Commit, .surface = design};
+    if (rows.open_picture) rows.open_picture();
+    return {};
 }
 
 std::array<float, 3> parts_of(const std::string& colour) {
@@ -86,74 +75,76 @@ std::string colour_text(const std::array<float, 3>& parts) {
     return text.data();
 }
 
-// Applies a colour as soon as it is whole: a drag in the picker ends with one entry of the history.
-void draw_colour(InspectorContext& context, const char* name, const std::string& shown, SurfaceDesign design,
-                 std::string SurfaceDesign::*place) {
+// A preview while the picker is dragged, so that a drag ends with one entry of the history.
+DesignEdit draw_colour(InspectorContext& context, const std::string& name, const std::string& shown,
+                       SurfaceDesign design, std::string SurfaceDesign::*place) {
     std::array<float, 3> parts = parts_of(shown);
     ImGui::SetNextItemWidth(field_width());
     const bool has_changed =
-        ImGui::ColorEdit3(name, parts.data(),
+        ImGui::ColorEdit3(name.c_str(), parts.data(),
                           ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoOptions);
     note_widget(context, name);
-    if (!has_changed && !ImGui::IsItemDeactivatedAfterEdit()) return;
+    if (!has_changed && !ImGui::IsItemDeactivatedAfterEdit()) return {};
     design.*place = colour_text(parts);
-    const std::set<std::string>& selected = context.selection().panels;
-    if (has_changed) {
-        context.workspace.preview(SetSurface{.panel = selected.empty() ? "" : *selected.begin(), .surface = design});
-    } else {
-        context.workspace.document->commit();
-        if (selected.size() > 1) apply_to_all(context, design);
-    }
+    return {.phase = has_changed ? EditPhase::Preview : EditPhase::Commit, .surface = design};
 }
 
-void draw_picture_rows(InspectorContext& context, const SurfaceDesign& design) {
+DesignEdit draw_picture_rows(InspectorContext& context, const DesignRows& rows, const SurfaceDesign& design) {
+    DesignEdit edit{.surface = design};
+    const std::string rotation = rows.names + "rotation", repeats = rows.names + "repeats";
     const NumberEdit turned = number_row(context,
-                                         {.name = "surface.rotation",
+                                         {.name = rotation.c_str(),
                                           .value = design.rotation,
                                           .unit = Unit::Degrees,
                                           .tip = "Counter-clockwise about its position."},
                                          "Turned by");
-    SurfaceDesign changed = design;
-    changed.rotation = turned.value.value_or(0);
-    apply_number(context, turned, changed);
-    if (check_box(context, "surface.repeats", "Repeats", design.is_repeated, "Otherwise it is placed once.")) {
-        changed = design;
-        changed.is_repeated = !design.is_repeated;
-        apply_to_all(context, changed);
+    if (turned) edit.phase = turned.phase;
+    if (turned) edit.surface->rotation = turned.value.value_or(0);
+    if (check_box(context, repeats.c_str(), "Repeats", design.is_repeated, "Otherwise it is placed once.")) {
+        edit.phase = EditPhase::Commit;
+        edit.surface->is_repeated = !design.is_repeated;
     }
-    if (design.kind != DesignKind::Picture) return;
+    if (design.kind != DesignKind::Picture) return edit;
     row_label(context, "Ground", "The colour around the picture, and behind what is transparent in it.");
-    draw_colour(context, "##surface.ground", design.ground.empty() ? sim::kUsualGround : design.ground, design,
-                &SurfaceDesign::ground);
+    const DesignEdit ground =
+        draw_colour(context, "##" + rows.names + "ground", design.ground.empty() ? sim::kUsualGround : design.ground,
+                    *edit.surface, &SurfaceDesign::ground);
+    return ground ? ground : edit;
 }
 
-void draw_design(InspectorContext& context, const SurfaceDesign& design) {
-    SurfaceDesign changed = design;
+DesignEdit draw_source(InspectorContext& context, const DesignRows& rows, const SurfaceDesign& design) {
+    DesignEdit edit{.surface = design};
     if (design.kind == DesignKind::Colour) {
         row_label(context, "Colour", "Of all yarns.");
-        return draw_colour(context, "##surface.colour", design.source, design, &SurfaceDesign::source);
+        return draw_colour(context, "##" + rows.names + "colour", design.source, design, &SurfaceDesign::source);
     }
     if (design.kind == DesignKind::Tartan) {
         row_label(context, "Tartan", "A name or a threadcount.");
-        const auto text = text_box(context, {.name = "surface.tartan",
+        const std::string name = rows.names + "tartan";
+        const auto text = text_box(context, {.name = name.c_str(),
                                              .text = design.source,
                                              .hint = "royal_stewart",
                                              .width_px = field_width(),
                                              .wrong = tartan_error});
-        changed.source = text.value_or(design.source);
-        if (text) apply_to_all(context, changed);
+        if (text) edit = {.phase = EditPhase::Commit, .surface = design};
+        if (text) edit.surface->source = *text;
     }
     if (design.kind == DesignKind::Picture) {
         fact(context, "Picture", std::filesystem::path(design.source).filename().string(), design.source);
         ButtonRow row(context);
-        if (row.button(
-                {.name = "surface.choose", .title = "Choose another...", .is_enabled = bool(context.open_picture)}))
-            context.open_picture();
+        const std::string name = rows.names + "choose";
+        if (row.button({.name = name.c_str(), .title = "Choose another...", .is_enabled = bool(rows.open_picture)}))
+            rows.open_picture();
     }
+    return edit;
+}
+
+DesignEdit draw_place(InspectorContext& context, const DesignRows& rows, const SurfaceDesign& design) {
     const bool is_tartan = design.kind == DesignKind::Tartan;
+    const std::string size_name = rows.names + "size", position_name = rows.names + "position";
     const NumberEdit size =
         number_row(context,
-                   {.name = "surface.size",
+                   {.name = size_name.c_str(),
                     .value = design.size,
                     .tip = "Width of one repeat. Empty: the tartan's own, or 20 cm.",
                     .least = sim::kSmallestDesign,
@@ -161,29 +152,50 @@ void draw_design(InspectorContext& context, const SurfaceDesign& design) {
                     .may_be_empty = true,
                     .standing_for = is_tartan ? std::nullopt : std::optional(sim::kUsualDesignSize)},
                    "s: size");
-    changed = design;
-    changed.size = size.value;
-    apply_number(context, size, changed);
     const VectorEdit moved = vector_row(context,
-                                        {.name = "surface.position",
+                                        {.name = position_name.c_str(),
                                          .label = "p: position",
                                          .tip = "Of its lower left corner: along the weft (X) and along the warp (Y)."},
                                         design.position);
-    if (moved) {
-        changed = design;
-        changed.position = edited(design.position, moved);
-        apply_number(context, moved.number, changed);
-    }
-    if (!is_tartan) draw_picture_rows(context, design);
+    DesignEdit edit{.surface = design};
+    if (size) edit.phase = size.phase;
+    if (size) edit.surface->size = size.value;
+    if (moved) edit.phase = moved.phase;
+    if (moved) edit.surface->position = edited(design.position, moved);
+    return edit;
 }
 
 }  // namespace
 
+DesignEdit design_rows(InspectorContext& context, const DesignRows& rows) {
+    DesignEdit edit = choose_kind(context, rows);
+    if (!rows.now) return edit;
+    const SurfaceDesign& design = *rows.now;
+    if (const DesignEdit source = draw_source(context, rows, design)) edit = source;
+    if (design.kind == DesignKind::Colour) return edit;
+    if (const DesignEdit place = draw_place(context, rows, design)) edit = place;
+    if (design.kind == DesignKind::Tartan) return edit;
+    const DesignEdit picture = draw_picture_rows(context, rows, design);
+    return picture ? picture : edit;
+}
+
 void draw_surface(InspectorContext& context) {
     const sim::Panel* panel = shown_panel(context);
-    const std::optional<SurfaceDesign> now = panel == nullptr ? context.pattern().surface : panel->surface;  // a copy
-    choose_kind(context, now);
-    if (now) draw_design(context, *now);
+    const std::set<std::string> selected = context.selection().panels;  // a copy: commands may change it
+    const DesignEdit edit = design_rows(
+        context, {.now = panel == nullptr ? context.pattern().surface : panel->surface,
+                  .names = "surface.",
+                  .none = selected.empty() ? "The tartan below" : "As the garment",
+                  .tip = "What the cloth shows: of the selected panels, or of the garment if none is selected.",
+                  .open_picture = context.open_picture});
+    if (edit.phase == EditPhase::Rollback) context.workspace.document->rollback();
+    // A drag previews the first panel only; the others follow when it ends.
+    if (edit.phase == EditPhase::Preview)
+        context.workspace.preview(
+            SetSurface{.panel = selected.empty() ? "" : *selected.begin(), .surface = edit.surface});
+    if (edit.phase != EditPhase::Commit) return;
+    if (selected.empty()) context.workspace.run(SetSurface{.surface = edit.surface});
+    for (const std::string& name : selected) context.workspace.run(SetSurface{.panel = name, .surface = edit.surface});
 }
 
 }  // namespace selvedge::editor

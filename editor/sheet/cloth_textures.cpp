@@ -15,6 +15,12 @@ std::array<Vec3f, 2> rows_of_sett(const sim::Sett& sett, const Vec2d& position) 
 
 }  // namespace
 
+void ClothTextures::begin_frame(std::uint64_t fabric_version) {
+    ++frame_;
+    if (fabric_version != fabric_version_) looks_.forget_fabrics();
+    fabric_version_ = fabric_version;
+}
+
 ClothTexture ClothTextures::find(FrameOutput& output, UiTexture first, const sim::Pattern& pattern,
                                  const sim::Panel& panel, double scale) {
     const sim::SurfaceDesign design = looks_.design_of(pattern, panel);

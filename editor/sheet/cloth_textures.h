@@ -2,6 +2,7 @@
 // The textures that fill panels on the sheet with what they show: one repeat of a sett, or a picture.
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "editor/frame/frame.h"
@@ -26,7 +27,8 @@ class ClothTextures {
     // designs are plain, too.
     ClothTexture find(FrameOutput& output, UiTexture first, const sim::Pattern& pattern, const sim::Panel& panel,
                       double scale);
-    void begin_frame() { ++frame_; }
+    // Another version of the fabrics than in the frame before: they are read again.
+    void begin_frame(std::uint64_t fabric_version);
 
  private:
     struct Held {
@@ -37,6 +39,7 @@ class ClothTextures {
 
     std::vector<Held> held_;  // the texture of held_[i] is first + i
     std::size_t frame_ = 0;
+    std::uint64_t fabric_version_ = 0;
     render::ClothLooks looks_{render::ClothLooks::Unknown::Replace};
 };
 

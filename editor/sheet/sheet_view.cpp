@@ -233,7 +233,7 @@ void SheetView::draw(SheetContext& context, const Mouse& mouse) {
     if (context.shows.grid) draw_grid(pen);
     constexpr double kTracedThrough = 0.35;  // share of a panel's cloth over photos
     const double cloth_opacity = draw_underlays(context, pen) ? kTracedThrough : 1;
-    cloth_textures_.begin_frame();
+    cloth_textures_.begin_frame(context.fabric_version);
     const auto cloth_of = [&](const sim::Panel& panel) {
         return cloth_textures_.find(context.output, context.first_texture, context.host.document.pattern(), panel,
                                     camera_.scale);

@@ -39,6 +39,7 @@ struct SheetContext {
     SheetVisibility shows{};
     std::function<UnderlayPicture(const std::string& file)> underlay_picture{};  // unset: there are none
     std::function<UiTexture()> take_texture{};                                   // for the pictures of underlays
+    std::uint64_t fabric_version = 0;                                            // FabricLibrary::version()
 };
 
 // Result of the frame's input.

@@ -16,6 +16,7 @@
 #include "editor/tools/tool_host.h"
 #include "editor/ui/actions.h"
 #include "editor/ui/bars.h"
+#include "editor/ui/fabric_files.h"
 #include "editor/ui/files.h"
 #include "editor/ui/shown_text.h"
 #include "editor/ui/timeline.h"
@@ -114,7 +115,7 @@ void keep_last(std::vector<Request>& requests) {
 
 AppState::AppState(Services given, sim::SessionDrive drive)
     : services(std::move(given)),
-      workspace(empty_garment(), drive, services.make_body, services.find_motion),
+      workspace(empty_garment(), drive, services.make_body, services.find_motion, services.read_fabric),
       actions(make_actions()) {
     if (services.load_key_map) tools.key_map = services.load_key_map();
 }
@@ -245,7 +246,8 @@ void Editor::Impl::show_sheet(const Rectangle& where) {
             [this](const std::string& file) {
                 return UnderlayPicture{state.underlays.find(file), state.underlays.size_px(file)};
             },
-        .take_texture = [this] { return next_texture++; }};
+        .take_texture = [this] { return next_texture++; },
+        .fabric_version = state.workspace.fabrics.version()};
     const SheetResult answer = sheet.show(sheet_context);
     used_keys.insert(used_keys.end(), answer.used_keys.begin(), answer.used_keys.end());
     if (answer.wants_menu) open_sheet_menu(state);
@@ -266,6 +268,10 @@ InspectorContext Editor::Impl::inspector_context() {
             .open_pose = [this] { browse_for_pose(state); },
             .save_pose = [this] { browse_to_save_pose(state); },
             .open_picture = [this] { browse_for_picture(state); },
+            .open_fabric = [this] { browse_to_open_fabric(state); },
+            .open_fabric_picture = [this](const std::string& name) { browse_for_fabric_picture(state, name); },
+            .save_fabric = [this](const std::string& name) { save_fabric(state, name); },
+            .save_fabric_as = [this](const std::string& name) { browse_to_save_fabric(state, name); },
             .fit_photo =
                 [this] {
                     if (const Action* action = find_action(state.actions, "edit.fit_photo")) run_action(state, *action);

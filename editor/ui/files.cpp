@@ -14,6 +14,7 @@
 #include "editor/tools/tool_host.h"
 #include "editor/tools/underlay_tool.h"
 #include "editor/ui/app_state.h"
+#include "editor/ui/fabric_files.h"
 #include "editor/ui/widgets.h"
 #include "sim/core/error.h"
 
@@ -22,22 +23,6 @@ namespace {
 
 std::string name_in_folder(const std::string& file) {
     return file.substr(file.find_last_of('/') + 1);
-}
-
-void say_error(AppState& state, const sim::InputError& error) {
-    state.workspace.messages.say({.kind = MessageKind::Error, .text = error.what(), .places = {}});
-}
-
-// Runs a function that may throw InputError. Returns false if it did; the error is then shown.
-template <class Function>
-bool try_to(AppState& state, Function&& function) {
-    try {
-        function();
-        return true;
-    } catch (const sim::InputError& error) {
-        say_error(state, error);
-        return false;
-    }
 }
 
 // The formats that a body is read from (sim/body/guarded_import.h).
@@ -69,15 +54,6 @@ void after_asking(AppState& state, std::function<void(AppState&)> go_on) {
                                 {{"Save", save_first}, {"Discard", go_on}, {"Cancel", [](AppState&) {}}}});
 }
 
-std::string with_ending(const std::string& file, const std::string& ending) {
-    return file.ends_with(ending) ? file : file + ending;
-}
-
-void ask_to_replace(AppState& state, const std::string& file, std::function<void(AppState&)> write) {
-    state.questions.push_front(
-        {"There is a file '" + file + "' already.", {{"Replace", std::move(write)}, {"Cancel", [](AppState&) {}}}});
-}
-
 void write_pose_file(AppState& state, const std::string& file, const sim::PoseAngles& angles) {
     std::string name = name_in_folder(file);
     name.resize(name.find_last_of('.'));
@@ -102,6 +78,25 @@ void write_document(AppState& state, const std::string& file) {
 }
 
 }  // namespace
+
+bool try_to(AppState& state, const std::function<void()>& function) {
+    try {
+        function();
+        return true;
+    } catch (const sim::InputError& error) {
+        state.workspace.messages.say({.kind = MessageKind::Error, .text = error.what(), .places = {}});
+        return false;
+    }
+}
+
+std::string with_ending(const std::string& file, const std::string& ending) {
+    return file.ends_with(ending) ? file : file + ending;
+}
+
+void ask_to_replace(AppState& state, const std::string& file, std::function<void(AppState&)> write) {
+    state.questions.push_front(
+        {"There is a file '" + file + "' already.", {{"Replace", std::move(write)}, {"Cancel", [](AppState&) {}}}});
+}
 
 std::string document_name(const AppState& state) {
     const std::string& file = state.workspace.file;
@@ -269,10 +264,11 @@ void save_pose(AppState& state, const std::string& file) {
 }
 
 void close(AppState& state) {
-    after_asking(state, [](AppState& current) {
+    const auto end = [](AppState& current) {
         current.services.end_journal();
         current.wants_to_close = true;
-    });
+    };
+    after_asking(state, [end](AppState& current) { after_asking_about_fabrics(current, end); });
 }
 
 void browse_to_open(AppState& state) {

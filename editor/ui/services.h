@@ -72,6 +72,7 @@ struct Services {
     std::function<void(const ExportRequest& request)> write_export;
     BodyMaker make_body = make_mannequin_body;
     MotionFinder find_motion = sim::find_motion;
+    FabricReader read_fabric = sim::read_fabric_file;
 
     // The user's choice of keys, kept from one start to the next. Unset: it is not kept.
     std::function<KeyMap()> load_key_map{};

@@ -38,6 +38,7 @@ void visit_shown_text(const AppState& state, const Visit& visit) {
     visit_pattern(state.workspace.document->pattern(), visit);
     visit_drape(state.workspace.drape, visit);
     visit(state.workspace.file);
+    for (const std::string& file : state.workspace.fabrics.files()) visit(file);
     if (const Message* message = state.workspace.messages.shown()) visit(message->text);
     for (const Question& question : state.questions) visit(question.text);
     state.browser.visit_text(visit);

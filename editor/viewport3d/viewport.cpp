@@ -103,6 +103,7 @@ void Viewport::make_scene(const ViewportContext& context) {
     if (wants_curved(workspace)) curved = curved_.update(controller_.garment().shared_frame(), workspace.drape.drive());
     shown_ = scene_.update({.pattern = document.pattern(),
                             .revision = document.revision(),
+                            .fabric_version = workspace.fabrics.version(),
                             .garment = controller_.garment(),
                             .current_body = workspace.drape.current_body(),
                             .curved = std::move(curved),

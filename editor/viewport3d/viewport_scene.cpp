@@ -75,6 +75,7 @@ void ViewportScene::update_body(const ViewportSceneInput& input) {
 std::shared_ptr<const render::Scene> ViewportScene::update(const ViewportSceneInput& input) {
     const ContentKey key{.garment = input.garment.version(),
                          .revision = input.revision,
+                         .fabric_version = input.fabric_version,
                          .show = input.look.show,
                          .has_edges = input.look.has_edges,
                          .undrawn = input.marks.undrawn,
@@ -83,6 +84,7 @@ std::shared_ptr<const render::Scene> ViewportScene::update(const ViewportSceneIn
     const bool is_body_new = input.current_body.body != body_ || input.look.has_body != has_body_ ||
                              input.garment.body_positions() != body_positions_;
     if (!is_cloth_new && !is_body_new && input.marks == marks_) return scene_;
+    if (key.fabric_version != key_.fabric_version) looks_.forget_fabrics();
     key_ = key;
     marks_ = input.marks;
     if (is_cloth_new) update_cloth(input);

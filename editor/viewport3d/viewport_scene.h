@@ -14,7 +14,8 @@ namespace selvedge::editor {
 
 struct ViewportSceneInput {
     const sim::Pattern& pattern;
-    std::uint64_t revision = 0;  // of the pattern
+    std::uint64_t revision = 0;        // of the pattern
+    std::uint64_t fabric_version = 0;  // of what fabric files hold
     const DisplayedGarment& garment;
     const CurrentBody& current_body;
     std::shared_ptr<const sim::DrawMesh> curved{};  // drawn instead of the garment's mesh; null: none
@@ -34,6 +35,7 @@ class ViewportScene {
     struct ContentKey {
         std::uint64_t garment = 0;
         std::uint64_t revision = 0;
+        std::uint64_t fabric_version = 0;
         render::ShowMode show = render::ShowMode::Tartan;
         bool has_edges = false;
         std::set<std::string> undrawn;

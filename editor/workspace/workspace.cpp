@@ -121,6 +121,12 @@ void Drape::begin_document() {
     reset();
 }
 
+// The pattern is sent again, too: the session may have refused it for a fabric that can be read now.
+void Drape::reread_fabrics() {
+    taken_revision_.reset();
+    session_.reread_fabrics();
+}
+
 void Drape::begin_body(const std::string& text) {
     wanted_body_ = text;
     making_ = std::async(std::launch::async, [text, maker = maker_] {

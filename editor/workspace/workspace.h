@@ -14,6 +14,7 @@
 #include "editor/document/selection.h"
 #include "editor/geometry/draft.h"
 #include "editor/workspace/body_joints.h"
+#include "editor/workspace/fabric_library.h"
 #include "render/scene/scene.h"
 #include "sim/body/body.h"
 #include "sim/body/clip.h"
@@ -119,6 +120,9 @@ class Drape {
 
     // Call when another document was opened: resets the drape to the panels' placement.
     void begin_document();
+
+    // Call when the file of a fabric was written: the garment takes its values with the next `update`.
+    void reread_fabrics();
 
     // Shows this body instead of the document's; `show_body({})` returns to the document's body.
     void show_body(std::optional<std::string> text);
@@ -229,12 +233,15 @@ std::set<std::string> undrawn_panels(const sim::Pattern& pattern, const ViewOpti
 
 struct Workspace {
     Workspace(sim::PatternDocument source, sim::SessionDrive drive, BodyMaker maker,
-              MotionFinder motions = sim::find_motion)
-        : document(std::make_unique<Document>(std::move(source))), drape(drive, std::move(maker), std::move(motions)) {}
+              MotionFinder motions = sim::find_motion, FabricReader fabric_reader = sim::read_fabric_file)
+        : document(std::make_unique<Document>(std::move(source))),
+          drape(drive, std::move(maker), std::move(motions)),
+          fabrics(std::move(fabric_reader)) {}
 
     std::unique_ptr<Document> document;  // replaced when a file is opened
     std::string file{};                  // the document's file; empty: not saved yet
     Drape drape;
+    FabricLibrary fabrics;
     JointChoice joint{};
     Hover hover{};
     Messages messages{};

@@ -56,6 +56,9 @@ class ClothLooks {
     sim::SurfaceDesign design_of(const sim::Pattern& pattern, const sim::Panel& panel);
     sim::SurfaceDesign design_of(const sim::Pattern& pattern);
 
+    // Reads fabrics again when they are needed next: the file of one was written.
+    void forget_fabrics() { fabrics_.clear(); }
+
     // Valid until the next call.
     const ClothLook& look(const sim::SurfaceDesign& design);
 

@@ -9,6 +9,7 @@
 #include "render/image/image.h"
 #include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
+#include "sim/pattern/fabric_file.h"
 #include "tests/app/run_program.h"
 
 namespace selvedge::app {
@@ -117,6 +118,24 @@ TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_h
     EXPECT_EQ(left[0].age, "a moment ago");
     services_.discard_journal(left[0].id);
     EXPECT_FALSE(fs::exists(journal));
+}
+
+TEST_F(EditorServices, fabrics_are_read_by_name_or_file_and_written_whole) {
+    const std::string file = folder_ / "mine.json";
+    sim::FabricFile fabric = services_.read_fabric("denim");
+    fabric.fabric.shear = 77;
+    services_.save(file, write_fabric(fabric.fabric, file, fabric.text));
+    EXPECT_EQ(services_.read_fabric(file).fabric, fabric.fabric);
+    EXPECT_EQ(services_.read_fabric(file).text, content_of(file));
+    EXPECT_THROW(services_.save(folder_ / "no/such.json", "{}"), sim::InputError);
+    std::ofstream(file) << R"({"name": "mine"})";
+    try {
+        services_.read_fabric(file);
+        FAIL();
+    } catch (const sim::InputError& error) {
+        EXPECT_EQ(error.file(), file) << error.what();
+    }
+    EXPECT_THROW(services_.read_fabric("velour"), sim::InputError);
 }
 
 TEST_F(EditorServices, a_body_file_may_be_called_mannequin) {

@@ -45,6 +45,10 @@ void InspectorFixture::frame() {
     context.widgets = &widgets;
     context.take_texture = [this] { return textures_++; };
     context.open_body = [] {};
+    context.open_fabric = [this] { asked.emplace_back("open fabric"); };
+    context.open_fabric_picture = [this](const std::string& name) { asked.push_back("open picture for " + name); };
+    context.save_fabric = [this](const std::string& name) { asked.push_back("save fabric " + name); };
+    context.save_fabric_as = [this](const std::string& name) { asked.push_back("save fabric as " + name); };
     ImGui::NewFrame();
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);

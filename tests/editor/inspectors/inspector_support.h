@@ -3,6 +3,7 @@
 #include <imgui.h>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "editor/inspectors/inspectors.h"
 
@@ -39,6 +40,7 @@ class InspectorFixture {
     InspectorState state;
     Theme theme;
     WidgetMap widgets;
+    std::vector<std::string> asked;  // of the program: "open fabric", "save fabric silk", ...
 
     Document& document() { return *workspace.document; }
     const sim::Panel& panel(std::size_t index) { return document().pattern().panels.at(index); }

@@ -1,6 +1,8 @@
 // Typing into, dragging and stepping of number fields, in an offscreen window.
 #include <gtest/gtest.h>
+#include <array>
 #include <numbers>
+#include <tuple>
 
 #include "editor/inspectors/number_box.h"
 #include "tests/editor/inspectors/inspector_support.h"
@@ -190,6 +192,27 @@ TEST(Quantity, what_is_shown_is_read_back) {
         ASSERT_TRUE(read) << quantity_text(value, unit);
         EXPECT_NEAR(*read, value, 1e-4) << quantity_text(value, unit);
     }
+}
+
+TEST(Quantity, values_of_fabrics_are_shown_in_units_of_the_trade_and_read_back) {
+    constexpr std::array<std::tuple<Unit, double, const char*>, 7> kShown{{
+        {Unit::GramsPerArea, 0.12, "120 g/m\u00B2"},
+        {Unit::NewtonsPerMetre, 8000, "8000 N/m"},
+        {Unit::MicronewtonMetres, 4.5e-5, "45 \u00B5N\u00B7m"},
+        {Unit::Millinewtons, 0.000686, "0.686 mN"},
+        {Unit::Thickness, 0.00028, "0.28 mm"},
+        {Unit::PerSecond, 0.6, "0.6 /s"},
+        {Unit::Percent, 0.03, "3 %"},
+    }};
+    for (const auto& [unit, value, text] : kShown) {
+        EXPECT_EQ(quantity_text(value, unit), text);
+        const std::optional<double> read = parse_quantity(text, unit);
+        ASSERT_TRUE(read) << text;
+        EXPECT_NEAR(*read, value, 1e-12 * value) << text;
+    }
+    EXPECT_NEAR(parse_quantity("0.33 kg/m\u00B2", Unit::GramsPerArea).value_or(0), 0.33, 1e-12);
+    EXPECT_NEAR(parse_quantity("9uNm", Unit::MicronewtonMetres).value_or(0), 9e-6, 1e-15);
+    EXPECT_FALSE(parse_quantity("9 cm", Unit::MicronewtonMetres));
 }
 
 TEST(Quantity, expressions_and_other_units_are_understood) {
