@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "sim/body/landmarks.h"
+#include "sim/body/section.h"
 #include "sim/collide/body_collider.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
@@ -28,11 +29,10 @@ std::size_t as_size(int index) {
 struct Anchors {
     double shoulder = 0;  // of the neck's side, where a shoulder seam begins
     double waist = 0;
+    double hip = 0;
     double crotch = 0;
-    Vec3d centre = Vec3d::Zero();        // of the trunk at the waist
-    double front = 0, back = 0;          // z of the trunk's outermost points
-    Vec3d waist_centre = Vec3d::Zero();  // of the trunk's section at the waist
-    double waist_reach = 0;              // from there to its outermost point
+    Vec3d centre = Vec3d::Zero();  // of the trunk at the waist
+    double front = 0, back = 0;    // z of the trunk's outermost points
 };
 
 Anchors anchors_of(const Body& body, const Stature& stature) {
@@ -42,23 +42,35 @@ Anchors anchors_of(const Body& body, const Stature& stature) {
     const LandmarkHeights landmarks = find_landmarks(body);
     anchors.shoulder = stature.floor + kNeckSide * stature.height();
     anchors.waist = heights.waist;
+    anchors.hip = heights.hip;
     anchors.crotch = landmarks.crotch.value_or(stature.floor + kCrotch * stature.height());
     Eigen::AlignedBox3d box;
     for (const double y : {heights.chest, heights.waist, heights.hip}) {
         for (const Vec3d& p : trunk_points(body, y, stature.height())) box.extend(p);
     }
     if (box.isEmpty()) box.extend(Vec3d(0, heights.waist, 0));
-    Eigen::AlignedBox3d waist;
-    for (const Vec3d& p : trunk_points(body, heights.waist, stature.height())) waist.extend(p);
-    if (waist.isEmpty()) waist = box;
-    anchors.waist_centre = Vec3d(waist.center().x(), heights.waist, waist.center().z());
-    for (const Vec3d& p : trunk_points(body, heights.waist, stature.height())) {
-        anchors.waist_reach = std::max(anchors.waist_reach, (p - anchors.waist_centre).norm());
-    }
     anchors.centre = Vec3d(box.center().x(), heights.waist, box.center().z());
     anchors.front = box.max().z();
     anchors.back = box.min().z();
     return anchors;
+}
+
+// The trunk's section at a height.
+struct TrunkSection {
+    Vec3d centre = Vec3d::Zero();
+    double reach = 0;  // m, from there to the outermost point
+    double girth = 0;  // m, by the tape
+};
+
+TrunkSection trunk_section(const Body& body, double y, double stature) {
+    TrunkSection section;
+    SectionLoop loop;
+    loop.points = trunk_points(body, y, stature);
+    if (loop.points.empty()) return section;
+    section.centre = middle_of_box(loop.points);
+    for (const Vec3d& p : loop.points) section.reach = std::max(section.reach, (p - section.centre).norm());
+    section.girth = tape_length(loop, {.point = section.centre, .normal = Vec3d::UnitY()});
+    return section;
 }
 
 struct Sewn {
@@ -88,6 +100,7 @@ class Arranger {
 
     Arrangement run() {
         find_flanks();
+        anchors_.waist = resting_height(waist_length());
         for (const auto part : {GarmentPart::Torso, GarmentPart::Leg, GarmentPart::Skirt}) {
             for (const Face face : {Face::Front, Face::Back, Face::None}) place_all(part, face);
         }
@@ -261,6 +274,28 @@ class Arranger {
         return arc;
     }
 
+    // m, round the top of the skirt or the trousers; 0: not known.
+    double waist_length() const {
+        double band = 0, arc_length = 0;
+        for (std::size_t p = 0; p < out_.roles.size(); ++p) {
+            const Panel& own = pattern_.panels[p];
+            if (!own.is_worn) continue;
+            if (out_.roles[p].part == GarmentPart::Waistband) band += boxes_[p].sizes().x();
+            if (out_.roles[p].part != GarmentPart::Skirt || !closes_round(p)) continue;
+            const WaistArc arc = waist_arc(own);
+            arc_length += arc.angle * arc.radius;
+        }
+        return band > 0 ? band : arc_length;
+    }
+
+    // Where a band of that length rests, m: not above the waist, not below the hip.
+    double resting_height(double length) const {
+        constexpr double kStep = 0.005;  // m
+        double y = anchors_.waist;
+        while (y - kStep > anchors_.hip && trunk_section(body_, y, stature_.height()).girth < length) y -= kStep;
+        return y;
+    }
+
     // A skirt of one piece whose waist is an arc is bent to a cone round the body. At the waist it stands clear of the
     // body, so that it stays open at the back if its waist is too short to go all the way round there.
     bool place_round_skirt(std::size_t p) {
@@ -271,7 +306,8 @@ class Arranger {
         const WaistArc arc = waist_arc(own);
         if (!closes_round(p) || arc.radius == 0) return false;
         const double full = 2 * std::numbers::pi;
-        const double round = std::min(kOpen * full, arc.angle * arc.radius / (anchors_.waist_reach + kClear));
+        const TrunkSection waist = trunk_section(body_, anchors_.waist, stature_.height());
+        const double round = std::min(kOpen * full, arc.angle * arc.radius / (waist.reach + kClear));
         if (round < kShortest * full) return false;
         const Vec2d middle = boxes_[p].center() - arc.centre;  // the way to the front
         const double turn = std::atan2(middle.x(), -middle.y());
@@ -279,7 +315,8 @@ class Arranger {
         own.wrap_cone = WrapCone{.apex = arc.centre, .sine = std::min(1.0, arc.angle / round)};
         own.rotation = Eigen::AngleAxisd(-turn / own.wrap_cone->sine, Vec3d::UnitY()).toRotationMatrix();
         const double below = arc.radius * std::sqrt(1 - own.wrap_cone->sine * own.wrap_cone->sine);
-        own.translation = anchors_.waist_centre - own.rotation * Vec3d(arc.centre.x(), arc.centre.y() - below, 0);
+        own.translation = Vec3d(waist.centre.x(), anchors_.waist, waist.centre.z()) -
+                          own.rotation * Vec3d(arc.centre.x(), arc.centre.y() - below, 0);
         is_placed_[p] = true;
         return true;
     }

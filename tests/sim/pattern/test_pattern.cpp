@@ -88,7 +88,9 @@ TEST(PanelPlace, a_cone_keeps_lengths_and_has_its_right_side_outside) {
                 EXPECT_NEAR(outward.norm(), reach, 1e-12);
                 outward.y() = 0;
                 EXPECT_NEAR(outward.norm(), reach * sine, 1e-12);
-                if (sine < 1) EXPECT_GT(x.cross(y).dot(outward), 0);
+                if (sine < 1) {
+                    EXPECT_GT(x.cross(y).dot(outward), 0);
+                }
             }
         }
     }

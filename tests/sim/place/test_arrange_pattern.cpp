@@ -101,7 +101,24 @@ TEST(ArrangePattern, bends_a_skirt_that_is_half_a_disc_to_a_cone_round_the_waist
     const Vec3d end = skirt.place({0.28, 0}), other = skirt.place({-0.28, 0});
     EXPECT_LT(end.z(), 0) << "and its ends are behind it";
     EXPECT_LT(other.z(), 0);
-    EXPECT_LT((end - other).norm(), 0.25);
+    EXPECT_LT((end - other).norm(), 0.35);
+}
+
+TEST(ArrangePattern, starts_a_band_lower_if_it_is_longer_than_the_waist) {
+    double last = 10;
+    for (const double length : {0.6, 0.75, 0.85, 2.0}) {
+        Pattern pattern;
+        pattern.panels = {rectangle("waistband", length, 0.04)};
+        pattern.seams = {{{0, 1}, {0, 3}}};
+        arrange_pattern(pattern, mannequin());
+        const double height = middle_of(pattern.panels[0]).y();
+        if (length == 0.75) {
+            EXPECT_LT(height, last - 0.02);
+        }
+        EXPECT_LE(height, last) << length;
+        last = height;
+    }
+    EXPECT_GT(last, 0.7) << "not below the hip";
 }
 
 TEST(ArrangePattern, says_what_it_placed_by_guess_and_continues_what_is_sewn) {
