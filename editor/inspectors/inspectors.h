@@ -151,9 +151,9 @@ struct InspectorContext {
     std::function<void(const std::string& name)> open_fabric_picture{};  // the same for what its draft shows
     std::function<void(const std::string& name)> save_fabric{};     // writes its draft to its own file; may be unset
     std::function<void(const std::string& name)> save_fabric_as{};  // opens a file dialog to do so; may be unset
-    std::function<void()> fit_photo{};      // chooses the tool that fits photos under the sheet; may be unset
-    std::function<void()> frame_selection{};    // shows what is selected on the sheet; may be unset
-    std::function<void()> show_timeline{};  // shows the timeline of the motion; may be unset
+    std::function<void()> fit_photo{};        // chooses the tool that fits photos under the sheet; may be unset
+    std::function<void()> frame_selection{};  // shows what is selected on the sheet; may be unset
+    std::function<void()> show_timeline{};    // shows the timeline of the motion; may be unset
     std::function<std::string(std::string_view action)> key_of{};  // "Ctrl+Z" for an action's id; unset or empty: none
 
     const sim::Pattern& pattern() const { return workspace.document->pattern(); }

@@ -398,9 +398,14 @@ class Arranger {
         if (is_back) {
             if (const ArrangementPoint* back = point_named(where + " back")) point = *back;
         }
-        constexpr double kOpen = 1.03;
-        point.radius = std::max(point.radius, kOpen * boxes_[p].sizes().x() / (2 * std::numbers::pi));
-        point.position.y() = height + boxes_[p].sizes().y() / 2;
+        constexpr double kOpen = 1.03, kClear = 0.015;  // of a full turn; m, from the body
+        const Vec2d size = boxes_[p].sizes();
+        const TrunkSection low = trunk_section(body_, height, stature_.height());
+        const TrunkSection high = trunk_section(body_, height + size.y(), stature_.height());
+        const double reach = std::max(low.reach, high.reach) + kClear;
+        point.radius = std::max({point.radius, reach, kOpen * size.x() / (2 * std::numbers::pi)});
+        point.position = low.centre + point.radius * point.outward;
+        point.position.y() = height + size.y() / 2;
         sim::arrange(panel(p), point);
         is_placed_[p] = true;
     }

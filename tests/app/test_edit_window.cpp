@@ -38,8 +38,9 @@ class Rehearsal {
     }
     void press() { send(editor::InputEvent::Kind::MouseButton, true); }
     void release() { send(editor::InputEvent::Kind::MouseButton, false); }
+    // Until the 3D view's picture is smooth: it rests for 5 frames, then 16 add their samples.
     void rest() {
-        for (int i = 0; i < 10; ++i) loop_.step(surface_);
+        for (int i = 0; i < 30; ++i) loop_.step(surface_);
     }
     editor::AppState& state() { return editor_.state(); }
     void undo() { editor_.state().workspace.document->undo(); }

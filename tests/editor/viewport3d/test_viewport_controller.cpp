@@ -64,6 +64,7 @@ TEST(ViewportController, hidden_and_locked_panels_are_passed_over) {
     const PanelStates hidden{.hidden = {"square"}, .locked = {}}, locked{.hidden = {}, .locked = {"square"}};
     for (const PanelStates& states : {hidden, locked}) {
         viewport.workspace().document->set_panel_states(states);
+        viewport.workspace().document->select({});  // else the cursor is over a gizmo
         viewport.move_to(viewport.seen(kMiddle));
         EXPECT_EQ(viewport.workspace().hover.panel, "other") << "what lies behind it";
         viewport.click(viewport.seen(kMiddle));
