@@ -265,8 +265,10 @@ int run(AnimateArguments arguments) {
     const sim::Pattern pattern = load_garments(arguments.garment, notes);
     fill_in(arguments.garment, arguments.body, arguments.picture, pattern);
     check_outputs(arguments);
-    if (!arguments.film.empty()) check_can_draw(arguments.picture);
-    arguments.picture.legend_font = read_legend_font();
+    if (!arguments.film.empty()) {
+        check_can_draw(arguments.picture);
+        arguments.picture.legend_font = read_legend_font();
+    }
     arguments.animation.dress = arguments.garment.dress;
     arguments.animation.frames_per_second = arguments.frames_per_second;
 

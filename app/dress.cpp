@@ -157,8 +157,10 @@ int run(DressArguments arguments) {
     const sim::Pattern pattern = load_garments(arguments.garment, notes);
     fill_in(arguments.garment, arguments.body, arguments.picture, pattern);
     check_distinct(all_outputs(arguments), input_files(arguments.garment, arguments.body));
-    if (draws(arguments)) check_can_draw(arguments.picture);
-    arguments.picture.legend_font = read_legend_font();
+    if (draws(arguments)) {
+        check_can_draw(arguments.picture);
+        arguments.picture.legend_font = read_legend_font();
+    }
 
     std::optional<sim::ThreadLimit> limit;
     if (arguments.garment.threads) limit.emplace(*arguments.garment.threads);

@@ -83,7 +83,10 @@ void check_garment_files(const GarmentFileOptions& options) {
     }
     const Path& folder = options.garmentcode_folder;
     if (folder.empty()) return;
-    if (std::filesystem::is_directory(folder)) {
+    std::error_code error;
+    if (std::filesystem::exists(folder, error) && !std::filesystem::is_directory(folder, error))
+        throw sim::InputError(folder.string(), "--export-garmentcode", "is a file: a folder is needed");
+    if (std::filesystem::is_directory(folder, error)) {
         for (const Path& file : sim::garmentcode_paths(folder, "any")) check_output(file);
     } else {
         check_output(folder.has_filename() ? folder : folder.parent_path());  // it will be made

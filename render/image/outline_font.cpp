@@ -1,6 +1,7 @@
 #include "render/image/outline_font.h"
 
 #define STBTT_STATIC
+#define STBTT_assert(condition) ((void)(condition))  // a bad file is no fault of the program
 #define STB_TRUETYPE_IMPLEMENTATION
 #include <stb_truetype.h>
 
@@ -33,6 +34,31 @@ bool is_digit(char32_t code) {
     return code >= U'0' && code <= U'9';
 }
 
+// Whether the tables of the font, or of the first one of a collection, lie within the file: stb_truetype does not look.
+bool has_whole_tables(const std::string& bytes) {
+    constexpr std::size_t kHead = 12, kEntry = 16;  // bytes, of an offset table and of a table's entry (OpenType 1.9)
+    const auto number = [&](std::size_t at, std::size_t size) {
+        std::size_t value = 0;
+        for (std::size_t i = 0; i < size; ++i) value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
+        return value;
+    };
+    if (bytes.size() < kHead) return false;
+    std::size_t start = 0;
+    if (bytes.starts_with("ttcf")) {
+        if (bytes.size() < kHead + 4) return false;
+        start = number(kHead, 4);
+    }
+    if (start > bytes.size() - kHead) return false;
+    const std::size_t tables = number(start + 4, 2);
+    if (tables * kEntry > bytes.size() - start - kHead) return false;
+    for (std::size_t i = 0; i < tables; ++i) {
+        const std::size_t entry = start + kHead + i * kEntry;
+        const std::size_t offset = number(entry + 8, 4), length = number(entry + 12, 4);
+        if (offset > bytes.size() || length > bytes.size() - offset) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 struct OutlineFont::File {
@@ -48,8 +74,7 @@ struct OutlineFont::File {
 };
 
 std::shared_ptr<const OutlineFont> OutlineFont::read(std::string bytes) {
-    constexpr std::size_t kLeastSize = 12;  // bytes, of a file's head
-    if (bytes.size() < kLeastSize) return nullptr;
+    if (!has_whole_tables(bytes)) return nullptr;
     auto file = std::make_unique<File>();
     file->bytes = std::move(bytes);
     const auto* data = reinterpret_cast<const unsigned char*>(file->bytes.data());

@@ -181,11 +181,18 @@ namespace {
 
 constexpr float kCentimetres = 100;
 
+// A panel's name in a list of one line per vertex, apart from the names of stitches and without commas.
+std::string listed_name(std::string name) {
+    std::ranges::replace_if(
+        name, [](char c) { return c == ',' || static_cast<unsigned char>(c) < ' '; }, '_');
+    return name.starts_with("stitch_") ? "panel_" + name : name;
+}
+
 std::string segmentation_text(const GarmentSegmentation& segmentation) {
     std::string text;
     for (std::size_t i = 0; i < segmentation.order.size(); ++i) {
         const std::vector<int>& stitches = segmentation.stitches[i];
-        if (stitches.empty()) text += segmentation.panels[i];
+        if (stitches.empty()) text += listed_name(segmentation.panels[i]);
         for (std::size_t k = 0; k < stitches.size(); ++k)
             text += (k > 0 ? ",stitch_" : "stitch_") + std::to_string(stitches[k]);
         text += '\n';

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <numbers>
 
 #include "sim/core/error.h"
@@ -586,13 +587,24 @@ class DxfReader {
             if (!seam) throw InputError(file_, "layer 15", "'" + text.substr(0, 80) + "' is no seam");
             drawing_.seams.push_back(std::move(*seam));
         }
+        add_sewings();
+    }
+
+    void add_sewings() {
+        std::map<SeamSide, std::size_t> seams;
+        for (std::size_t i = 0; i < drawing_.seams.size(); ++i) seams.emplace(drawing_.seams[i].first, i);
+        std::map<std::string, std::string> names;  // by number
+        std::set<std::string> taken;
         for (const std::string& text : sewing_texts_) {
             const std::optional<DxfSewing> sewing = read_dxf_sewing(text);
-            const auto seam =
-                sewing ? std::ranges::find(drawing_.seams, sewing->side, &DrawnSeam::first) : drawing_.seams.end();
-            if (seam == drawing_.seams.end())
-                throw InputError(file_, "layer 15", "'" + text.substr(0, 80) + "' is no sewing");
-            seam->sewing = sewing->name;
+            const auto seam = sewing ? seams.find(sewing->side) : seams.end();
+            if (seam == seams.end()) throw InputError(file_, "layer 15", "'" + text.substr(0, 80) + "' is no sewing");
+            const auto [name, is_new] = names.try_emplace(sewing->number, sewing->name);
+            if (is_new && (name->second.empty() || !taken.insert(name->second).second)) {
+                name->second = "sewing " + sewing->number;
+                taken.insert(name->second);
+            }
+            drawing_.seams[seam->second].sewing = name->second;
         }
     }
 

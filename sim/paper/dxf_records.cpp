@@ -153,9 +153,8 @@ std::optional<DxfSewing> read_dxf_sewing(const std::string& text) {
     Words words(text);
     words.word();
     words.word();
-    DxfSewing sewing{words.side(), {}};
-    sewing.name = words.rest();
-    if (!words.is_good() || sewing.name.empty()) return std::nullopt;
+    DxfSewing sewing{.side = words.side(), .number = std::string(words.word()), .name = words.rest()};
+    if (!words.is_good() || sewing.number.empty()) return std::nullopt;
     return sewing;
 }
 

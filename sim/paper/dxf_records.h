@@ -25,10 +25,11 @@ bool read_dxf_record(const std::string& text, DxfRecords& records);
 // A seam of the file; none: the text is broken. Pre: it begins with "SELVEDGE SEAM ".
 std::optional<DrawnSeam> read_dxf_seam(const std::string& text);
 
-// The sewing of the seam that has this side, by name; none: the text is broken. Pre: it begins with "SELVEDGE SEWING ".
+// The sewing of the seam that has this first side; none: the text is broken. Pre: it begins with "SELVEDGE SEWING ".
 struct DxfSewing {
     SeamSide side;
-    std::string name;
+    std::string number;  // of the sewing in the file
+    std::string name;    // may be cut short, or empty
 };
 std::optional<DxfSewing> read_dxf_sewing(const std::string& text);
 

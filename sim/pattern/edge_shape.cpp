@@ -303,7 +303,9 @@ Panel mapped_panel(const Panel& panel, const Eigen::Affine2d& map) {
         for (Vec2d& point : line.points) point = map * point;
     }
     for (Vec2d& point : mapped.drill_points) point = map * point;
+    const bool is_upright = map.linear()(0, 1) == 0 && map.linear()(1, 0) == 0 && map.linear()(1, 1) > 0;
     if (mapped.wrap_cone) mapped.wrap_cone->apex = map * mapped.wrap_cone->apex;
+    if (!is_upright) mapped.wrap_cone.reset();  // its axis would be another one
     const Vec2d warp = map.linear() * Vec2d(-std::sin(panel.grain_angle), std::cos(panel.grain_angle));
     const double turned = std::atan2(-warp.x(), warp.y());
     if (std::abs(std::remainder(turned - panel.grain_angle, 2 * kPi)) > 1e-12) mapped.grain_angle = turned;

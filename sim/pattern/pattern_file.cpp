@@ -416,7 +416,8 @@ class Writer {
         if (const auto& cone = panel.wrap_cone) {
             Json& bent = own["wrap_cone"];
             if (!bent.is_object()) bent = Json::object();
-            set_numbers(bent["apex"], {units_ * cone->apex.x(), units_ * cone->apex.y()});
+            const Vec2d apex = in_file(panel, cone->apex);
+            set_numbers(bent["apex"], {apex.x(), apex.y()});
             set_number(bent["sine"], cone->sine);
         }
         if (panel.mirror_of.empty()) own.erase("mirror_of");

@@ -221,7 +221,8 @@ class Reader : private FaultReader {
         const auto at = point(apex);
         const auto value = number(sine);
         if (!at || !value) return;
-        if (!(*value > 0 && *value <= 1)) return error(sine, "the sine is above 0, and 1 at most");
+        constexpr double kLeastSine = 0.01;  // a sharper needle would wind the cloth round itself
+        if (!(*value >= kLeastSine && *value <= 1)) return error(sine, "the sine is from 0.01 to 1");
         panel.wrap_cone = WrapCone{*at, *value};
     }
 
@@ -661,6 +662,7 @@ void convert_to_panel_frame(FaultReader& reader, const JsonNode& panel_node, Pan
         for (Vec2d& p : line.points) p.x() = -p.x();
     }
     for (Vec2d& p : panel.drill_points) p.x() = -p.x();
+    if (panel.wrap_cone) panel.wrap_cone->apex.x() = -panel.wrap_cone->apex.x();
     panel.grain_angle = -panel.grain_angle;
 }
 

@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kBefore = 0.12, kBehind = 0.08;  // m, from the trunk to a flat front and to a flat back
 constexpr double kApart = 0.01;                   // m, between halves in the middle
+constexpr double kOffWaist = 0.02;                // m, from the body to a waist that is bent round it
 
 std::size_t as_size(int index) {
     return static_cast<std::size_t>(index);
@@ -299,15 +300,22 @@ class Arranger {
     // A skirt of one piece whose waist is an arc is bent to a cone round the body. At the waist it stands clear of the
     // body, so that it stays open at the back if its waist is too short to go all the way round there.
     bool place_round_skirt(std::size_t p) {
-        constexpr double kClear = 0.02;    // m, from the body to the waist
         constexpr double kOpen = 0.97;     // of a full turn, so that the edges do not meet
         constexpr double kShortest = 0.4;  // of a full turn: a shorter one is no skirt round the body
         Panel& own = panel(p);
-        const WaistArc arc = waist_arc(own);
+        WaistArc arc = waist_arc(own);
         if (!closes_round(p) || arc.radius == 0) return false;
+        // The cone is cut open above its apex: a skirt that was drawn hem up or aside is turned first.
+        const Vec2d drawn = boxes_[p].center() - arc.centre;
+        const double aside = std::atan2(drawn.x(), -drawn.y());
+        if (std::abs(aside) > std::numbers::pi / 4) {
+            own = mapped_panel(own, Eigen::Affine2d(Eigen::Rotation2Dd(-aside)));
+            boxes_[p] = outline_box(own, 1e-3);
+            arc = waist_arc(own);
+        }
         const double full = 2 * std::numbers::pi;
         const TrunkSection waist = trunk_section(body_, anchors_.waist, stature_.height());
-        const double round = std::min(kOpen * full, arc.angle * arc.radius / (waist.reach + kClear));
+        const double round = std::min(kOpen * full, arc.angle * arc.radius / (waist.reach + kOffWaist));
         if (round < kShortest * full) return false;
         const Vec2d middle = boxes_[p].center() - arc.centre;  // the way to the front
         const double turn = std::atan2(middle.x(), -middle.y());
@@ -398,11 +406,11 @@ class Arranger {
         if (is_back) {
             if (const ArrangementPoint* back = point_named(where + " back")) point = *back;
         }
-        constexpr double kOpen = 1.03, kClear = 0.015;  // of a full turn; m, from the body
+        constexpr double kOpen = 1.03;  // of a full turn, so that the ends do not meet
         const Vec2d size = boxes_[p].sizes();
         const TrunkSection low = trunk_section(body_, height, stature_.height());
         const TrunkSection high = trunk_section(body_, height + size.y(), stature_.height());
-        const double reach = std::max(low.reach, high.reach) + kClear;
+        const double reach = std::max(low.reach, high.reach) + kOffWaist;
         point.radius = std::max({point.radius, reach, kOpen * size.x() / (2 * std::numbers::pi)});
         point.position = low.centre + point.radius * point.outward;
         point.position.y() = height + size.y() / 2;

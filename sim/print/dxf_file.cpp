@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <set>
 
 #include "sim/pattern/enum_names.h"
@@ -279,13 +280,17 @@ class DxfWriter {
         }
     }
 
+    // A sewing is told by its number: a name can be too long for a text, or have letters that DXF lacks.
     void write_seams() {
+        std::map<std::string, std::size_t> numbers;
         for (const Seam& seam : pattern_.seams) {
             const auto side = [](const SeamSide& s) { return std::to_string(s.panel) + ":" + std::to_string(s.edge); };
             text(15, "SELVEDGE SEAM " + side(seam.first) + " " + side(seam.second) +
                          (seam.is_reversed ? " reversed" : " same") + (seam.is_eased ? " eased " : " exact ") +
                          seam.name);
-            if (!seam.sewing.empty()) text(15, "SELVEDGE SEWING " + side(seam.first) + " " + seam.sewing);
+            if (seam.sewing.empty()) continue;
+            const std::size_t number = numbers.try_emplace(seam.sewing, numbers.size() + 1).first->second;
+            text(15, "SELVEDGE SEWING " + side(seam.first) + " " + std::to_string(number) + " " + seam.sewing);
         }
     }
 

@@ -298,6 +298,9 @@ TEST(DressOutputs, an_element_of_garmentcodedata_does_not_replace_the_garment_th
         run_selvedge("dress '" + garment + "' --export-garmentcode '" + folder / "no/such" + "'");
     EXPECT_EQ(nowhere.exit_code, 2);
     EXPECT_EQ(count_lines(nowhere.err), 1) << nowhere.err;
+    const ProgramResult file = run_selvedge("dress '" + garment + "' --export-garmentcode '" + garment + "'");
+    EXPECT_EQ(file.exit_code, 2);
+    EXPECT_NE(file.err.find("is a file: a folder is needed"), std::string::npos) << file.err;
 }
 
 TEST(DressOutputs, a_thickness_that_no_cloth_has_is_refused) {

@@ -19,7 +19,10 @@ class OutlineFonts : public testing::Test {
         for (const char* file : {"opentype/inter/Inter-Regular.otf", "truetype/noto/NotoSans-Regular.ttf",
                                  "truetype/dejavu/DejaVuSans.ttf"}) {
             const std::filesystem::path path = std::filesystem::path("/usr/share/fonts") / file;
-            if (!font_ && std::filesystem::exists(path)) font_ = OutlineFont::read(sim::read_file(path, 64U << 20U));
+            if (!font_ && std::filesystem::exists(path)) {
+                bytes_ = sim::read_file(path, 64U << 20U);
+                font_ = OutlineFont::read(bytes_);
+            }
         }
         if (!font_) GTEST_SKIP() << "no font is installed";
     }
@@ -31,6 +34,7 @@ class OutlineFonts : public testing::Test {
         return image;
     }
 
+    std::string bytes_;  // of its file
     std::shared_ptr<const OutlineFont> font_;
 };
 
@@ -91,6 +95,14 @@ TEST_F(OutlineFonts, draw_nothing_outside_the_picture) {
     font_->draw(image, "Wide words", {.left_px = -30, .baseline_px = 5, .size_px = 20, .colour = kBlack});
     font_->draw(image, "Wide words", {.left_px = 3, .baseline_px = 900, .size_px = 20, .colour = kBlack});
     EXPECT_TRUE(inked(image));
+}
+
+TEST_F(OutlineFonts, that_are_cut_short_are_refused) {
+    for (const double share : {0.001, 0.01, 0.1, 0.3, 0.5, 0.9, 0.999}) {
+        const auto size = static_cast<std::size_t>(share * static_cast<double>(bytes_.size()));
+        EXPECT_EQ(OutlineFont::read(bytes_.substr(0, size)), nullptr) << share;
+    }
+    EXPECT_NE(OutlineFont::read(bytes_), nullptr);
 }
 
 TEST(OutlineFontFiles, that_are_none_are_refused) {

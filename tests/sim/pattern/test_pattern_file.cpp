@@ -463,6 +463,16 @@ TEST(PatternAdditions, go_to_a_file_that_had_none_and_come_back) {
     EXPECT_EQ(write_pattern(document).find("eased"), std::string::npos);
 }
 
+TEST(PatternAdditions, the_apex_of_a_cone_is_mirrored_with_a_panel_that_is_drawn_clockwise) {
+    PatternDocument document = parse_pattern(sample_text(), "");
+    Pattern& pattern = document.pattern;
+    for (Panel& panel : pattern.panels) panel.wrap_cone = WrapCone{.apex = {0.25, 0.5}, .sine = 0.5};
+    ASSERT_TRUE(std::ranges::any_of(pattern.panels, &Panel::is_mirrored));
+    const std::string text = write_pattern(document);
+    EXPECT_NE(text.find("[-25"), std::string::npos);
+    EXPECT_EQ(parse_pattern(text, "").pattern.panels, pattern.panels);
+}
+
 TEST(PatternAdditions, sewings_of_several_seams_come_back_and_follow_a_panel_that_is_renamed) {
     PatternDocument document = parse_pattern(sample_text(), "");
     for (Seam& seam : document.pattern.seams) seam.sewing = "round";

@@ -2,6 +2,7 @@
 #include "sim/place/arrange_pattern.h"
 
 #include <gtest/gtest.h>
+#include <cmath>
 
 #include "sim/collide/body_collider.h"
 #include "sim/pattern/edge_shape.h"
@@ -102,6 +103,25 @@ TEST(ArrangePattern, bends_a_skirt_that_is_half_a_disc_to_a_cone_round_the_waist
     EXPECT_LT(end.z(), 0) << "and its ends are behind it";
     EXPECT_LT(other.z(), 0);
     EXPECT_LT((end - other).norm(), 0.35);
+}
+
+TEST(ArrangePattern, turns_a_half_disc_that_was_drawn_hem_up_or_aside) {
+    for (const double drawn : {90.0, 180.0, -120.0}) {  // degrees
+        Pattern pattern;
+        const double angle = drawn * std::acos(-1) / 180;
+        pattern.panels = {mapped_panel(half_disc_skirt(0.28, 0.75), Eigen::Affine2d(Eigen::Rotation2Dd(angle)))};
+        pattern.seams = {{{0, 1}, {0, 3}}};
+        arrange_pattern(pattern, mannequin());
+        const Panel& skirt = pattern.panels[0];
+        ASSERT_TRUE(skirt.wrap_cone) << drawn;
+        Vec3d last = skirt.place(outline_point(skirt, skirt.edges[0], 0));
+        for (int i = 1; i <= 50; ++i) {
+            const Vec3d next = skirt.place(outline_point(skirt, skirt.edges[0], i / 50.0));
+            EXPECT_LT((next - last).norm(), 0.06) << "the hem is not torn " << drawn << " " << i;
+            last = next;
+        }
+        EXPECT_GT(skirt.place(outline_point(skirt, skirt.edges[0], 0.5)).z(), 0.3) << drawn;
+    }
 }
 
 TEST(ArrangePattern, starts_a_band_lower_if_it_is_longer_than_the_waist) {

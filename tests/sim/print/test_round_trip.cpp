@@ -109,6 +109,18 @@ TEST(RoundTrip, allowances_come_back_from_the_distance_of_the_cut_line) {
     }
 }
 
+TEST(RoundTrip, dxf_tells_sewings_apart_whose_names_it_cannot_hold) {
+    Pattern original = sample_pattern();
+    original.seams[0].sewing = " ";
+    original.seams[1].sewing = std::string(300, 'x') + "A";
+    ASSERT_EQ(original.seams.size(), 2U);
+    const PanelsOfDrawing read = make_panels(parse_drawing(dxf_of(original), "written"), "written");
+    ASSERT_EQ(read.pattern.seams.size(), 2U);
+    EXPECT_FALSE(read.pattern.seams[0].sewing.empty());
+    EXPECT_FALSE(read.pattern.seams[1].sewing.empty());
+    EXPECT_NE(read.pattern.seams[0].sewing, read.pattern.seams[1].sewing);
+}
+
 // An outline that another program moved by 2 mm wins over the record of our curves.
 TEST(RoundTrip, dxf_that_was_changed_is_read_as_it_is_drawn) {
     Pattern pattern = sample_pattern();
