@@ -113,10 +113,11 @@ void Viewport::make_scene(const ViewportContext& context) {
     light_ = fills_show_mode(workspace.look.show) ? even_light(camera) : studio_light(camera);
 }
 
-// The sample of a view at rest that this frame adds; none: it moved lately, or has all samples. While cloth is
-// simulated the view does not rest, however slowly it comes.
+// The sample of a view at rest that this frame adds; none: it moved lately, or has all samples. While cloth moves
+// the view does not rest, however slowly it comes.
 std::optional<int> Viewport::next_sample(const ViewportContext& context) {
-    if (context.workspace.drape.frame()->is_running) frames_at_rest_ = 0;
+    const sim::SessionFrame& frame = *context.workspace.drape.frame();
+    if (frame.is_running && frame.stage != sim::SessionStage::Settled) frames_at_rest_ = 0;
     if (frames_at_rest_ >= kFramesToRest + kRestSamples) return std::nullopt;
     const int sample = frames_at_rest_++ - kFramesToRest;
     context.output.is_animating = true;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 #include <numbers>
+#include <set>
 
 #include "sim/core/error.h"
 #include "sim/paper/dxf_records.h"

@@ -275,6 +275,22 @@ TEST_F(CurvedDrapeTest, rests_while_its_picture_gets_smooth) {
     for (const std::optional<int>& sample : samples_of(30)) EXPECT_FALSE(sample) << "cloth moves";
 }
 
+TEST_F(CurvedDrapeTest, rests_also_while_the_simulation_runs_and_the_cloth_has_settled) {
+    show();
+    workspace.drape.session().start();
+    for (int i = 0; i < 1000 && !is_at_rest(); ++i) show();
+    ASSERT_TRUE(is_at_rest());
+    ASSERT_TRUE(frame().is_running);
+    seconds = 0.1F;
+    int samples = 0;
+    for (int i = 0; i < 60; ++i) {
+        output = {};
+        show();
+        for (const SceneRequest& request : output.scenes) samples += request.sample ? 1 : 0;
+    }
+    EXPECT_EQ(samples, 16);
+}
+
 TEST_F(CurvedDrapeTest, is_shown_at_rest_only_and_only_if_the_view_option_is_on) {
     ASSERT_TRUE(view.scene());
     workspace.drape.session().start();
