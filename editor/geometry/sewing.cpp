@@ -250,12 +250,12 @@ std::vector<int> reverse_sewing(sim::Pattern& pattern, int seam) {
         std::set<Point> made = made_joints(draft, seams, run, other, SewingRun::First);
         made.merge(made_joints(draft, seams, other, run, SewingRun::Second));
         std::array<std::vector<Point>, 2> starts;
-        for (const sim::SeamSide& side : run) {
-            if (!made.contains(start_of(draft, side))) starts[0].push_back(start_of(draft, side));
+        for (const int part : seams) {  // in the order in which the runs meet
+            const sim::Seam& sewn = draft.seams[as_size(part)];
+            if (!made.contains(start_of(draft, sewn.first))) starts[0].push_back(start_of(draft, sewn.first));
+            if (!made.contains(start_of(draft, sewn.second))) starts[1].push_back(start_of(draft, sewn.second));
         }
-        for (const sim::SeamSide& side : other) {
-            if (!made.contains(start_of(draft, side))) starts[1].push_back(start_of(draft, side));
-        }
+        if (old.is_reversed) std::reverse(starts[1].begin(), starts[1].end());
         remove_seams(draft, seams);
         join_at(draft, made);
         std::vector<int> sewn =

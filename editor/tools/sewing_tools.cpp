@@ -93,6 +93,7 @@ void SewingTool::hover(ToolContext& context, const SheetPointer& pointer) {
 }
 
 void SewingTool::click(ToolContext& context, const SheetPointer& pointer) {
+    slide_.reset();
     for (const int seam : context.document.selection().seams) {
         const std::optional<Vec2d> button = seam_button(context.geometry, context.document.pattern(), seam);
         if (first_ || !button || (*button - pointer.at).norm() > kPickTolerance * context.px) continue;
@@ -118,6 +119,7 @@ void SewingTool::click(ToolContext& context, const SheetPointer& pointer) {
 
 bool SewingTool::key(ToolContext& context, Key key, const Modifiers& modifiers) {
     if (key != key_of('R') || modifiers.ctrl) return false;
+    if (slide_) return true;
     if (first_) {
         is_turned_ = !is_turned_;
         hover(context, context.pointer);
@@ -163,6 +165,7 @@ void SewingTool::press(ToolContext& context, const SheetPointer& pointer) {
 
 // By how far the pointer moves in the direction that the outline has where it was pressed.
 void SewingTool::drag(ToolContext& context, const SheetPointer& pointer) {
+    if (slide_ && !context.document.selection().seams.contains(slide_->command.seam)) slide_.reset();
     if (!slide_) return;
     slide_->command.by = slide_->along.dot(pointer.at - slide_->from);
     context.document.preview(slide_->command);

@@ -241,7 +241,8 @@ void Editor::Impl::show_sheet(const Rectangle& where) {
         .first_texture = kSheetTexture,
         .ui_scale = static_cast<double>(scale),
         .takes_keys = !state.finder.is_open() && !state.browser.is_open(),
-        .takes_text = !(state.tools.key_map == KeyMap::MarvelousDesigner && viewport.is_over()),
+        .takes_text =
+            !(state.tools.key_map == KeyMap::MarvelousDesigner && state.layout.has_viewport && viewport.is_over()),
         .underlay_picture =
             [this](const std::string& file) {
                 return UnderlayPicture{state.underlays.find(file), state.underlays.size_px(file)};
@@ -301,7 +302,8 @@ void Editor::Impl::show_viewport(const Rectangle& where, double seconds) {
                    .seconds = static_cast<float>(seconds),
                    .scale = scale,
                    .choice = state.tools.info().picks_parts ? ClothChoice::Parts : ClothChoice::Panels,
-                   .key_map = state.tools.key_map});
+                   .key_map = state.tools.key_map,
+                   .may_refine = seconds > 0});
     ImGui::End();
     if (state.layout.has_timeline) {
         const Rectangle below{{where.low.x, where.low.y + bar + height}, {where.size.x, timeline}};
@@ -384,7 +386,7 @@ Editor::Editor(Services services, EditorOptions options)
     : impl_(std::make_unique<Impl>(std::move(services), std::move(options))) {}
 Editor::~Editor() = default;
 
-// One frame of ImGui with as many of the waiting events as it can take.
+// One frame of ImGui with as many of the waiting events as it can take. `seconds`: 0 for further frames of one picture.
 void Editor::Impl::build_frame(double seconds) {
     output.cursor = MouseCursor::Arrow;
     output.is_animating = false;

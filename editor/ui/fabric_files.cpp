@@ -30,6 +30,7 @@ void write_draft(AppState& state, const std::string& name, const std::string& fi
     state.services.save(file, written.text);
     fabrics.take_written(file, std::move(written));
     fabrics.drop_draft(name);
+    fabrics.drop_draft(file);  // it was to be replaced
     fabrics.show(file);
     state.workspace.drape.reread_fabrics();
 }
@@ -67,7 +68,10 @@ bool save_over(AppState& state, const std::string& name) {
 }  // namespace
 
 void open_fabric(AppState& state, const std::string& file) {
-    try_to(state, [&] { state.workspace.fabrics.open(state.services.full_path(file)); });
+    try_to(state, [&] {
+        state.workspace.fabrics.open(state.services.full_path(file));
+        state.workspace.drape.reread_fabrics();
+    });
 }
 
 bool save_fabric(AppState& state, const std::string& name) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/geometry/sewing.h"
 #include "editor/tools/select_tool.h"
 #include "editor/ui/actions.h"
 #include "editor/ui/app_state.h"
@@ -36,7 +37,9 @@ bool touches_panels(const AppState& state) {
 
 bool may_be_named(const AppState& state) {
     const Selection& selection = state.workspace.document->selection();
-    return selection.panels.size() == 1 || (selection.panels.empty() && selection.seams.size() == 1);
+    return selection.panels.size() == 1 ||
+           (selection.panels.empty() &&
+            one_of_each_sewing(state.workspace.document->pattern(), selection.seams).size() == 1);
 }
 
 void add_names(std::vector<Action>& actions) {

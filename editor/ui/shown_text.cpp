@@ -18,7 +18,10 @@ void visit_pattern(const sim::Pattern& pattern, const Visit& visit) {
         for (const sim::OutlineEdge& edge : panel.edges) visit(edge.label);
         for (const sim::InternalLine& line : panel.internal_lines) visit(line.name);
     }
-    for (const sim::Seam& seam : pattern.seams) visit(seam.name);
+    for (const sim::Seam& seam : pattern.seams) {
+        visit(seam.name);
+        visit(seam.sewing);
+    }
 }
 
 void visit_drape(const Drape& drape, const Visit& visit) {

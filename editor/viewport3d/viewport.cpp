@@ -118,7 +118,7 @@ void Viewport::make_scene(const ViewportContext& context) {
 std::optional<int> Viewport::next_sample(const ViewportContext& context) {
     const sim::SessionFrame& frame = *context.workspace.drape.frame();
     if (frame.is_running && frame.stage != sim::SessionStage::Settled) frames_at_rest_ = 0;
-    if (frames_at_rest_ >= kFramesToRest + kRestSamples) return std::nullopt;
+    if (frames_at_rest_ >= kFramesToRest + kRestSamples || !context.may_refine) return std::nullopt;
     const int sample = frames_at_rest_++ - kFramesToRest;
     context.output.is_animating = true;
     return sample < 0 ? std::nullopt : std::optional(sample);

@@ -23,6 +23,7 @@ struct ViewportContext {
     float scale = 1;        // interface scale factor
     ClothChoice choice = ClothChoice::Panels;
     KeyMap key_map = KeyMap::Selvedge;
+    bool may_refine = true;  // false: a request of this frame may be replaced before it is drawn, so it is no sample
 };
 
 class Viewport {

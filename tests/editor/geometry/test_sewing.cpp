@@ -81,6 +81,24 @@ TEST(ReverseSewing, splits_the_edge_where_the_corner_then_is) {
     EXPECT_EQ(pattern.panels[1], before.panels[1]);
 }
 
+TEST(ReverseSewing, twice_gives_back_what_was_sewn_to_two_panels) {
+    sim::Pattern pattern;
+    pattern.panels = {unit_square("one"), unit_square("two"), unit_square("three")};
+    sew_runs(pattern, {{0, 1}}, {{1, 3}, {2, 3}}, true);
+    const auto panel_at_the_bottom = [&] {
+        for (const sim::Seam& seam : pattern.seams) {
+            if (edge_point(pattern, seam.first, 0.5).y() < 0.5) return seam.second.panel;
+        }
+        return -1;
+    };
+    const int before = panel_at_the_bottom();
+    reverse_sewing(pattern, 0);
+    EXPECT_NE(panel_at_the_bottom(), before) << "the other panel meets the lower half";
+    reverse_sewing(pattern, 0);
+    EXPECT_EQ(panel_at_the_bottom(), before);
+    EXPECT_TRUE(can_be_saved(pattern));
+}
+
 TEST(ReverseSewing, of_a_seam_alone_turns_it) {
     sim::Pattern pattern = two_squares();
     EXPECT_EQ(reverse_sewing(pattern, 0), std::vector<int>{0});
