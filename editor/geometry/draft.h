@@ -47,6 +47,11 @@ inline int edge_count(const sim::Panel& panel) {
     return static_cast<int>(panel.edges.size());
 }
 
+// The edge before this one in the outline.
+inline int edge_before(const sim::Panel& panel, int edge) {
+    return (edge + edge_count(panel) - 1) % edge_count(panel);
+}
+
 // Checked access. Each throws GeometryError if the index is out of range.
 sim::Panel& panel_of(sim::Pattern& pattern, int panel);
 const sim::Panel& panel_of(const sim::Pattern& pattern, int panel);

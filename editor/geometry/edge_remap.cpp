@@ -184,7 +184,7 @@ void drop_vertices(sim::Panel& panel, const std::vector<int>& vertices) {
 bool is_smooth(const sim::Panel& panel, int vertex) {
     if (std::find(panel.pins.begin(), panel.pins.end(), vertex) != panel.pins.end()) return false;
     const int after = edge_from(panel, vertex);
-    const int before = (after + edge_count(panel) - 1) % edge_count(panel);
+    const int before = edge_before(panel, after);
     const Vec2d arriving = curve_direction(panel, panel.edges[as_size(before)], sim::EdgeEnd::End);
     const Vec2d leaving = curve_direction(panel, panel.edges[as_size(after)], sim::EdgeEnd::Start);
     return arriving.dot(leaving) > 0 && std::abs(sim::cross2(arriving, leaving)) < kSmooth;

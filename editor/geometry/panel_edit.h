@@ -55,9 +55,6 @@ std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>&
 std::vector<int> symmetric_copies(sim::Pattern& pattern, const std::vector<int>& panels, bool is_linked,
                                   const Vec2d& shift);
 
-// As symmetric_copies, for one panel.
-int symmetric_copy(sim::Pattern& pattern, int panel, bool is_linked, const Vec2d& shift);
-
 // Propagates an edit (the difference to `before`) to linked mirror images; only names and sheet positions may differ.
 // The source is the edited panel; if both were edited, the one whose number of edges changed more, else the original
 // (not the image). Seams of the updated panel stay: where the source's edges were split or joined, its edges and the

@@ -378,10 +378,6 @@ std::vector<int> symmetric_copies(sim::Pattern& pattern, const std::vector<int>&
     });
 }
 
-int symmetric_copy(sim::Pattern& pattern, int panel, bool is_linked, const Vec2d& shift) {
-    return symmetric_copies(pattern, {panel}, is_linked, shift).front();
-}
-
 void update_mirrors(sim::Pattern& pattern, const sim::Pattern& before) {
     const std::map<int, std::vector<int>> groups = linked_groups(pattern);
     if (groups.empty()) return;

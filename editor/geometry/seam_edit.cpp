@@ -58,7 +58,7 @@ class SideScaler {
         sim::Panel& panel = draft_.panels[as_size(run_.front().panel)];
         const int first = edge_of(draft_, run_.front()).start, last = edge_of(draft_, run_.back()).end;
         const int count = edge_count(panel);
-        const int before = (run_.front().edge + count - 1) % count;
+        const int before = edge_before(panel, run_.front().edge);
         const int after = (run_.back().edge + 1) % count;
         const bool start_holds = holds_other(first);
         const bool end_holds = holds_other(last);

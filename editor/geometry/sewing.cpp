@@ -17,15 +17,11 @@ namespace {
 constexpr double kSameCurve = 5e-5;  // m, two edges are parts of one curve if it lies no further from them
 constexpr double kShortest = 1e-4;   // m, of an edge that is left where a point was slid
 
-int before(const sim::Panel& panel, int edge) {
-    return (edge + edge_count(panel) - 1) % edge_count(panel);
-}
-
 // One edge for the two that meet at the vertex. None: they make a corner there, or are not parts of one curve.
 std::optional<sim::OutlineEdge> curve_through(const sim::Panel& panel, int vertex) {
     if (edge_count(panel) < 3 || !is_smooth(panel, vertex)) return {};
     const sim::OutlineEdge& after = panel.edges[as_size(edge_from(panel, vertex))];
-    const sim::OutlineEdge& first = panel.edges[as_size(before(panel, edge_from(panel, vertex)))];
+    const sim::OutlineEdge& first = panel.edges[as_size(edge_before(panel, edge_from(panel, vertex)))];
     const sim::OutlineEdge joined = joined_curve(panel, {first, after});
     const double length = outline_length(panel, first), whole = outline_length(panel, joined);
     for (const double share : {0.25, 0.5, 0.75, 1.0}) {
@@ -89,7 +85,7 @@ std::set<Point> made_joints(const sim::Pattern& pattern, const std::vector<int>&
 void join_at(sim::Pattern& draft, const std::set<Point>& points) {
     for (const Point& point : points) {
         const sim::Panel& panel = draft.panels[as_size(point.panel)];
-        join_alone(draft, point.panel, before(panel, edge_from(panel, point.vertex)), 2);
+        join_alone(draft, point.panel, edge_before(panel, edge_from(panel, point.vertex)), 2);
     }
 }
 
@@ -125,7 +121,7 @@ std::vector<Point> slidable(const sim::Pattern& pattern, const std::vector<sim::
 
 // Moves a vertex along the curve of the two edges that meet there; their notches stay where they are.
 void slide_point(sim::Panel& panel, int vertex, double by) {
-    const int after = edge_from(panel, vertex), first = before(panel, after);
+    const int after = edge_from(panel, vertex), first = edge_before(panel, after);
     const std::optional<sim::OutlineEdge> joined = curve_through(panel, vertex);
     const double length = outline_length(panel, panel.edges[as_size(first)]);
     const double whole = length + outline_length(panel, panel.edges[as_size(after)]);
@@ -166,7 +162,7 @@ std::vector<sim::SeamSide> edges_of_run(const sim::Pattern& pattern, const std::
     std::vector<sim::SeamSide> sides;
     for (const int panel : panels) {
         const std::set<int>& own = edges[panel];
-        const auto begins = [&](int edge) { return !own.contains(before(pattern.panels[as_size(panel)], edge)); };
+        const auto begins = [&](int edge) { return !own.contains(edge_before(pattern.panels[as_size(panel)], edge)); };
         const auto found = std::find_if(own.begin(), own.end(), begins);
         const auto start = found == own.end() ? own.begin() : found;
         for (auto edge = start; edge != own.end(); ++edge) sides.push_back({panel, *edge});

@@ -91,9 +91,8 @@ void draw_seam_row(InspectorContext& context, int seam, const SeamMeasures& meas
     ImGui::TextUnformatted(elided(measures.name, right - left - chip - gap).c_str());
 }
 
-void draw_name_row(InspectorContext& context, int seam) {
+void draw_name_row(InspectorContext& context, int seam, const SeamMeasures& measures) {
     const sim::Seam& held = context.pattern().seams[static_cast<std::size_t>(seam)];
-    const SeamMeasures measures = seam_measures(context.pattern(), seam);
     row_label(context, "Name", "What the seam is called.");
     const auto name = text_box(context, {.name = "seam.name",
                                          .text = measures.parts.empty() ? held.name : held.sewing,
@@ -161,7 +160,7 @@ void draw_seam_section(InspectorContext& context, int seam) {
     const SeamMeasures measures = seam_measures(context.pattern(), seam);
     heading(context, ("Seam " + measures.name).c_str());
     ImGui::PushID(("seam " + std::to_string(seam)).c_str());
-    draw_name_row(context, seam);
+    draw_name_row(context, seam, measures);
     fact(context, "First side", quantity_text(measures.first, Unit::Centimetres), "The length of its first side.");
     fact(context, "Second side", quantity_text(measures.second, Unit::Centimetres), "The length of its second side.");
     fact(context, "Difference", difference_text(measures) + (measures.is_eased ? ", eased" : ""),

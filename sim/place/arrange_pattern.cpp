@@ -305,11 +305,13 @@ class Arranger {
         Panel& own = panel(p);
         WaistArc arc = waist_arc(own);
         if (!closes_round(p) || arc.radius == 0) return false;
+        const auto way_to_front = [&] {  // rad, on the panel, from straight down
+            const Vec2d middle = boxes_[p].center() - arc.centre;
+            return std::atan2(middle.x(), -middle.y());
+        };
         // The cone is cut open above its apex: a skirt that was drawn hem up or aside is turned first.
-        const Vec2d drawn = boxes_[p].center() - arc.centre;
-        const double aside = std::atan2(drawn.x(), -drawn.y());
-        if (std::abs(aside) > std::numbers::pi / 4) {
-            own = mapped_panel(own, Eigen::Affine2d(Eigen::Rotation2Dd(-aside)));
+        if (std::abs(way_to_front()) > std::numbers::pi / 4) {
+            own = mapped_panel(own, Eigen::Affine2d(Eigen::Rotation2Dd(-way_to_front())));
             boxes_[p] = outline_box(own, 1e-3);
             arc = waist_arc(own);
         }
@@ -317,11 +319,9 @@ class Arranger {
         const TrunkSection waist = trunk_section(body_, anchors_.waist, stature_.height());
         const double round = std::min(kOpen * full, arc.angle * arc.radius / (waist.reach + kOffWaist));
         if (round < kShortest * full) return false;
-        const Vec2d middle = boxes_[p].center() - arc.centre;  // the way to the front
-        const double turn = std::atan2(middle.x(), -middle.y());
         own.wrap_radius = 0;
         own.wrap_cone = WrapCone{.apex = arc.centre, .sine = std::min(1.0, arc.angle / round)};
-        own.rotation = Eigen::AngleAxisd(-turn / own.wrap_cone->sine, Vec3d::UnitY()).toRotationMatrix();
+        own.rotation = Eigen::AngleAxisd(-way_to_front() / own.wrap_cone->sine, Vec3d::UnitY()).toRotationMatrix();
         const double below = arc.radius * std::sqrt(1 - own.wrap_cone->sine * own.wrap_cone->sine);
         own.translation = Vec3d(waist.centre.x(), anchors_.waist, waist.centre.z()) -
                           own.rotation * Vec3d(arc.centre.x(), arc.centre.y() - below, 0);

@@ -32,6 +32,11 @@ inline sim::Pattern two_squares() {
     return pattern;
 }
 
+// symmetric_copies of one panel; returns the copy.
+inline int symmetric_copy(sim::Pattern& pattern, int panel, bool is_linked, const Vec2d& shift) {
+    return symmetric_copies(pattern, {panel}, is_linked, shift).front();
+}
+
 inline double edge_length(const sim::Pattern& pattern, const sim::SeamSide& side) {
     const sim::Panel& panel = pattern.panels[static_cast<std::size_t>(side.panel)];
     return outline_length(panel, panel.edges[static_cast<std::size_t>(side.edge)]);
