@@ -49,7 +49,8 @@ LineKind kind_of(const FreesewingLine& line) {
     if (has(classes, "help") || has(classes, "contrast")) return LineKind::Help;
     if (is_broken) return LineKind::Internal;
     if (is_material) return line.is_closed ? LineKind::Sew : LineKind::Internal;
-    return LineKind::Help;
+    // Some designs give their sewing line no class.
+    return line.is_closed && !has(classes, "note") ? LineKind::Sew : LineKind::Help;
 }
 
 void read_cut_instructions(std::string_view text, CutInstructions& cut) {

@@ -483,8 +483,11 @@ class PanelMaker {
     // Whether the part is cut twice, once mirrored; none: the drawing does not say.
     static std::optional<bool> is_pair(const DrawnPart& part) {
         const CutInstructions& cut = part.cut;
-        if (cut.is_on_fold.value_or(false)) return false;
         if (cut.pieces && *cut.pieces % 2 != 0) return false;
+        // "Cut 2, mirrored, on the fold" without a fold edge: two pieces from folded cloth.
+        const bool has_fold_edge =
+            std::ranges::any_of(part.paths, [](const DrawnPath& path) { return path.kind == LineKind::FoldEdge; });
+        if (cut.is_on_fold.value_or(false) && (has_fold_edge || !cut.are_mirrored.value_or(false))) return false;
         if (cut.are_mirrored) return *cut.are_mirrored && cut.pieces.value_or(2) >= 2;
         return std::nullopt;
     }
@@ -585,11 +588,21 @@ class PanelMaker {
             const bool is_told = is_pair_[p].has_value();
             const bool is_lone = roles[p].flank == Flank::None && !has_twin(p, count);
             const bool is_wanted = is_told ? *is_pair_[p] : is_lone && is_one_of_a_pair(p, roles[p]);
-            if (!is_wanted) continue;
+            if (!is_wanted || is_inner_layer(p, roles[p])) continue;
             if (!is_told)
                 out_.notes.push_back(out_.pattern.panels[p].name + ": taken for one of a pair, by its name or shape");
             add_mirror_image(p);
         }
+    }
+
+    // Whether a second piece lies under the first: the part spans the middle of the body already, as a yoke that is cut
+    // twice.
+    bool is_inner_layer(std::size_t p, const PanelRole& role) const {
+        using enum GarmentPart;
+        const bool comes_once = role.part == Collar || role.part == CollarStand || role.part == Yoke ||
+                                role.part == Waistband || role.part == Hood ||
+                                (role.part == Torso && role.face != Face::None);
+        return comes_once && is_symmetric(out_.pattern.panels[p], 0);
     }
 
     // By its name, or because it is the front or the back of one half of the body.

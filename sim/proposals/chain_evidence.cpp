@@ -9,12 +9,13 @@
 #include <optional>
 
 #include "sim/pattern/outline.h"
+#include "sim/proposals/chain_shape.h"
+#include "sim/proposals/twin_evidence.h"
 
 namespace selvedge::sim {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kSamples = 24;  // of a chain, for its shape
 
 std::size_t as_size(int index) {
     return static_cast<std::size_t>(index);
@@ -48,6 +49,16 @@ std::vector<int> panels_of(const OpenBoundary& boundary, const ChainView& view) 
     return panels;
 }
 
+// Both sides of a seam that is weighed.
+struct Sides {
+    const ChainView& a;
+    const ChainView& b;
+    std::vector<int> panels_a, panels_b;  // that they run over
+    std::vector<Vec2d> points_a, points_b;
+
+    bool are_single() const { return panels_a.size() == 1 && panels_b.size() == 1; }
+};
+
 bool is_one_of(GarmentPart part, std::initializer_list<GarmentPart> parts) {
     return std::ranges::find(parts, part) != parts.end();
 }
@@ -56,49 +67,7 @@ bool are_parts(GarmentPart a, GarmentPart b, GarmentPart one, GarmentPart other)
     return (a == one && b == other) || (a == other && b == one);
 }
 
-// ---- Shape.
-
-std::vector<Vec2d> sampled(const OpenBoundary& boundary, const ChainView& view) {
-    std::vector<Vec2d> points;
-    for (int i = 0; i <= kSamples; ++i) {
-        const ChainPlace place = place_on(boundary, view, static_cast<double>(i) / kSamples);
-        points.push_back(boundary.point(place.atom, place.t));
-    }
-    return points;
-}
-
-double length_of(const std::vector<Vec2d>& points) {
-    double length = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-    return length;
-}
-
-// Root mean square distance of two curves over their length, after the best rotation. (Kabsch 1976)
-double shape_difference(std::vector<Vec2d> a, std::vector<Vec2d> b, bool is_mirrored) {
-    const auto centre = [](std::vector<Vec2d>& points) {
-        Vec2d mean = Vec2d::Zero();
-        for (const Vec2d& p : points) mean += p;
-        mean /= static_cast<double>(points.size());
-        const double length = length_of(points);
-        for (Vec2d& p : points) p = (p - mean) / std::max(length, 1e-12);
-    };
-    centre(a);
-    centre(b);
-    if (is_mirrored) {
-        for (Vec2d& p : b) p.x() = -p.x();
-    }
-    double cosine = 0, sine = 0, squares = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        cosine += a[i].dot(b[i]);
-        sine += cross2(b[i], a[i]);
-        squares += a[i].squaredNorm() + b[i].squaredNorm();
-    }
-    return std::sqrt(std::max(0.0, squares - 2 * std::hypot(cosine, sine)) / static_cast<double>(a.size()));
-}
-
-double straightness(const std::vector<Vec2d>& points) {
-    return (points.back() - points.front()).norm() / std::max(length_of(points), 1e-12);
-}
+// ---- Shape and direction.
 
 void weigh_shape(Evidence& evidence, const std::vector<Vec2d>& a, std::vector<Vec2d> b) {
     std::ranges::reverse(b);
@@ -109,46 +78,6 @@ void weigh_shape(Evidence& evidence, const std::vector<Vec2d>& a, std::vector<Ve
     if (least < 0.006) return add(evidence, 1.0, "like shape");
     if (least < 0.025) return add(evidence, 0);
     add(evidence, least < 0.06 ? -0.7 : -2);
-}
-
-// ---- Direction.
-
-constexpr double kUpright = 0.75;  // least rise of an upright stretch
-
-// The rise of a stretch over its length, -1..1: of an upright one about 1 or -1.
-double rise(const std::vector<Vec2d>& points) {
-    return (points.back().y() - points.front().y()) / std::max(length_of(points), 1e-12);
-}
-
-// The parts of a view that lie on one atom each.
-std::vector<std::pair<Vec2d, Vec2d>> chords_of(const OpenBoundary& boundary, const ChainView& view) {
-    std::vector<double> stops = joints_of(boundary, view);
-    stops.insert(stops.begin(), 0);
-    stops.push_back(1);
-    std::vector<std::pair<Vec2d, Vec2d>> chords;
-    constexpr double kInside = 1e-7;  // so that a joint's place is on the atom that is meant
-    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-        const ChainPlace from = place_on(boundary, view, stops[i] + kInside);
-        const ChainPlace to = place_on(boundary, view, stops[i + 1] - kInside);
-        chords.emplace_back(boundary.point(from.atom, from.t), boundary.point(to.atom, to.t));
-    }
-    return chords;
-}
-
-// How far the cloth's edge looks up, -1..1: -1 at a hem, 0 at a side, 1 at the top.
-double facing_up(const OpenBoundary& boundary, const ChainView& view) {
-    double up = 0;
-    for (const auto& [from, to] : chords_of(boundary, view)) up -= to.x() - from.x();
-    return up / length_of(view);
-}
-
-// How far the stretch bulges out of its panel, as an area over the square of its length: negative for an armhole.
-double bulge(const std::vector<Vec2d>& points) {
-    double area = 0;
-    for (std::size_t i = 1; i < points.size(); ++i)
-        area += cross2(points[i - 1] - points[0], points[i] - points[0]) / 2;
-    const double length = length_of(points);
-    return area / std::max(1e-12, length * length);
 }
 
 // Whether neither neighbour in its panel is curved, as the hem of a sleeve lies between its two straight seams.
@@ -166,7 +95,7 @@ bool is_sleeve_hem(const OpenBoundary& boundary, const ChainView& view) {
 
 // Two hems are not sewn to each other, nor two waists, nor two armholes or necklines.
 void weigh_facing(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b,
-                  GarmentPart part_a, GarmentPart part_b, bool are_twins) {
+                  GarmentPart part_a, GarmentPart part_b) {
     using enum GarmentPart;
     if (part_a == Sleeve && part_b == Sleeve) {  // may be drawn along the arm
         if (is_sleeve_hem(boundary, a) && is_sleeve_hem(boundary, b)) add(evidence, -5);
@@ -174,15 +103,20 @@ void weigh_facing(Evidence& evidence, const OpenBoundary& boundary, const ChainV
     }
     const double up_a = facing_up(boundary, a), up_b = facing_up(boundary, b);
     constexpr double kLevel = 0.75;
+    // Skirts and trousers hang from their waistband, and a bodice ends in it.
+    const auto hangs = [&](GarmentPart part, double up) {
+        return (is_one_of(part, {Leg, Skirt}) && up < -kLevel) || (part == Torso && up > kLevel);
+    };
+    if ((part_a == Waistband && hangs(part_b, up_b)) || (part_b == Waistband && hangs(part_a, up_a)))
+        return add(evidence, -6);
     if (up_a < -kLevel && up_b < -kLevel) return add(evidence, -5);
     if (std::min(up_a, up_b) < -kLevel && std::max(up_a, up_b) > kLevel) return add(evidence, 0.8);
     const bool has_shoulder = is_one_of(part_a, {Torso, Yoke, Hood, Unknown}) || is_one_of(part_b, {Torso, Yoke, Hood});
-    if (up_a > kLevel && up_b > kLevel && (!has_shoulder || (are_twins && part_a != Hood))) add(evidence, -5);
+    if (up_a > kLevel && up_b > kLevel && !has_shoulder) add(evidence, -5);
 }
 
-void weigh_bulges(Evidence& evidence, const std::vector<Vec2d>& a, const std::vector<Vec2d>& b, bool may_be_hollow) {
+void weigh_bulges(Evidence& evidence, const std::vector<Vec2d>& a, const std::vector<Vec2d>& b) {
     constexpr double kConcave = -0.03, kConvex = 0.06;
-    if (may_be_hollow) return;
     const double one = bulge(a), other = bulge(b);
     if (one < kConcave && other < kConcave) return add(evidence, -4);
     if (one > kConvex && other > kConvex) add(evidence, -2);
@@ -190,6 +124,10 @@ void weigh_bulges(Evidence& evidence, const std::vector<Vec2d>& a, const std::ve
 
 bool is_single(const std::vector<int>& panels) {
     return panels.size() == 1;
+}
+
+bool share_a_panel(const std::vector<int>& a, const std::vector<int>& b) {
+    return std::ranges::any_of(a, [&](int panel) { return std::ranges::find(b, panel) != b.end(); });
 }
 
 // What is up in one panel is up in the other, if both are drawn upright.
@@ -264,36 +202,66 @@ bool have_twins(const std::vector<PanelFacts>& facts, const std::vector<int>& a,
         a, [&](int one) { return std::ranges::any_of(b, [&](int other) { return are_twins(facts, one, other); }); });
 }
 
-constexpr double kNever = -100;  // odds
-
-// Mirror images are sewn to each other in the middle of the body, when their other sides have found their seams.
-double odds_of_twins(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, int a, int b,
-                     bool are_chains) {
-    const PanelFacts& one = facts[as_size(a)];
-    if (is_one_of(one.role.part, {GarmentPart::Sleeve, GarmentPart::Cuff})) return kNever;
-    if (are_chains) return one.role.part == GarmentPart::Leg ? 1.5 : kNever;
-    if (one.role.face == Face::Front && one.role.part == GarmentPart::Torso && one.has_opening) return -4;
-    const auto is_joined = [&](int panel) { return boundary.joined_panels(panel).size() > 0; };
-    return is_joined(a) && is_joined(b) ? 0.3 : -2.5;
+// The shoulders of a front and a back: straight, at the top, and sloping.
+bool are_shoulders(const PanelRole& a, const PanelRole& b, const Sides& sides, double up_a, double up_b) {
+    constexpr double kUp = 0.75, kSlope = 0.08;
+    const auto slopes = [](const std::vector<Vec2d>& points) {
+        return straightness(points) > 0.99 && std::abs(rise(points)) > kSlope;
+    };
+    return a.part == GarmentPart::Torso && b.part == GarmentPart::Torso && a.face != b.face && a.face != Face::None &&
+           b.face != Face::None && std::min(up_a, up_b) > kUp && slopes(sides.points_a) && slopes(sides.points_b);
 }
 
-void weigh_two_panels(Evidence& evidence, const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, int a,
-                      int b, bool are_chains) {
+// Whether panels a and b are sewn along an upright line on the other side of panel a than x.
+bool are_sewn_opposite(const OpenBoundary& boundary, const PanelFacts& facts, int a, int b, double x) {
+    return std::ranges::any_of(boundary.atoms_between(a, b), [&](int atom) {
+        const Vec2d from = boundary.point(atom, 0), to = boundary.point(atom, 1);
+        const bool is_upright = std::abs(to.y() - from.y()) > kUpright * (to - from).norm();
+        return is_upright && std::abs((from.x() + to.x()) / 2 - x) > 0.5 * facts.width;
+    });
+}
+
+void weigh_two_panels(Evidence& evidence, const OpenBoundary& boundary, const std::vector<PanelFacts>& facts,
+                      const Sides& sides) {
+    using enum GarmentPart;
+    const int a = sides.panels_a[0], b = sides.panels_b[0];
     const PanelFacts& one = facts[as_size(a)];
     const PanelFacts& other = facts[as_size(b)];
-    if (are_twins(facts, a, b)) return add(evidence, odds_of_twins(boundary, facts, a, b, are_chains));
     const double odds = odds_of_parts(one.role, other.role);
     if (odds <= -6) evidence.is_possible = false;
     add(evidence, odds);
-    if (are_chains && one.role.part == other.role.part) return add(evidence, -2);
-    if (are_chains) return;
+    if (!sides.are_single()) return add(evidence, one.role.part == other.role.part ? -2 : 0);
+    const double up_a = facing_up(boundary, sides.a), up_b = facing_up(boundary, sides.b);
+    if (are_shoulders(one.role, other.role, sides, up_a, up_b)) add(evidence, 1.2, "shoulders");
     const std::vector<int> joined = boundary.joined_panels(a);
     const auto is_joined_to = [&](int panel) { return std::ranges::find(joined, panel) != joined.end(); };
+    const bool is_upright = std::abs(rise(sides.points_a)) > kUpright;
     if (is_joined_to(b)) {
-        add(evidence, 0.8);
-    } else if (other.twin >= 0 && other.twin != a && is_joined_to(other.twin)) {
+        // The second seam of two halves of a tube is next to certain.
+        const bool closes = is_one_of(one.role.part, {Leg, Sleeve}) && one.role.part == other.role.part && is_upright &&
+                            are_sewn_opposite(boundary, one, a, b, sides.points_a[kChainSamples / 2].x());
+        add(evidence, closes ? 3.5 : 0.8);
+    } else if (other.twin >= 0 && other.twin != a && is_joined_to(other.twin) && !one.is_symmetric) {
         add(evidence, -2);
     }
+}
+
+// Whether one chain lies on the left of the body and the other on the right, as both armholes do.
+bool are_on_opposite_sides(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const ChainView& a,
+                           const ChainView& b) {
+    int known = 0, opposite = 0;
+    for (int i = 0; i < kChainSamples; ++i) {
+        const auto flank_at = [&](const ChainView& view, double t) {
+            const ChainPlace at = place_on(boundary, view, t);
+            return flank_of(facts[as_size(boundary.atom(at.atom).span.panel)], {boundary.point(at.atom, at.t)});
+        };
+        const double t = (i + 0.5) / kChainSamples;
+        const Flank one = flank_at(a, t), other = flank_at(b, 1 - t);
+        if (one == Flank::None || other == Flank::None) continue;
+        ++known;
+        opposite += one != other ? 1 : 0;
+    }
+    return known > kChainSamples / 2 && opposite > 0.9 * known;
 }
 
 // Halves of a torso that are sewn at one side would close round a leg at the other.
@@ -301,12 +269,7 @@ void weigh_other_side(Evidence& evidence, const OpenBoundary& boundary, const st
                       int b, const std::vector<Vec2d>& points) {
     const PanelFacts& one = facts[as_size(a)];
     if (a == b || (one.twin < 0 && one.role.flank == Flank::None) || std::abs(rise(points)) < kUpright) return;
-    const double x = points[points.size() / 2].x();
-    for (const int atom : boundary.atoms_between(a, b)) {
-        const Vec2d from = boundary.point(atom, 0), to = boundary.point(atom, 1);
-        const bool is_upright = std::abs(to.y() - from.y()) > kUpright * (to - from).norm();
-        if (is_upright && std::abs((from.x() + to.x()) / 2 - x) > 0.5 * one.width) return add(evidence, -5);
-    }
+    if (are_sewn_opposite(boundary, one, a, b, points[points.size() / 2].x())) add(evidence, -5);
 }
 
 void weigh_flanks(Evidence& evidence, Flank a, Flank b) {
@@ -316,14 +279,28 @@ void weigh_flanks(Evidence& evidence, Flank a, Flank b) {
 
 // ---- A panel with itself.
 
-// The legs of a dart: neighbours in one panel, from the mouth inwards and out again.
-bool is_dart(const OpenBoundary& boundary, const ChainView& a, const ChainView& b) {
-    constexpr double kApex = 2 * kPi - 0.6;  // rad, inside the cloth; a V-neck is wider
-    const auto are_legs = [&](const ChainView& one, const ChainView& other) {
+// How sure it is that both are the legs of a dart: neighbours in one panel, from the mouth inwards and out again. A
+// wide dart has equal legs, and is no V-neck: its tip is not on the axis of a symmetric panel.
+double odds_of_dart(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const ChainView& a,
+                    const ChainView& b) {
+    constexpr double kNarrow = 2 * kPi - 0.6, kWide = 2 * kPi - 1.4;  // rad, inside the cloth
+    constexpr double kEqual = 0.006, kOffAxis = 0.05;
+    const auto of_legs = [&](const ChainView& one, const ChainView& other) -> double {
         const OpenBoundary::Step step = boundary.next(one.chain.atoms.back());
-        return step.atom == other.chain.atoms.front() && step.seams == 0 && step.angle > kApex;
+        if (step.atom != other.chain.atoms.front() || step.seams != 0 || step.angle < kWide) return 0;
+        if (step.angle > kNarrow) return 4;
+        const double longer = std::max(length_of(one), length_of(other));
+        if (std::abs(length_of(one) - length_of(other)) > kEqual * longer) return 0;
+        const PanelFacts& panel = facts[as_size(boundary.atom(step.atom).span.panel)];
+        const double off = std::abs(boundary.point(step.atom, 0).x() - panel.axis);
+        return panel.is_symmetric && off < kOffAxis * panel.width ? 0 : 3;
     };
-    return are_legs(a, b) || are_legs(b, a);
+    return std::max(of_legs(a, b), of_legs(b, a));
+}
+
+bool is_dart(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const ChainView& a,
+             const ChainView& b) {
+    return odds_of_dart(boundary, facts, a, b) > 0;
 }
 
 // Whether a notch near an end of a strip says that it goes on beyond the seam, for a button.
@@ -337,21 +314,33 @@ bool has_overlap(const OpenBoundary& boundary, int atom) {
     });
 }
 
-void weigh_one_panel(Evidence& evidence, const OpenBoundary& boundary, const PanelFacts& facts, const ChainView& a,
-                     const ChainView& b, const std::vector<Vec2d>& points_a, const std::vector<Vec2d>& points_b) {
+// Whether both lines are the two that close the panel round a limb or the body: its ends if it is a strip. A cuff that
+// could close either way closes so that it is as long as the hems that it can edge.
+bool close_a_tube(const PanelFacts& facts, const Vec2d& apart) {
+    constexpr double kStrip = 2.5;  // longer than that: only its ends close it
+    const double longer = std::max(facts.width, facts.height), shorter = std::min(facts.width, facts.height);
+    if (longer > kStrip * shorter) return apart.norm() > 0.8 * longer;
+    if (facts.role.part != GarmentPart::Cuff || !(facts.opening > 0)) return apart.x() > 0.5 * facts.width;
+    const auto misfit = [&](double length) { return std::abs(std::log(length / facts.opening)); };
+    const bool is_across = misfit(facts.width) <= misfit(facts.height);
+    return is_across ? apart.x() > 0.5 * facts.width : apart.y() > 0.5 * facts.height;
+}
+
+void weigh_one_panel(Evidence& evidence, const OpenBoundary& boundary, const std::vector<PanelFacts>& all,
+                     const Sides& sides) {
     using enum GarmentPart;
-    if (is_dart(boundary, a, b)) return add(evidence, 4, "legs of a dart");
+    if (const double dart = odds_of_dart(boundary, all, sides.a, sides.b); dart > 0)
+        return add(evidence, dart, "legs of a dart");
+    const PanelFacts& facts = all[as_size(sides.panels_a[0])];
     const GarmentPart part = facts.role.part;
     const bool is_tube = is_one_of(part, {Sleeve, Leg, Skirt, Cuff, Binding, Waistband});
     if (!is_tube || facts.has_other_face) return add(evidence, -3);
-    if (part == Waistband && has_overlap(boundary, a.chain.atoms[0])) return add(evidence, -3);
     const auto middle = [](const std::vector<Vec2d>& points) { return points[points.size() / 2]; };
-    const Vec2d apart = (middle(points_a) - middle(points_b)).cwiseAbs();
-    const double longer = std::max(facts.width, facts.height), shorter = std::min(facts.width, facts.height);
-    constexpr double kStrip = 2.5;  // longer than that: only its ends close it
-    const bool is_strip = longer > kStrip * shorter;
-    const bool are_opposite = is_strip ? apart.norm() > 0.8 * longer : apart.x() > 0.5 * facts.width;
-    if (are_opposite) return add(evidence, part == Waistband ? 0.5 : 1.5, "closes a tube");
+    const Vec2d apart = (middle(sides.points_a) - middle(sides.points_b)).cwiseAbs();
+    const bool closes = close_a_tube(facts, apart);
+    if (closes && part == Waistband && has_overlap(boundary, sides.a.chain.atoms[0])) return add(evidence, -3);
+    if (closes) return add(evidence, part == Waistband ? 0.5 : 1.5, "closes a tube");
+    if (is_one_of(part, {Cuff, Binding, Waistband})) evidence.is_possible = false;
     add(evidence, -3);
 }
 
@@ -377,14 +366,28 @@ std::vector<ChainNotch> notches_on(const OpenBoundary& boundary, const ChainView
     return found;
 }
 
-// Whether only a part of the chain is sewn: parts begin and end at notches.
-bool is_part(const ChainView& view) {
-    return view.from > 0 || view.to < 1;
+// How many ends of the seam lie within the chain: at a notch, or where the outline turns a little.
+struct InnerEnds {
+    int at_notch = 0;
+    int at_turn = 0;
+};
+InnerEnds inner_ends(const OpenBoundary& boundary, const ChainView& view) {
+    InnerEnds ends;
+    const std::vector<double> starts = boundary.starts(view.chain);
+    for (const double end : {view.from, view.to}) {
+        if (end <= 0 || end >= 1) continue;
+        const bool is_joint = std::ranges::any_of(starts, [&](double t) { return std::abs(t - end) < 1e-9; });
+        ++(is_joint ? ends.at_turn : ends.at_notch);
+    }
+    return ends;
 }
 
 // The part of the length by which a notch may lie elsewhere, for ease lies between notches.
 void weigh_notches(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b) {
-    if (is_part(a) || is_part(b)) add(evidence, 1.0, "ends at a notch");
+    const InnerEnds ends_a = inner_ends(boundary, a), ends_b = inner_ends(boundary, b);
+    if (ends_a.at_notch + ends_b.at_notch > 0) add(evidence, 1.0, "ends at a notch");
+    constexpr double kTurnedEnd = -0.6;  // odds: a seam seldom ends where the outline turns only a little
+    add(evidence, kTurnedEnd * (ends_a.at_turn + ends_b.at_turn));
     const std::vector<ChainNotch> on_a = notches_on(boundary, a), on_b = notches_on(boundary, b);
     if (on_a.empty() && on_b.empty()) return;
     if (on_a.empty() || on_b.empty()) return add(evidence, -0.3);
@@ -409,29 +412,56 @@ void weigh_notches(Evidence& evidence, const OpenBoundary& boundary, const Chain
 
 // ---- Lengths and ends.
 
-bool may_be_gathered(const PanelRole& a, const PanelRole& b) {
+// Whether one side may be much longer. A yoke's seam is gathered only where it lies between two panels.
+bool may_be_gathered(const PanelRole& a, const PanelRole& b, bool are_single) {
     using enum GarmentPart;
-    return are_parts(a.part, b.part, Torso, Yoke) || are_parts(a.part, b.part, Skirt, Waistband) ||
+    return (are_single && are_parts(a.part, b.part, Torso, Yoke)) || are_parts(a.part, b.part, Skirt, Waistband) ||
            are_parts(a.part, b.part, Skirt, Torso) || are_parts(a.part, b.part, Sleeve, Cuff) ||
            are_parts(a.part, b.part, Leg, Cuff);
 }
 
-void weigh_lengths(Evidence& evidence, const ChainView& a, const ChainView& b, const PanelRole& role_a,
-                   const PanelRole& role_b) {
+bool is_sewn_to_another(const OpenBoundary& boundary, const ChainView& view) {
+    const int own = boundary.atom(view.chain.atoms[0]).span.panel;
+    return std::ranges::any_of(boundary.joined_panels(own), [&](int panel) { return panel != own; });
+}
+
+// Cuffs and waistbands have one edge that they belong to; of ribbing, they are shorter than that.
+double odds_of_band(const OpenBoundary& boundary, const ChainView& a, const ChainView& b, const PanelRole& role_a,
+                    const PanelRole& role_b) {
+    using enum GarmentPart;
+    constexpr double kLeast = 0.6, kMost = 1.15;  // of the edge's length
+    const bool is_first = is_one_of(role_a.part, {Cuff, Waistband});
+    const GarmentPart band = is_first ? role_a.part : role_b.part;
+    const GarmentPart edge = is_first ? role_b.part : role_a.part;
+    const bool belong =
+        band == Cuff ? is_one_of(edge, {Sleeve, Leg}) : band == Waistband && is_one_of(edge, {Torso, Skirt, Leg});
+    const double share = is_first ? length_of(a) / length_of(b) : length_of(b) / length_of(a);
+    const bool are_loops = a.chain.is_loop && b.chain.is_loop;
+    // A cuff's other edge stays open.
+    const bool is_free = band != Cuff || !is_sewn_to_another(boundary, is_first ? a : b);
+    if (belong && !is_free) return -6;
+    return belong && are_loops && share > kLeast && share < kMost ? 3.5 : 0;
+}
+
+void weigh_lengths(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b,
+                   const PanelRole& role_a, const PanelRole& role_b, bool are_single) {
     using enum GarmentPart;
     const double one = length_of(a), other = length_of(b);
     const double part = std::abs(one - other) / std::max(one, other);
     const std::string text = "lengths " + in_cm(one) + " and " + in_cm(other) + " cm";
     const bool is_cap = are_parts(role_a.part, role_b.part, Sleeve, Torso);
     const bool is_stretched = role_a.part == Binding || role_b.part == Binding;
+    const double band = odds_of_band(boundary, a, b, role_a, role_b);
+    add(evidence, band);
     if (part < 0.0015) return add(evidence, 2.8, text);
     if (part < 0.006) return add(evidence, 2.2, text);
     if (part < 0.015) return add(evidence, 1.4, text);
+    if (band > 0) return add(evidence, -0.2, text + " (stretched)");
     if (part < 0.035) return add(evidence, is_cap ? 1.2 : 0.4, text);
     if (part < 0.08 && is_cap) return add(evidence, 0.6, text + " (ease)");
     if (part < 0.15 && is_stretched) return add(evidence, 0.6, text + " (stretched)");
     if (part < 0.08) return add(evidence, -1, text);
-    if (part < 0.6 && may_be_gathered(role_a, role_b)) return add(evidence, -0.2, text + " (gathered)");
+    if (part < 0.6 && may_be_gathered(role_a, role_b, are_single)) return add(evidence, -0.2, text + " (gathered)");
     if (part < 0.15) return add(evidence, -3, text);
     evidence.is_possible = false;
 }
@@ -470,14 +500,14 @@ void weigh_faces(Evidence& evidence, const OpenBoundary& boundary, const std::ve
         const PanelFacts& panel = facts[as_size(boundary.atom(at.atom).span.panel)];
         return std::pair(panel.role.face, flank_of(panel, {boundary.point(at.atom, at.t)}));
     };
-    for (int i = 0; i < kSamples; ++i) {
-        const double t = (i + 0.5) / kSamples;
+    for (int i = 0; i < kChainSamples; ++i) {
+        const double t = (i + 0.5) / kChainSamples;
         const auto [face_a, flank_a] = place(a, t);
         const auto [face_b, flank_b] = place(b, 1 - t);
         if (face_a != Face::None && face_b != Face::None) faces += face_a == face_b ? 1 : -1;
         if (flank_a != Flank::None && flank_b != Flank::None) flanks += flank_a == flank_b ? 1 : -1;
     }
-    add(evidence, kWorth * (faces + flanks) / kSamples);
+    add(evidence, kWorth * (faces + flanks) / kChainSamples);
 }
 
 // Bindings are named after the opening that they edge: necks lie on both sides of the body, armholes on one.
@@ -490,8 +520,8 @@ void weigh_binding(Evidence& evidence, const OpenBoundary& boundary, const std::
         return std::ranges::any_of(words, [&](const std::string& word) { return word.starts_with(start); });
     };
     int left = 0, right = 0;
-    for (int i = 0; i < kSamples; ++i) {
-        const ChainPlace at = place_on(boundary, opening, (i + 0.5) / kSamples);
+    for (int i = 0; i < kChainSamples; ++i) {
+        const ChainPlace at = place_on(boundary, opening, (i + 0.5) / kChainSamples);
         const PanelFacts& own = facts[as_size(boundary.atom(at.atom).span.panel)];
         const Flank flank = flank_of(own, {boundary.point(at.atom, at.t)});
         left += flank == Flank::Left ? 1 : 0;
@@ -499,6 +529,10 @@ void weigh_binding(Evidence& evidence, const OpenBoundary& boundary, const std::
     }
     const bool is_one_sided = std::min(left, right) == 0 && left + right > 0;
     const bool is_low = facing_up(boundary, opening) < -0.5;
+    const bool has_collar = std::ranges::any_of(facts, [](const PanelFacts& one) {
+        return is_one_of(one.role.part, {GarmentPart::Hood, GarmentPart::Collar, GarmentPart::CollarStand});
+    });
+    if (has("neck") && has_collar) return add(evidence, -6);
     if (has("neck")) add(evidence, !is_one_sided && !is_low ? 3.5 : -4, "named after the neck");
     if (has("arm")) add(evidence, is_one_sided ? 3.5 : -4, "named after the arm");
     if (has("hem") || has("waist")) add(evidence, is_low ? 2.5 : -3);
@@ -514,6 +548,64 @@ void weigh_lowest(Evidence& evidence, const std::vector<Vec2d>& a, const std::ve
     if ((share(a) < 0.1) != (share(b) < 0.1)) add(evidence, -0.8);
 }
 
+// Whether b is where the mirror image of a lies, by the places of their middles in their panels.
+bool are_mirrored_places(const PanelFacts& facts_a, const PanelFacts& facts_b, const std::vector<Vec2d>& a,
+                         const std::vector<Vec2d>& b) {
+    constexpr double kNear = 0.12;  // of the panel's width
+    const Vec2d one = a[a.size() / 2], other = b[b.size() / 2];
+    const double x = (one.x() - facts_a.axis) + (other.x() - facts_b.axis);
+    return std::abs(x) < kNear * facts_a.width && std::abs(one.y() - other.y()) < 0.02 + 0.05 * facts_a.height;
+}
+
+void weigh_place(Evidence& evidence, const OpenBoundary& boundary, const std::vector<PanelFacts>& facts,
+                 const Sides& sides) {
+    const PanelFacts& a = facts[as_size(sides.panels_a[0])];
+    const PanelFacts& b = facts[as_size(sides.panels_b[0])];
+    const auto flank = [&](const PanelFacts& one, const std::vector<int>& panels, const std::vector<Vec2d>& points) {
+        return is_single(panels) ? flank_of(one, points) : Flank::None;
+    };
+    const Pattern& pattern = boundary.pattern();
+    add(evidence, 0,
+        text_of(a.role, pattern.panels[as_size(sides.panels_a[0])]) + " to " +
+            text_of(b.role, pattern.panels[as_size(sides.panels_b[0])]));
+    const bool may_cross = is_one_of(a.role.part, {GarmentPart::Leg, GarmentPart::Hood});
+    if (!may_cross && (are_on_opposite_sides(boundary, facts, sides.a, sides.b) ||
+                       (!sides.are_single() && have_twins(facts, sides.panels_a, sides.panels_b)))) {
+        evidence.is_possible = false;
+        return;
+    }
+    constexpr double kOneWithItself = -4;  // odds: a seam over several panels that has one panel on both sides
+    if (!sides.are_single() && share_a_panel(sides.panels_a, sides.panels_b)) add(evidence, kOneWithItself);
+    weigh_two_panels(evidence, boundary, facts, sides);
+    weigh_flanks(evidence, flank(a, sides.panels_a, sides.points_a), flank(b, sides.panels_b, sides.points_b));
+}
+
+void weigh_looks(Evidence& evidence, const OpenBoundary& boundary, const std::vector<PanelFacts>& facts,
+                 const Sides& sides) {
+    using enum GarmentPart;
+    const PanelFacts& a = facts[as_size(sides.panels_a[0])];
+    const PanelFacts& b = facts[as_size(sides.panels_b[0])];
+    const bool are_alike = a.role.part == b.role.part || a.role.part == Unknown || b.role.part == Unknown;
+    // The strip between the sides of a hood is straight.
+    const bool is_hood_strip = a.role.part == Hood && b.role.part == Hood && a.is_symmetric != b.is_symmetric;
+    if (is_hood_strip) add(evidence, bulge(sides.points_a) > 0.05 || bulge(sides.points_b) > 0.05 ? 2 : -2);
+    if (sides.are_single() && are_alike && !is_hood_strip) {
+        weigh_shape(evidence, sides.points_a, sides.points_b);
+        weigh_bulges(evidence, sides.points_a, sides.points_b);
+        if (is_one_of(a.role.part, {Torso, Skirt}) && a.role.part == b.role.part)
+            weigh_other_side(evidence, boundary, facts, sides.panels_a[0], sides.panels_b[0], sides.points_a);
+        if (!is_dart(boundary, facts, sides.a, sides.b)) weigh_upright(evidence, sides.points_a, sides.points_b);
+    }
+    if (sides.panels_a != sides.panels_b) weigh_facing(evidence, boundary, sides.a, sides.b, a.role.part, b.role.part);
+    const bool are_loops = sides.a.chain.is_loop && sides.b.chain.is_loop;
+    if (are_loops && a.role.part == b.role.part && a.role.part != Unknown) evidence.is_possible = false;
+    if (a.role.part == Binding && b.role.part != Binding) weigh_binding(evidence, boundary, facts, sides.a, sides.b);
+    if (b.role.part == Binding && a.role.part != Binding) weigh_binding(evidence, boundary, facts, sides.b, sides.a);
+    if (!sides.are_single()) weigh_faces(evidence, boundary, facts, sides.a, sides.b);
+    if (are_parts(a.role.part, b.role.part, Torso, Sleeve) && are_loops)
+        weigh_lowest(evidence, sides.points_a, sides.points_b);
+}
+
 }  // namespace
 
 Evidence weigh(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const ChainView& first,
@@ -521,55 +613,30 @@ Evidence weigh(const OpenBoundary& boundary, const std::vector<PanelFacts>& fact
     constexpr double kPrior = -4.0;  // of two chains taken at random
     Evidence evidence;
     evidence.odds = kPrior;
-    const std::vector<int> panels_a = panels_of(boundary, first), panels_b = panels_of(boundary, second);
-    const PanelFacts& a = facts[as_size(panels_a[0])];
-    const PanelFacts& b = facts[as_size(panels_b[0])];
-    weigh_lengths(evidence, first, second, a.role, b.role);
+    const Sides sides{.a = first,
+                      .b = second,
+                      .panels_a = panels_of(boundary, first),
+                      .panels_b = panels_of(boundary, second),
+                      .points_a = sampled(boundary, first),
+                      .points_b = sampled(boundary, second)};
+    const PanelFacts& a = facts[as_size(sides.panels_a[0])];
+    const PanelFacts& b = facts[as_size(sides.panels_b[0])];
+    weigh_lengths(evidence, boundary, first, second, a.role, b.role, sides.are_single());
     if (!evidence.is_possible) return evidence;
-    const std::vector<Vec2d> points_a = sampled(boundary, first), points_b = sampled(boundary, second);
-    const bool are_single = is_single(panels_a) && is_single(panels_b);
-    if (are_single && panels_a == panels_b) {
-        weigh_one_panel(evidence, boundary, a, first, second, points_a, points_b);
-    } else {
-        const auto flank = [&](const PanelFacts& one, const std::vector<int>& panels,
-                               const std::vector<Vec2d>& points) {
-            return is_single(panels) ? flank_of(one, points) : Flank::None;
-        };
-        const Pattern& pattern = boundary.pattern();
-        add(evidence, 0,
-            text_of(a.role, pattern.panels[as_size(panels_a[0])]) + " to " +
-                text_of(b.role, pattern.panels[as_size(panels_b[0])]));
-        if (!are_single && a.role.part != GarmentPart::Leg && have_twins(facts, panels_a, panels_b))
-            evidence.is_possible = false;
-        weigh_two_panels(evidence, boundary, facts, panels_a[0], panels_b[0], !are_single);
-        if (!are_twins(facts, panels_a[0], panels_b[0]))
-            weigh_flanks(evidence, flank(a, panels_a, points_a), flank(b, panels_b, points_b));
+    const bool is_one_panel = sides.are_single() && sides.panels_a == sides.panels_b;
+    if (sides.are_single() && !is_one_panel && are_twins(facts, sides.panels_a[0], sides.panels_b[0])) {
+        evidence.is_possible = are_mirrored_places(a, b, sides.points_a, sides.points_b);
+        evidence.odds =
+            odds_of_twins(boundary, facts, sides.panels_a[0], sides.panels_b[0], first.chain, sides.points_a);
+        add(evidence, 0, "mirror images that meet in the middle");
+        return evidence;
     }
-    const bool are_alike =
-        a.role.part == b.role.part || a.role.part == GarmentPart::Unknown || b.role.part == GarmentPart::Unknown;
-    if (are_single && are_alike) {
-        weigh_shape(evidence, points_a, points_b);
-        const bool are_crotches_or_hoods =
-            is_one_of(a.role.part, {GarmentPart::Leg, GarmentPart::Hood}) && are_twins(facts, panels_a[0], panels_b[0]);
-        weigh_bulges(evidence, points_a, points_b, are_crotches_or_hoods);
-        if (is_one_of(a.role.part, {GarmentPart::Torso, GarmentPart::Skirt}) && a.role.part == b.role.part)
-            weigh_other_side(evidence, boundary, facts, panels_a[0], panels_b[0], points_a);
-        if (!is_dart(boundary, first, second)) weigh_upright(evidence, points_a, points_b);
-    }
-    if (panels_a != panels_b)
-        weigh_facing(evidence, boundary, first, second, a.role.part, b.role.part,
-                     are_twins(facts, panels_a[0], panels_b[0]));
-    const bool are_loops = first.chain.is_loop && second.chain.is_loop;
-    if (are_loops && a.role.part == b.role.part && a.role.part != GarmentPart::Unknown) evidence.is_possible = false;
-    if (a.role.part == GarmentPart::Binding && b.role.part != GarmentPart::Binding)
-        weigh_binding(evidence, boundary, facts, first, second);
-    if (b.role.part == GarmentPart::Binding && a.role.part != GarmentPart::Binding)
-        weigh_binding(evidence, boundary, facts, second, first);
-    if (!are_single) weigh_faces(evidence, boundary, facts, first, second);
-    if (are_parts(a.role.part, b.role.part, GarmentPart::Torso, GarmentPart::Sleeve) && first.chain.is_loop &&
-        second.chain.is_loop) {
-        weigh_lowest(evidence, points_a, points_b);
-    }
+    if (is_one_panel)
+        weigh_one_panel(evidence, boundary, facts, sides);
+    else
+        weigh_place(evidence, boundary, facts, sides);
+    if (!evidence.is_possible) return evidence;
+    weigh_looks(evidence, boundary, facts, sides);
     weigh_ends(evidence, boundary, first, second);
     weigh_joints(evidence, boundary, first, second);
     weigh_notches(evidence, boundary, first, second);

@@ -3,8 +3,34 @@
 #include <algorithm>
 
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
+namespace {
+
+// The mean length of the lower edges of sleeves, or of legs if there is no sleeve, m; 0: there is none.
+double mean_hem(const Pattern& pattern, const std::vector<PanelRole>& roles) {
+    constexpr double kLevel = 0.75;  // least run of a level edge over its length
+    for (const GarmentPart part : {GarmentPart::Sleeve, GarmentPart::Leg}) {
+        double sum = 0;
+        int count = 0;
+        for (std::size_t p = 0; p < roles.size(); ++p) {
+            if (roles[p].part != part) continue;
+            const Panel& panel = pattern.panels[p];
+            double hem = 0;
+            for (const OutlineEdge& edge : panel.edges) {
+                const Vec2d along = outline_point(panel, edge, 1) - outline_point(panel, edge, 0);
+                const double length = outline_length(panel, edge);
+                if (along.x() > kLevel * length) hem += length;  // counter-clockwise: lower edges run to the right
+            }
+            if (hem > 0) sum += hem, ++count;
+        }
+        if (count > 0) return sum / count;
+    }
+    return 0;
+}
+
+}  // namespace
 
 std::vector<PanelFacts> facts_of(const Pattern& pattern, std::string_view hints) {
     const std::vector<PanelRole> roles = roles_of(pattern, hints);
@@ -35,7 +61,9 @@ std::vector<PanelFacts> facts_of(const Pattern& pattern, std::string_view hints)
             return word.starts_with("placket") || word.starts_with("button") || word.starts_with("zip");
         });
     });
+    const double opening = mean_hem(pattern, roles);
     for (PanelFacts& facts : all) {
+        if (facts.role.part == GarmentPart::Cuff) facts.opening = opening;
         facts.has_opening = has_opening;
         facts.has_other_face = std::ranges::any_of(all, [&](const PanelFacts& other) {
             return other.role.part == facts.role.part && other.role.face != facts.role.face &&

@@ -89,6 +89,16 @@ bool looks_like_leg(const Panel& panel) {
     return is_hook(0, at_top[0] - reach[0]) != is_hook(1, reach[1] - at_top[1]);
 }
 
+// Whether each vertex has its mirror image in the vertical through the middle.
+bool is_symmetric(const Panel& panel) {
+    const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
+    const double axis = box.center().x(), tolerance = 0.002 + 0.002 * box.sizes().x();  // m
+    return std::ranges::all_of(panel.vertices, [&](const Vec2d& v) {
+        return std::ranges::any_of(
+            panel.vertices, [&](const Vec2d& w) { return (Vec2d(2 * axis - v.x(), v.y()) - w).norm() < tolerance; });
+    });
+}
+
 bool is_plain_face(const PanelRole& role) {
     return role.part == GarmentPart::Unknown && role.face != Face::None;
 }
@@ -106,10 +116,15 @@ GarmentPart part_of_faces(const Pattern& pattern, const std::vector<PanelRole>& 
          {GarmentPart::Sleeve, GarmentPart::Collar, GarmentPart::CollarStand, GarmentPart::Hood, GarmentPart::Yoke}) {
         if (has(upper)) return GarmentPart::Torso;
     }
+    // A front or back that spans the middle of the body, as those cut on the fold, is of no trousers.
+    bool has_leg = false, has_whole = false;
     for (std::size_t p = 0; p < roles.size(); ++p) {
-        if (is_plain_face(roles[p]) && looks_like_leg(pattern.panels[p])) return GarmentPart::Leg;
+        if (!is_plain_face(roles[p])) continue;
+        has_leg = has_leg || looks_like_leg(pattern.panels[p]);
+        has_whole = has_whole || is_symmetric(pattern.panels[p]);
     }
-    return GarmentPart::Torso;
+    if (has_leg && !has_whole) return GarmentPart::Leg;
+    return has(GarmentPart::Waistband) ? GarmentPart::Skirt : GarmentPart::Torso;
 }
 
 }  // namespace

@@ -37,16 +37,25 @@ bool share_atoms(const Chain& a, const Chain& b) {
     return std::ranges::any_of(a.atoms, [&](int atom) { return std::ranges::find(b.atoms, atom) != b.atoms.end(); });
 }
 
-// Places on a chain at which a seam may begin or end: notches of strips, as on a waistband with an overlap.
+// Places on a chain at which a seam may begin or end: where the outline turns a little, as from the back seam of an
+// upper sleeve to its cap; and notches of strips, as on a waistband with an overlap.
 std::vector<double> stops_of(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const Chain& chain) {
+    constexpr double kTurn = 8 * std::numbers::pi / 180;  // rad
+    constexpr std::size_t kMostTurns = 6;
     std::vector<double> stops{0, 1};
+    if (chain.is_loop) return stops;
+    const std::vector<double> shares = boundary.starts(chain);
+    for (std::size_t k = 0; k + 1 < chain.atoms.size() && stops.size() < 2 + kMostTurns; ++k) {
+        const OpenBoundary::Step step = boundary.next(chain.atoms[k]);
+        if (step.seams == 0 && std::abs(step.angle - std::numbers::pi) > kTurn) stops.push_back(shares[k + 1]);
+    }
     const GarmentPart part = facts[as_size(boundary.atom(chain.atoms[0]).span.panel)].role.part;
     const bool is_strip = part == GarmentPart::Waistband || part == GarmentPart::Cuff || part == GarmentPart::Collar ||
                           part == GarmentPart::CollarStand;
-    if (!is_strip || chain.is_loop) return stops;
-    const std::vector<double> starts = boundary.starts(chain);
+    std::ranges::sort(stops);
+    if (!is_strip) return stops;
     for (const AtomNotch& notch : notches_of(boundary, chain)) {
-        const double at = starts[notch.atom] + notch.t * boundary.atom(chain.atoms[notch.atom]).length / chain.length;
+        const double at = shares[notch.atom] + notch.t * boundary.atom(chain.atoms[notch.atom]).length / chain.length;
         if (at > 0.01 && at < 0.99) stops.push_back(at);
     }
     std::ranges::sort(stops);
@@ -61,10 +70,11 @@ std::vector<ChainView> views_of(const OpenBoundary& boundary, const std::vector<
         for (std::size_t i = 0; i < chain.atoms.size(); ++i) views.push_back({chain, static_cast<int>(i), 0, 1});
         return views;
     }
+    constexpr double kLeastPart = 0.25;  // of a chain
     const std::vector<double> stops = stops_of(boundary, facts, chain);
     for (std::size_t i = 0; i < stops.size(); ++i) {
         for (std::size_t j = i + 1; j < stops.size(); ++j) {
-            if (stops[j] - stops[i] > 0.5) views.push_back({chain, 0, stops[i], stops[j]});
+            if (stops[j] - stops[i] > kLeastPart) views.push_back({chain, 0, stops[i], stops[j]});
         }
     }
     return views;

@@ -71,7 +71,10 @@ TEST(MakePanels, add_the_second_of_a_mirrored_pair) {
     ASSERT_EQ(made.pattern.panels.size(), 2U);
     EXPECT_EQ(made.pattern.panels[1].mirror_of, "pocket");
     EXPECT_NEAR(outline_area(made.pattern.panels[0]), outline_area(made.pattern.panels[1]), 1e-12);
-    part.cut.is_on_fold = true;
+    part.cut.is_on_fold = true;  // without a fold edge: two pieces from folded cloth
+    EXPECT_EQ(make_panels(one_part(part), "").pattern.panels.size(), 2U);
+    part.paths.push_back(
+        {.kind = LineKind::FoldEdge, .vertices = {{0, 50}, {0, 350}}, .edges = {{.start = 0, .end = 1}}});
     EXPECT_EQ(make_panels(one_part(part), "").pattern.panels.size(), 1U);
 }
 

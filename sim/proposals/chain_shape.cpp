@@ -1,0 +1,90 @@
+#include "sim/proposals/chain_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace selvedge::sim {
+namespace {
+
+// The parts of a view that lie on one atom each.
+std::vector<std::pair<Vec2d, Vec2d>> chords_of(const OpenBoundary& boundary, const ChainView& view) {
+    std::vector<double> stops = joints_of(boundary, view);
+    stops.insert(stops.begin(), 0);
+    stops.push_back(1);
+    std::vector<std::pair<Vec2d, Vec2d>> chords;
+    constexpr double kInside = 1e-7;  // so that a joint's place is on the atom that is meant
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+        const ChainPlace from = place_on(boundary, view, stops[i] + kInside);
+        const ChainPlace to = place_on(boundary, view, stops[i + 1] - kInside);
+        chords.emplace_back(boundary.point(from.atom, from.t), boundary.point(to.atom, to.t));
+    }
+    return chords;
+}
+
+}  // namespace
+
+std::vector<Vec2d> sampled(const OpenBoundary& boundary, const ChainView& view) {
+    std::vector<Vec2d> points;
+    for (int i = 0; i <= kChainSamples; ++i) {
+        const ChainPlace place = place_on(boundary, view, static_cast<double>(i) / kChainSamples);
+        points.push_back(boundary.point(place.atom, place.t));
+    }
+    return points;
+}
+
+double length_of(const std::vector<Vec2d>& points) {
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+    return length;
+}
+
+// Root mean square distance of two curves over their length, after the best rotation. (Kabsch 1976)
+double shape_difference(std::vector<Vec2d> a, std::vector<Vec2d> b, bool is_mirrored) {
+    const auto centre = [](std::vector<Vec2d>& points) {
+        Vec2d mean = Vec2d::Zero();
+        for (const Vec2d& p : points) mean += p;
+        mean /= static_cast<double>(points.size());
+        const double length = length_of(points);
+        for (Vec2d& p : points) p = (p - mean) / std::max(length, 1e-12);
+    };
+    centre(a);
+    centre(b);
+    if (is_mirrored) {
+        for (Vec2d& p : b) p.x() = -p.x();
+    }
+    double cosine = 0, sine = 0, squares = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        cosine += a[i].dot(b[i]);
+        sine += cross2(b[i], a[i]);
+        squares += a[i].squaredNorm() + b[i].squaredNorm();
+    }
+    return std::sqrt(std::max(0.0, squares - 2 * std::hypot(cosine, sine)) / static_cast<double>(a.size()));
+}
+
+double straightness(const std::vector<Vec2d>& points) {
+    return (points.back() - points.front()).norm() / std::max(length_of(points), 1e-12);
+}
+
+// The rise of a stretch over its length, -1..1: of an upright one about 1 or -1.
+double rise(const std::vector<Vec2d>& points) {
+    return (points.back().y() - points.front().y()) / std::max(length_of(points), 1e-12);
+}
+
+// How far the cloth's edge looks up, -1..1: -1 at a hem, 0 at a side, 1 at the top.
+double facing_up(const OpenBoundary& boundary, const ChainView& view) {
+    double up = 0;
+    for (const auto& [from, to] : chords_of(boundary, view)) up -= to.x() - from.x();
+    return up / length_of(view);
+}
+
+// How far the stretch bulges out of its panel, as an area over the square of its length: negative for an armhole.
+double bulge(const std::vector<Vec2d>& points) {
+    double area = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        area += cross2(points[i - 1] - points[0], points[i] - points[0]) / 2;
+    const double length = length_of(points);
+    return area / std::max(1e-12, length * length);
+}
+
+}  // namespace selvedge::sim
