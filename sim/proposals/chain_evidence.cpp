@@ -126,8 +126,12 @@ bool is_single(const std::vector<int>& panels) {
     return panels.size() == 1;
 }
 
-bool share_a_panel(const std::vector<int>& a, const std::vector<int>& b) {
-    return std::ranges::any_of(a, [&](int panel) { return std::ranges::find(b, panel) != b.end(); });
+// Whether a panel is on both sides; of sleeves, as when a side is sewn in one with the sleeve that is in it, this says
+// nothing.
+bool share_a_panel(const std::vector<int>& a, const std::vector<int>& b, const std::vector<PanelFacts>& facts) {
+    return std::ranges::any_of(a, [&](int panel) {
+        return facts[as_size(panel)].role.part != GarmentPart::Sleeve && std::ranges::find(b, panel) != b.end();
+    });
 }
 
 // What is up in one panel is up in the other, if both are drawn upright.
@@ -202,14 +206,38 @@ bool have_twins(const std::vector<PanelFacts>& facts, const std::vector<int>& a,
         a, [&](int one) { return std::ranges::any_of(b, [&](int other) { return are_twins(facts, one, other); }); });
 }
 
-// The shoulders of a front and a back: straight, at the top, and sloping.
-bool are_shoulders(const PanelRole& a, const PanelRole& b, const Sides& sides, double up_a, double up_b) {
-    constexpr double kUp = 0.75, kSlope = 0.08;
-    const auto slopes = [](const std::vector<Vec2d>& points) {
-        return straightness(points) > 0.99 && std::abs(rise(points)) > kSlope;
+// Whether a half of the body would be sewn to both sides of a panel that spans its middle, or to the side of its mirror
+// image. points: of the chain on the whole panel.
+bool is_on_wrong_side(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, int half, int whole,
+                      const std::vector<Vec2d>& points) {
+    const PanelFacts& facts_of_whole = facts[as_size(whole)];
+    const int twin = facts[as_size(half)].twin;
+    if (twin < 0 || !facts_of_whole.is_symmetric) return false;
+    const auto side_of = [&](double x) {
+        const double off = x - facts_of_whole.axis;
+        return std::abs(off) < 0.05 * facts_of_whole.width ? 0 : off < 0 ? -1 : 1;
     };
-    return a.part == GarmentPart::Torso && b.part == GarmentPart::Torso && a.face != b.face && a.face != Face::None &&
-           b.face != Face::None && std::min(up_a, up_b) > kUp && slopes(sides.points_a) && slopes(sides.points_b);
+    double mean = 0;
+    for (const Vec2d& p : points) mean += p.x() / static_cast<double>(points.size());
+    const int side = side_of(mean);
+    const auto is_sewn_at = [&](int panel, int where) {
+        return std::ranges::any_of(boundary.atoms_between(whole, panel), [&](int atom) {
+            return where != 0 && side_of((boundary.point(atom, 0).x() + boundary.point(atom, 1).x()) / 2) == where;
+        });
+    };
+    return is_sewn_at(half, -side) || is_sewn_at(twin, side);
+}
+
+// The shoulders of a front and a back: straight, at the top, and sloping away from the neck, which meets the neck.
+double odds_of_shoulders(const OpenBoundary& boundary, const PanelRole& a, const PanelRole& b, const Sides& sides) {
+    constexpr double kUp = 0.75, kSlope = 0.08;
+    if (a.part != GarmentPart::Torso || b.part != GarmentPart::Torso || a.face == b.face) return 0;
+    if (a.face == Face::None || b.face == Face::None) return 0;
+    if (facing_up(boundary, sides.a) < kUp || facing_up(boundary, sides.b) < kUp) return 0;
+    const double rise_a = rise(sides.points_a), rise_b = rise(sides.points_b);
+    if (std::min(std::abs(rise_a), std::abs(rise_b)) < kSlope) return 0;
+    if (rise_a * rise_b > 0) return -4;  // the neck would meet the tip
+    return std::min(straightness(sides.points_a), straightness(sides.points_b)) > 0.99 ? 1.2 : 0;
 }
 
 // Whether panels a and b are sewn along an upright line on the other side of panel a than x.
@@ -231,8 +259,11 @@ void weigh_two_panels(Evidence& evidence, const OpenBoundary& boundary, const st
     if (odds <= -6) evidence.is_possible = false;
     add(evidence, odds);
     if (!sides.are_single()) return add(evidence, one.role.part == other.role.part ? -2 : 0);
-    const double up_a = facing_up(boundary, sides.a), up_b = facing_up(boundary, sides.b);
-    if (are_shoulders(one.role, other.role, sides, up_a, up_b)) add(evidence, 1.2, "shoulders");
+    if (is_on_wrong_side(boundary, facts, a, b, sides.points_b) ||
+        is_on_wrong_side(boundary, facts, b, a, sides.points_a))
+        evidence.is_possible = false;
+    const double shoulders = odds_of_shoulders(boundary, one.role, other.role, sides);
+    add(evidence, shoulders, shoulders > 0 ? "shoulders" : "");
     const std::vector<int> joined = boundary.joined_panels(a);
     const auto is_joined_to = [&](int panel) { return std::ranges::find(joined, panel) != joined.end(); };
     const bool is_upright = std::abs(rise(sides.points_a)) > kUpright;
@@ -329,8 +360,10 @@ bool close_a_tube(const PanelFacts& facts, const Vec2d& apart) {
 void weigh_one_panel(Evidence& evidence, const OpenBoundary& boundary, const std::vector<PanelFacts>& all,
                      const Sides& sides) {
     using enum GarmentPart;
-    if (const double dart = odds_of_dart(boundary, all, sides.a, sides.b); dart > 0)
+    if (const double dart = odds_of_dart(boundary, all, sides.a, sides.b); dart > 0) {
+        evidence.is_dart = true;
         return add(evidence, dart, "legs of a dart");
+    }
     const PanelFacts& facts = all[as_size(sides.panels_a[0])];
     const GarmentPart part = facts.role.part;
     const bool is_tube = is_one_of(part, {Sleeve, Leg, Skirt, Cuff, Binding, Waistband});
@@ -575,7 +608,7 @@ void weigh_place(Evidence& evidence, const OpenBoundary& boundary, const std::ve
         return;
     }
     constexpr double kOneWithItself = -4;  // odds: a seam over several panels that has one panel on both sides
-    if (!sides.are_single() && share_a_panel(sides.panels_a, sides.panels_b)) add(evidence, kOneWithItself);
+    if (!sides.are_single() && share_a_panel(sides.panels_a, sides.panels_b, facts)) add(evidence, kOneWithItself);
     weigh_two_panels(evidence, boundary, facts, sides);
     weigh_flanks(evidence, flank(a, sides.panels_a, sides.points_a), flank(b, sides.panels_b, sides.points_b));
 }

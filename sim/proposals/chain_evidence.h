@@ -13,6 +13,7 @@ namespace selvedge::sim {
 struct Evidence {
     double odds = 0;  // natural logarithm
     std::string reason;
+    bool is_dart = false;     // both sides are the legs of a dart
     bool is_possible = true;  // false: whatever the odds are, it is no seam
 };
 

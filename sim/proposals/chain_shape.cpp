@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace selvedge::sim {
@@ -22,13 +23,41 @@ std::vector<std::pair<Vec2d, Vec2d>> chords_of(const OpenBoundary& boundary, con
     return chords;
 }
 
+// Where each atom of the view lies when the darts that it runs over are closed: in the frame of the panel's first atom.
+// Loops stay as they are drawn, so that what is up in the panel is up.
+std::vector<std::pair<int, Eigen::Affine2d>> developed(const OpenBoundary& boundary, const ChainView& view) {
+    constexpr double kStep = 0.01;  // of an atom, for its direction
+    std::vector<std::pair<int, Eigen::Affine2d>> places;
+    const std::size_t count = view.chain.atoms.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        const int atom = view.chain.atoms[(static_cast<std::size_t>(view.first) + k) % count];
+        Eigen::Affine2d place = Eigen::Affine2d::Identity();
+        if (!places.empty() && boundary.atom(places.back().first).span.panel == boundary.atom(atom).span.panel) {
+            const auto& [last, before] = places.back();
+            const Vec2d end = before * boundary.point(last, 1), start = boundary.point(atom, 0);
+            const OpenBoundary::Step step = boundary.next(last);
+            place = before;
+            if (step.atom == atom && step.seams > 0 && !view.chain.is_loop) {
+                const Vec2d out = end - before * boundary.point(last, 1 - kStep);
+                const Vec2d in = boundary.point(atom, kStep) - start;
+                const double turn = std::numbers::pi - step.angle + std::atan2(cross2(in, out), in.dot(out));
+                place = Eigen::Translation2d(end) * Eigen::Rotation2Dd(turn) * Eigen::Translation2d(-start);
+            }
+        }
+        places.emplace_back(atom, place);
+    }
+    return places;
+}
+
 }  // namespace
 
 std::vector<Vec2d> sampled(const OpenBoundary& boundary, const ChainView& view) {
+    const std::vector<std::pair<int, Eigen::Affine2d>> places = developed(boundary, view);
     std::vector<Vec2d> points;
     for (int i = 0; i <= kChainSamples; ++i) {
         const ChainPlace place = place_on(boundary, view, static_cast<double>(i) / kChainSamples);
-        points.push_back(boundary.point(place.atom, place.t));
+        const auto found = std::ranges::find(places, place.atom, &std::pair<int, Eigen::Affine2d>::first);
+        points.push_back(found->second * boundary.point(place.atom, place.t));
     }
     return points;
 }

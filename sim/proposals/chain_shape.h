@@ -10,7 +10,8 @@ namespace selvedge::sim {
 inline constexpr int kChainSamples = 24;  // steps along a chain
 inline constexpr double kUpright = 0.75;  // least rise of an upright stretch
 
-// kChainSamples + 1 points along the view, each in the frame of its panel, m.
+// kChainSamples + 1 points along the view, each in the frame of its panel, m. Across a dart, the outline goes on as
+// when the dart is closed.
 std::vector<Vec2d> sampled(const OpenBoundary& boundary, const ChainView& view);
 
 double length_of(const std::vector<Vec2d>& points);  // m

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
 namespace {
@@ -65,6 +66,32 @@ GarmentPart part_of_words(const std::vector<std::string>& words) {
     return GarmentPart::Unknown;
 }
 
+// Whether the side of the outline above a height comes out again after it went in, as an armhole does below the
+// shoulder, and a crotch does not.
+bool comes_out_again(const Panel& panel, double from, bool is_right) {
+    constexpr int kSteps = 40;      // along each edge, and up
+    constexpr double kOut = 0.012;  // m
+    const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
+    std::array<double, kSteps> reach{};  // of the side, outward, per level
+    reach.fill(-1e9);
+    for (const OutlineEdge& edge : panel.edges) {
+        for (int i = 0; i <= 4 * kSteps; ++i) {
+            const Vec2d p = outline_point(panel, edge, i / (4.0 * kSteps));
+            const double share = (p.y() - from) / (box.max().y() - from);
+            if (share < 0) continue;
+            double& level = reach[std::min<std::size_t>(kSteps - 1, static_cast<std::size_t>(share * kSteps))];
+            level = std::max(level, is_right ? p.x() : -p.x());
+        }
+    }
+    double least = 1e9;
+    for (const double x : reach) {
+        if (x < -1e8) continue;
+        least = std::min(least, x);
+        if (x > least + kOut) return true;
+    }
+    return false;
+}
+
 // Whether the outline narrows from its widest place, where a crotch would be, both to the hem and to the waist, and
 // much more on one side than on the other: the hook of a trouser leg.
 bool looks_like_leg(const Panel& panel) {
@@ -86,7 +113,8 @@ bool looks_like_leg(const Panel& panel) {
         const double share = (outmost[side] - low) / height;
         return out > kHook && share > 0.35 && share < 0.85;
     };
-    return is_hook(0, at_top[0] - reach[0]) != is_hook(1, reach[1] - at_top[1]);
+    const bool is_left = is_hook(0, at_top[0] - reach[0]), is_right = is_hook(1, reach[1] - at_top[1]);
+    return is_left != is_right && !comes_out_again(panel, outmost[is_right ? 1 : 0], is_right);
 }
 
 // Whether each vertex has its mirror image in the vertical through the middle.
@@ -117,13 +145,13 @@ GarmentPart part_of_faces(const Pattern& pattern, const std::vector<PanelRole>& 
         if (has(upper)) return GarmentPart::Torso;
     }
     // A front or back that spans the middle of the body, as those cut on the fold, is of no trousers.
-    bool has_leg = false, has_whole = false;
+    bool is_leg = false, has_other = false;
     for (std::size_t p = 0; p < roles.size(); ++p) {
-        if (!is_plain_face(roles[p])) continue;
-        has_leg = has_leg || looks_like_leg(pattern.panels[p]);
-        has_whole = has_whole || is_symmetric(pattern.panels[p]);
+        if (!is_plain_face(roles[p]) || !pattern.panels[p].is_worn) continue;
+        (looks_like_leg(pattern.panels[p]) ? is_leg : has_other) = true;
+        has_other = has_other || is_symmetric(pattern.panels[p]);
     }
-    if (has_leg && !has_whole) return GarmentPart::Leg;
+    if (is_leg && !has_other) return GarmentPart::Leg;
     return has(GarmentPart::Waistband) ? GarmentPart::Skirt : GarmentPart::Torso;
 }
 

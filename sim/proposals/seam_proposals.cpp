@@ -109,7 +109,7 @@ class Search {
         }
     }
 
-    // From the most to the least likely.
+    // From the most to the least likely. Darts come first: the seams beside them are whole when they are closed.
     std::vector<Candidate> compare_all() const {
         const std::vector<Chain> chains = boundary_.chains(kCorner);
         std::vector<std::vector<ChainView>> views;
@@ -121,7 +121,10 @@ class Search {
                 if (auto best = best_of(views[i], views[j])) candidates.push_back(std::move(*best));
             }
         }
-        std::ranges::stable_sort(candidates, std::greater<>(), [](const Candidate& one) { return one.evidence.odds; });
+        std::ranges::stable_sort(candidates, std::greater<>(), [&](const Candidate& one) {
+            const bool comes_first = one.evidence.is_dart && confidence_of(one.evidence.odds) >= options_.accepted;
+            return std::pair(comes_first, one.evidence.odds);
+        });
         return candidates;
     }
 
