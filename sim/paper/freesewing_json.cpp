@@ -22,6 +22,7 @@ void read_operation(const JsonView& op, PathBuilder& pen) {
     if (type == "move") return pen.move(read_point(op.at("to")));
     if (type == "line") return pen.line(read_point(op.at("to")));
     if (type == "close") return pen.close();
+    if (type == "noop") return;  // a place where an option adds nothing
     if (type != "curve") op.fail("'" + type + "' is none of move, line, curve, close");
     pen.cubic(read_point(op.at("cp1")), read_point(op.at("cp2")), read_point(op.at("to")));
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -101,6 +102,7 @@ class Arranger {
 
     Arrangement run() {
         find_flanks();
+        for (std::size_t p = 0; p < out_.roles.size(); ++p) level_band(p);
         anchors_.waist = resting_height(waist_length());
         for (const auto part : {GarmentPart::Torso, GarmentPart::Leg, GarmentPart::Skirt}) {
             for (const Face face : {Face::Front, Face::Back, Face::None}) place_all(part, face);
@@ -108,8 +110,9 @@ class Arranger {
         for (std::size_t p = 0; p < out_.roles.size(); ++p) {
             const GarmentPart part = out_.roles[p].part;
             if (part == GarmentPart::Sleeve) place_sleeve(p);
-            if (part == GarmentPart::Waistband) place_round(p, "waist", anchors_.waist);
+            if (part == GarmentPart::Waistband) place_round(p, "waist", band_height(p));
         }
+        for (std::size_t p = 0; p < out_.roles.size(); ++p) place_cuff(p);
         continue_seams();
         place_rest();
         label_panels();
@@ -336,6 +339,7 @@ class Arranger {
         return found == points_.end() ? nullptr : &*found;
     }
 
+    // Sleeves are wrapped round the arm, the halves of a two-piece sleeve from both sides.
     void place_sleeve(std::size_t p) {
         if (!panel(p).is_worn || is_placed_[p]) return;
         const bool is_left = out_.roles[p].flank != Flank::Right;
@@ -345,12 +349,132 @@ class Arranger {
         const Limb& limb = (*limbs_)[is_left ? LimbKind::LeftArm : LimbKind::RightArm];
         if (!outside || !limb.is_found) return note(p, "the body has no " + arm + " arm to place it round");
         ArrangementPoint point = *outside;
-        const Eigen::AlignedBox2d& box = boxes_[p];
         constexpr double kAboveJoint = 0.02;  // m, from the shoulder's joint up to the top of a sleeve's cap
-        const double now = (point.position - limb.joints[0].centre).dot(point.upward);
-        point.position += (kAboveJoint - box.sizes().y() / 2 - now) * point.upward;
-        wrap_clear(p, point, (limb.joints[2].centre - limb.joints[0].centre).norm());
+        constexpr double kTallestCap = 0.16;  // m, of a set-in sleeve: a raglan's reaches on to the neck
+        const double above = kAboveJoint + std::max(0.0, cap_height(p) - kTallestCap);
+        const double arm_length = (limb.joints[2].centre - limb.joints[0].centre).norm();
+        const Vec3d shoulder = limb.joints[0].centre, elbow = limb.joints[1].centre, wrist = limb.joints[2].centre;
+        if (boxes_[p].sizes().y() - above > (elbow - shoulder).norm()) {
+            // Below the elbow the arm bends forward: along the line from shoulder to wrist, halfway towards the elbow.
+            const Vec3d along = (shoulder - wrist).normalized();
+            const Vec3d off = (elbow - wrist) - (elbow - wrist).dot(along) * along;
+            point.upward = along;
+            point.outward = (point.outward - point.outward.dot(along) * along).normalized();
+            point.position = shoulder + off / 2 + point.radius * point.outward;
+        }
+        const double now = (point.position - shoulder).dot(point.upward);
+        point.position += (above - boxes_[p].sizes().y() / 2 - now) * point.upward;
+        if (const auto half = other_half_of_sleeve(p)) {
+            const Vec3d axis = point.position - point.radius * point.outward;
+            constexpr double kOpen = 1.04;  // of a full turn, so that the edges do not meet
+            const double width = boxes_[p].sizes().x() + boxes_[*half].sizes().x();
+            point.radius = std::max(point.radius, kOpen * width / (2 * std::numbers::pi));
+            if (out_.roles[p].face == Face::Back) point.outward = -point.outward;
+            point.position = axis + point.radius * point.outward;
+            if (const auto placed = sleeve_points_.find(*half); placed != sleeve_points_.end())
+                point.position += (placed->second.position - point.position).dot(point.upward) * point.upward +
+                                  level_between(p, *half) * point.upward;
+        }
+        wrap_clear(p, point, arm_length);
         is_placed_[p] = true;
+    }
+
+    // From the underarm to the top, m.
+    double cap_height(std::size_t p) const {
+        double underarm = boxes_[p].min().y();
+        for (const Sewn& sewn : sewn_[p]) {
+            if (as_size(sewn.panel) != p) continue;
+            const Panel& own = pattern_.panels[p];
+            const OutlineEdge& edge = own.edges[as_size(sewn.own.edge)];
+            for (const double t : {0.0, 1.0}) underarm = std::max(underarm, outline_point(own, edge, t).y());
+        }
+        return underarm > boxes_[p].min().y() ? boxes_[p].max().y() - underarm : 0;
+    }
+
+    // The other panel of a sleeve of two panels.
+    std::optional<std::size_t> other_half_of_sleeve(std::size_t p) const {
+        if (closes_round(p)) return std::nullopt;
+        for (const Sewn& sewn : sewn_[p]) {
+            if (is_part(sewn.panel, GarmentPart::Sleeve)) return as_size(sewn.panel);
+        }
+        return std::nullopt;
+    }
+
+    // How much higher the middle of panel p lies than that of `other` when the seams between both are level, m.
+    double level_between(std::size_t p, std::size_t other) const {
+        double sum = 0;
+        int count = 0;
+        for (const Sewn& sewn : sewn_[p]) {
+            if (as_size(sewn.panel) != other) continue;
+            sum += (middle_of(sewn.other).y() - boxes_[other].center().y()) -
+                   (middle_of(sewn.own).y() - boxes_[p].center().y());
+            ++count;
+        }
+        return count > 0 ? sum / count : 0;
+    }
+
+    // ---- Bands.
+
+    // Cuffs and waistbands may be drawn along the cloth: turned so that they run round the body, the edge that is sewn
+    // to the garment towards it.
+    void level_band(std::size_t p) {
+        const GarmentPart part = out_.roles[p].part;
+        if (part != GarmentPart::Cuff && part != GarmentPart::Waistband) return;
+        const Sewn* longest = nullptr;
+        double length = 0;
+        for (const Sewn& sewn : sewn_[p]) {
+            const double own = outline_length(panel(p), panel(p).edges[as_size(sewn.own.edge)]);
+            if (as_size(sewn.panel) == p || own <= length) continue;
+            longest = &sewn;
+            length = own;
+        }
+        if (!longest) return;
+        const OutlineEdge& edge = panel(p).edges[as_size(longest->own.edge)];
+        const Vec2d along = outline_point(panel(p), edge, 1) - outline_point(panel(p), edge, 0);
+        // Outlines run counter-clockwise: a lower edge to the right, an upper one to the left.
+        const bool is_above = is_part(longest->panel, GarmentPart::Skirt) || is_part(longest->panel, GarmentPart::Leg);
+        const bool is_lower_edge = part == GarmentPart::Waistband && is_above;
+        const double right_angle = std::numbers::pi / 2;
+        const double turn = (is_lower_edge ? 0 : std::numbers::pi) - std::atan2(along.y(), along.x());
+        const double quarter = std::round(turn / right_angle);
+        if (std::fmod(quarter, 4) == 0) return;
+        panel(p) = mapped_panel(panel(p), Eigen::Affine2d(Eigen::Rotation2Dd(quarter * right_angle)));
+        boxes_[p] = outline_box(panel(p), 1e-3);
+    }
+
+    // A waistband lies at the waist, or at the hem of the bodice that it ends.
+    double band_height(std::size_t p) const {
+        double sum = 0;
+        int count = 0;
+        for (const Sewn& sewn : sewn_[p]) {
+            if (!is_part(sewn.panel, GarmentPart::Torso) || !is_placed_[as_size(sewn.panel)]) {
+                if (as_size(sewn.panel) != p) return anchors_.waist;
+                continue;
+            }
+            sum += pattern_.panels[as_size(sewn.panel)].place(middle_of(sewn.other)).y();
+            ++count;
+        }
+        return count > 0 ? sum / count - boxes_[p].sizes().y() : anchors_.waist;
+    }
+
+    // A cuff goes on where its sleeve ends, round the same arm.
+    void place_cuff(std::size_t p) {
+        if (out_.roles[p].part != GarmentPart::Cuff || !panel(p).is_worn || is_placed_[p]) return;
+        for (const Sewn& sewn : sewn_[p]) {
+            const auto sleeve = sleeve_points_.find(as_size(sewn.panel));
+            if (sleeve == sleeve_points_.end()) continue;
+            constexpr double kWrist = 0.035, kBelow = 0.01;  // m: least radius, and from the sleeve
+            ArrangementPoint point = sleeve->second;
+            const double down = (boxes_[sleeve->first].sizes().y() + boxes_[p].sizes().y()) / 2 + kBelow;
+            point.position += (kWrist - point.radius) * point.outward - down * point.upward;
+            point.radius = kWrist;
+            sim::arrange(panel(p), point);
+            const Vec3d axis = point.position - point.radius * point.outward;
+            const double turn = turn_to_partners(p, axis, point.upward);
+            wrap_clear(p, std::abs(turn) > kTurned ? turned(point, axis, turn) : point, down);
+            is_placed_[p] = true;
+            return;
+        }
     }
 
     // Wraps a tube round an arm. Where it meets shoulder, chest or arm it slides towards the hand, and stands open
@@ -365,6 +489,7 @@ class Arranger {
             point.radius = std::max(least, open * boxes_[p].sizes().x() / (2 * std::numbers::pi));
             point.position += (point.radius - least) * point.outward - slid * point.upward;
             sim::arrange(panel(p), point);
+            sleeve_points_[p] = point;
         };
         for (const double open : kOpen) {
             for (double slid = 0; slid <= kMost * arm_length; slid += kStep) {
@@ -397,6 +522,34 @@ class Arranger {
         return true;
     }
 
+    // ---- Which part of a band lies where.
+
+    static constexpr double kTurned = 0.35;  // rad: bands that are turned by less stay as they are
+
+    static ArrangementPoint turned(ArrangementPoint point, const Vec3d& centre, double angle) {
+        const Eigen::AngleAxisd turn(angle, point.upward);
+        point.position = centre + turn * (point.position - centre);
+        point.outward = turn * point.outward;
+        return point;
+    }
+
+    // By how much a band must turn about an axis so that its edges lie beside those that they are sewn to, rad.
+    double turn_to_partners(std::size_t p, const Vec3d& centre, const Vec3d& axis) const {
+        double cosine = 0, sine = 0;
+        for (const Sewn& sewn : sewn_[p]) {
+            const auto other = as_size(sewn.panel);
+            if (other == p || !is_placed_[other]) continue;
+            const auto off_axis = [&](const Vec3d& at) -> Vec3d {
+                return (at - centre) - (at - centre).dot(axis) * axis;
+            };
+            const Vec3d own = off_axis(pattern_.panels[p].place(middle_of(sewn.own)));
+            const Vec3d wanted = off_axis(pattern_.panels[other].place(middle_of(sewn.other)));
+            cosine += own.dot(wanted);
+            sine += axis.dot(own.cross(wanted));
+        }
+        return cosine == 0 && sine == 0 ? 0 : std::atan2(sine, cosine);
+    }
+
     void place_round(std::size_t p, const std::string& where, double height) {
         if (!panel(p).is_worn || is_placed_[p]) return;
         const ArrangementPoint* front = point_named(where + " front");
@@ -415,6 +568,8 @@ class Arranger {
         point.position = low.centre + point.radius * point.outward;
         point.position.y() = height + size.y() / 2;
         sim::arrange(panel(p), point);
+        const double turn = turn_to_partners(p, low.centre, point.upward);
+        if (std::abs(turn) > kTurned) sim::arrange(panel(p), turned(point, low.centre, turn));
         is_placed_[p] = true;
     }
 
@@ -493,6 +648,7 @@ class Arranger {
     std::vector<std::vector<Sewn>> sewn_;   // per panel
     std::vector<Eigen::AlignedBox2d> boxes_;
     std::vector<bool> is_placed_;
+    std::map<std::size_t, ArrangementPoint> sleeve_points_;  // where panels lie that are wrapped round an arm
     Arrangement out_;
 };
 

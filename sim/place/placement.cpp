@@ -48,11 +48,13 @@ Vec3d torso_centre(const Body& body, const Stature& stature, double y) {
 struct PlacedPanel {
     std::vector<Vec3d> points;
     Vec3d normal = Vec3d::Zero();
+    bool is_tube = false;  // it is bent by more than half a turn
 };
 
 std::vector<PlacedPanel> placed_panels(const GarmentMesh& unsewn) {
     std::vector<PlacedPanel> panels(unsewn.panel_names.size());
-    std::set<std::pair<int, int>> known;  // edges, and vertices as edges from them to themselves
+    std::vector<double> areas(panels.size(), 0);  // twice those
+    std::set<std::pair<int, int>> known;          // edges, and vertices as edges from them to themselves
     for (const GarmentTriangle& triangle : unsewn.triangles) {
         PlacedPanel& panel = panels[static_cast<std::size_t>(triangle.panel)];
         std::array<Vec3d, 3> x;
@@ -63,13 +65,17 @@ std::vector<PlacedPanel> placed_panels(const GarmentMesh& unsewn) {
             if (known.insert(std::minmax(from, to)).second) panel.points.push_back((x[i] + x[(i + 1) % 3]) * 0.5);
         }
         panel.normal += (x[1] - x[0]).cross(x[2] - x[0]);
+        areas[static_cast<std::size_t>(triangle.panel)] += (x[1] - x[0]).cross(x[2] - x[0]).norm();
     }
-    for (PlacedPanel& panel : panels) panel.normal.normalize();
+    constexpr double kTube = 0.6;  // the mean normal of half a turn is 2 / pi long
+    for (std::size_t p = 0; p < panels.size(); ++p) {
+        panels[p].is_tube = panels[p].normal.norm() < kTube * areas[p];
+        panels[p].normal.normalize();
+    }
     return panels;
 }
 
-bool is_clear(const PlacedPanel& panel, double move, const BodyCollider& body) {
-    const Vec3d shift = panel.normal * move;
+bool is_clear(const PlacedPanel& panel, const Vec3d& shift, const BodyCollider& body) {
     return std::all_of(panel.points.begin(), panel.points.end(), [&](const Vec3d& p) {
         return body.contact((p + shift).cast<float>()).distance >= static_cast<float>(kClearance);
     });
@@ -78,7 +84,22 @@ bool is_clear(const PlacedPanel& panel, double move, const BodyCollider& body) {
 // The smallest move, from `least` on, that clears the panel; nullopt when even the longest does not.
 std::optional<double> clearing_move(const PlacedPanel& panel, double least, const BodyCollider& body) {
     for (double move = least; move <= kLongestMove; move += kMoveStep) {
-        if (is_clear(panel, move, body)) return move;
+        if (is_clear(panel, panel.normal * move, body)) return move;
+    }
+    return std::nullopt;
+}
+
+// The shortest move of a tube that clears it of the limb that it is round: outward, it would end beside it. None if it
+// is clear, or not near any clear place.
+std::optional<Vec3d> clearing_nudge(const PlacedPanel& panel, const BodyCollider& body) {
+    constexpr int kMostSteps = 6;
+    for (int step = 1; step <= kMostSteps; ++step) {
+        for (int i = 0; i < 27; ++i) {
+            const Vec3d way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            if (way.isZero()) continue;
+            const Vec3d shift = way.normalized() * (step * kMoveStep);
+            if (is_clear(panel, shift, body)) return shift;
+        }
     }
     return std::nullopt;
 }
@@ -337,8 +358,17 @@ std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& b
         });
         added = layer_of(i);
         const double outside = move_outside(panels[i], inside, body);
-        const std::optional<double> move = clearing_move(panels[i], outside, body);
         const std::string name = "panel '" + unsewn.panel_names[i] + "'";
+        if (panels[i].is_tube && outside == 0) {
+            if (is_clear(panels[i], Vec3d::Zero(), body)) continue;
+            if (const auto nudge = clearing_nudge(panels[i], body)) {
+                move_panel(unsewn, i, *nudge);
+                notes.push_back(name + " moved by " + std::to_string(std::lround(nudge->norm() * 1000)) +
+                                " mm, clear of the limb that it is round");
+                continue;
+            }
+        }
+        const std::optional<double> move = clearing_move(panels[i], outside, body);
         if (!move) notes.push_back(name + " stands in the body, and nowhere near is clear of it");
         if (!move || *move == 0) continue;
         move_panel(unsewn, i, panels[i].normal * *move);

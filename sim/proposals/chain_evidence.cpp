@@ -104,11 +104,12 @@ void weigh_facing(Evidence& evidence, const OpenBoundary& boundary, const ChainV
     const double up_a = facing_up(boundary, a), up_b = facing_up(boundary, b);
     constexpr double kLevel = 0.75;
     // Skirts and trousers hang from their waistband, and a bodice ends in it.
-    const auto hangs = [&](GarmentPart part, double up) {
+    const auto hangs_wrong = [&](GarmentPart part, double up) {
         return (is_one_of(part, {Leg, Skirt}) && up < -kLevel) || (part == Torso && up > kLevel);
     };
-    if ((part_a == Waistband && hangs(part_b, up_b)) || (part_b == Waistband && hangs(part_a, up_a)))
-        return add(evidence, -6);
+    const bool are_levels = part_a != part_b && is_one_of(part_a, {Waistband, Torso, Leg, Skirt}) &&
+                            is_one_of(part_b, {Waistband, Torso, Leg, Skirt});
+    if (are_levels && (hangs_wrong(part_a, up_a) || hangs_wrong(part_b, up_b))) return add(evidence, -6);
     if (up_a < -kLevel && up_b < -kLevel) return add(evidence, -5);
     if (std::min(up_a, up_b) < -kLevel && std::max(up_a, up_b) > kLevel) return add(evidence, 0.8);
     const bool has_shoulder = is_one_of(part_a, {Torso, Yoke, Hood, Unknown}) || is_one_of(part_b, {Torso, Yoke, Hood});
@@ -234,10 +235,11 @@ double odds_of_shoulders(const OpenBoundary& boundary, const PanelRole& a, const
     if (a.part != GarmentPart::Torso || b.part != GarmentPart::Torso || a.face == b.face) return 0;
     if (a.face == Face::None || b.face == Face::None) return 0;
     if (facing_up(boundary, sides.a) < kUp || facing_up(boundary, sides.b) < kUp) return 0;
-    const double rise_a = rise(sides.points_a), rise_b = rise(sides.points_b);
+    const double rise_a = rise_along(boundary, sides.a), rise_b = rise_along(boundary, sides.b);
     if (std::min(std::abs(rise_a), std::abs(rise_b)) < kSlope) return 0;
     if (rise_a * rise_b > 0) return -4;  // the neck would meet the tip
-    return std::min(straightness(sides.points_a), straightness(sides.points_b)) > 0.99 ? 1.2 : 0;
+    const bool are_straight = std::min(straightness(sides.points_a), straightness(sides.points_b)) > 0.99;
+    return are_straight || !sides.are_single() ? 2 : 0;
 }
 
 // Whether panels a and b are sewn along an upright line on the other side of panel a than x.
@@ -258,12 +260,18 @@ void weigh_two_panels(Evidence& evidence, const OpenBoundary& boundary, const st
     const double odds = odds_of_parts(one.role, other.role);
     if (odds <= -6) evidence.is_possible = false;
     add(evidence, odds);
-    if (!sides.are_single()) return add(evidence, one.role.part == other.role.part ? -2 : 0);
+    const double shoulders = odds_of_shoulders(boundary, one.role, other.role, sides);
+    add(evidence, shoulders, shoulders > 0 ? "shoulders" : "");
+    if (!sides.are_single()) return add(evidence, one.role.part == other.role.part && !(shoulders > 0) ? -2 : 0);
     if (is_on_wrong_side(boundary, facts, a, b, sides.points_b) ||
         is_on_wrong_side(boundary, facts, b, a, sides.points_a))
         evidence.is_possible = false;
-    const double shoulders = odds_of_shoulders(boundary, one.role, other.role, sides);
-    add(evidence, shoulders, shoulders > 0 ? "shoulders" : "");
+    // Inner panels are sewn to inner ones over the shoulder, and to outer ones of the same face.
+    const bool is_lane_known = (one.is_inner || one.is_outer) && (other.is_inner || other.is_outer);
+    if (is_lane_known && one.role.part == other.role.part) {
+        const bool is_same_lane = one.is_inner == other.is_inner, is_same_face = one.role.face == other.role.face;
+        add(evidence, is_same_lane != is_same_face ? 0.7 : -3);
+    }
     const std::vector<int> joined = boundary.joined_panels(a);
     const auto is_joined_to = [&](int panel) { return std::ranges::find(joined, panel) != joined.end(); };
     const bool is_upright = std::abs(rise(sides.points_a)) > kUpright;
@@ -543,6 +551,25 @@ void weigh_faces(Evidence& evidence, const OpenBoundary& boundary, const std::ve
     add(evidence, kWorth * (faces + flanks) / kChainSamples);
 }
 
+// How many samples of a view lie on the left and on the right of the body.
+std::pair<int, int> count_flanks(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts,
+                                 const ChainView& view) {
+    std::pair<int, int> counts{0, 0};
+    for (int i = 0; i < kChainSamples; ++i) {
+        const ChainPlace at = place_on(boundary, view, (i + 0.5) / kChainSamples);
+        const PanelFacts& own = facts[as_size(boundary.atom(at.atom).span.panel)];
+        const Flank flank = flank_of(own, {boundary.point(at.atom, at.t)});
+        counts.first += flank == Flank::Left ? 1 : 0;
+        counts.second += flank == Flank::Right ? 1 : 0;
+    }
+    return counts;
+}
+
+bool lies_on_both_sides(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const ChainView& view) {
+    const auto [left, right] = count_flanks(boundary, facts, view);
+    return std::min(left, right) > kChainSamples / 6;
+}
+
 // Bindings are named after the opening that they edge: necks lie on both sides of the body, armholes on one.
 void weigh_binding(Evidence& evidence, const OpenBoundary& boundary, const std::vector<PanelFacts>& facts,
                    const ChainView& binding, const ChainView& opening) {
@@ -552,14 +579,7 @@ void weigh_binding(Evidence& evidence, const OpenBoundary& boundary, const std::
     const auto has = [&](std::string_view start) {
         return std::ranges::any_of(words, [&](const std::string& word) { return word.starts_with(start); });
     };
-    int left = 0, right = 0;
-    for (int i = 0; i < kChainSamples; ++i) {
-        const ChainPlace at = place_on(boundary, opening, (i + 0.5) / kChainSamples);
-        const PanelFacts& own = facts[as_size(boundary.atom(at.atom).span.panel)];
-        const Flank flank = flank_of(own, {boundary.point(at.atom, at.t)});
-        left += flank == Flank::Left ? 1 : 0;
-        right += flank == Flank::Right ? 1 : 0;
-    }
+    const auto [left, right] = count_flanks(boundary, facts, opening);
     const bool is_one_sided = std::min(left, right) == 0 && left + right > 0;
     const bool is_low = facing_up(boundary, opening) < -0.5;
     const bool has_collar = std::ranges::any_of(facts, [](const PanelFacts& one) {
@@ -590,6 +610,26 @@ bool are_mirrored_places(const PanelFacts& facts_a, const PanelFacts& facts_b, c
     return std::abs(x) < kNear * facts_a.width && std::abs(one.y() - other.y()) < 0.02 + 0.05 * facts_a.height;
 }
 
+// Whether the seam closes the garment in the middle of the body: between mirror images, and the ends of a band.
+bool closes_in_the_middle(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const Sides& sides) {
+    using enum GarmentPart;
+    if (std::abs(rise_along(boundary, sides.a)) < kUpright || std::abs(rise_along(boundary, sides.b)) < kUpright)
+        return false;
+    bool has_twins = false;
+    for (int i = 0; i < kChainSamples; ++i) {
+        const double t = (i + 0.5) / kChainSamples;
+        const int one = boundary.atom(place_on(boundary, sides.a, t).atom).span.panel;
+        const int other = boundary.atom(place_on(boundary, sides.b, 1 - t).atom).span.panel;
+        const PanelFacts& panel = facts[as_size(one)];
+        const bool is_band = one == other && is_one_of(panel.role.part, {Waistband, Collar, CollarStand, Binding});
+        const bool is_twin = panel.twin == other && is_one_of(panel.role.part, {Torso, Skirt}) && !panel.is_outer &&
+                             !(panel.has_opening && panel.role.face == Face::Front);
+        if (!is_band && !is_twin) return false;
+        has_twins = has_twins || is_twin;
+    }
+    return has_twins;
+}
+
 void weigh_place(Evidence& evidence, const OpenBoundary& boundary, const std::vector<PanelFacts>& facts,
                  const Sides& sides) {
     const PanelFacts& a = facts[as_size(sides.panels_a[0])];
@@ -601,6 +641,10 @@ void weigh_place(Evidence& evidence, const OpenBoundary& boundary, const std::ve
     add(evidence, 0,
         text_of(a.role, pattern.panels[as_size(sides.panels_a[0])]) + " to " +
             text_of(b.role, pattern.panels[as_size(sides.panels_b[0])]));
+    if (!sides.are_single() && closes_in_the_middle(boundary, facts, sides)) {
+        constexpr double kOddsOfClosing = 6;  // makes up for what speaks against mirror images
+        return add(evidence, kOddsOfClosing, "closes in the middle");
+    }
     const bool may_cross = is_one_of(a.role.part, {GarmentPart::Leg, GarmentPart::Hood});
     if (!may_cross && (are_on_opposite_sides(boundary, facts, sides.a, sides.b) ||
                        (!sides.are_single() && have_twins(facts, sides.panels_a, sides.panels_b)))) {
@@ -635,6 +679,10 @@ void weigh_looks(Evidence& evidence, const OpenBoundary& boundary, const std::ve
     if (a.role.part == Binding && b.role.part != Binding) weigh_binding(evidence, boundary, facts, sides.a, sides.b);
     if (b.role.part == Binding && a.role.part != Binding) weigh_binding(evidence, boundary, facts, sides.b, sides.a);
     if (!sides.are_single()) weigh_faces(evidence, boundary, facts, sides.a, sides.b);
+    if (are_parts(a.role.part, b.role.part, Torso, Sleeve) && !sides.are_single()) {
+        constexpr double kBothSides = -5;  // odds: a neckline is no armhole
+        if (lies_on_both_sides(boundary, facts, a.role.part == Torso ? sides.a : sides.b)) add(evidence, kBothSides);
+    }
     if (are_parts(a.role.part, b.role.part, Torso, Sleeve) && are_loops)
         weigh_lowest(evidence, sides.points_a, sides.points_b);
 }

@@ -68,7 +68,6 @@ double length_of(const std::vector<Vec2d>& points) {
     return length;
 }
 
-// Root mean square distance of two curves over their length, after the best rotation. (Kabsch 1976)
 double shape_difference(std::vector<Vec2d> a, std::vector<Vec2d> b, bool is_mirrored) {
     const auto centre = [](std::vector<Vec2d>& points) {
         Vec2d mean = Vec2d::Zero();
@@ -95,19 +94,22 @@ double straightness(const std::vector<Vec2d>& points) {
     return (points.back() - points.front()).norm() / std::max(length_of(points), 1e-12);
 }
 
-// The rise of a stretch over its length, -1..1: of an upright one about 1 or -1.
 double rise(const std::vector<Vec2d>& points) {
     return (points.back().y() - points.front().y()) / std::max(length_of(points), 1e-12);
 }
 
-// How far the cloth's edge looks up, -1..1: -1 at a hem, 0 at a side, 1 at the top.
 double facing_up(const OpenBoundary& boundary, const ChainView& view) {
     double up = 0;
     for (const auto& [from, to] : chords_of(boundary, view)) up -= to.x() - from.x();
     return up / length_of(view);
 }
 
-// How far the stretch bulges out of its panel, as an area over the square of its length: negative for an armhole.
+double rise_along(const OpenBoundary& boundary, const ChainView& view) {
+    double up = 0;
+    for (const auto& [from, to] : chords_of(boundary, view)) up += to.y() - from.y();
+    return up / length_of(view);
+}
+
 double bulge(const std::vector<Vec2d>& points) {
     double area = 0;
     for (std::size_t i = 1; i < points.size(); ++i)

@@ -25,6 +25,9 @@ double straightness(const std::vector<Vec2d>& points);
 // The rise of a stretch over its length, -1..1: of an upright one about 1 or -1.
 double rise(const std::vector<Vec2d>& points);
 
+// The same of a view that may run over several panels, each as it is drawn.
+double rise_along(const OpenBoundary& boundary, const ChainView& view);
+
 // How far the cloth's edge looks up, -1..1: -1 at a hem, 0 at a side, 1 at the top.
 double facing_up(const OpenBoundary& boundary, const ChainView& view);
 

@@ -38,6 +38,12 @@ std::vector<PanelFacts> facts_of(const Pattern& pattern, std::string_view hints)
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
         const Panel& panel = pattern.panels[p];
         PanelFacts facts{.role = roles[p]};
+        for (const std::string& word : words_of_name(panel.name)) {
+            const auto begins = [&](std::string_view start) { return word.starts_with(start); };
+            facts.is_outer = facts.is_outer || begins("side") || begins("outside") || begins("outer");
+            facts.is_inner =
+                facts.is_inner || begins("inside") || begins("inner") || begins("cent") || begins("middle");
+        }
         const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
         facts.axis = box.center().x();
         facts.width = box.sizes().x();

@@ -15,6 +15,8 @@ struct PanelFacts {
     int twin = -1;                 // the panel that is its mirror image; -1: none
     bool has_other_face = false;   // another panel is the back of this front, or the front of this back
     double opening = 0;            // of a cuff: the mean length of the hems that it can edge, m; 0: not known
+    bool is_outer = false;         // by its name, as in "frontOutside" and "side back"
+    bool is_inner = false;         // "frontInside", "centre back"
     bool has_opening = false;      // the garment is closed by buttons or a zip
 };
 

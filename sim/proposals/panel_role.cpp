@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
@@ -92,6 +93,20 @@ bool comes_out_again(const Panel& panel, double from, bool is_right) {
     return false;
 }
 
+// Whether the outline turns by much at a vertex, as at a crotch and not at a hip.
+bool is_corner(const Panel& panel, std::size_t vertex) {
+    constexpr double kNear = 0.05;  // of an edge
+    constexpr double kLeast = 0.6;  // rad
+    Vec2d in = Vec2d::Zero(), out = Vec2d::Zero();
+    for (const OutlineEdge& edge : panel.edges) {
+        if (static_cast<std::size_t>(edge.end) == vertex)
+            in = outline_point(panel, edge, 1) - outline_point(panel, edge, 1 - kNear);
+        if (static_cast<std::size_t>(edge.start) == vertex)
+            out = outline_point(panel, edge, kNear) - outline_point(panel, edge, 0);
+    }
+    return std::abs(std::atan2(cross2(in, out), in.dot(out))) > kLeast;
+}
+
 // Whether the outline narrows from its widest place, where a crotch would be, both to the hem and to the waist, and
 // much more on one side than on the other: the hook of a trouser leg.
 bool looks_like_leg(const Panel& panel) {
@@ -100,21 +115,24 @@ bool looks_like_leg(const Panel& panel) {
     const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
     const double height = box.sizes().y(), width = box.sizes().x();
     if (!(height > kSlender * width)) return false;
-    const double low = box.min().y(), top = low + 0.97 * height;
+    // The waist slopes up to the middle of the back.
+    constexpr double kSlope = 0.1;  // m
+    const double low = box.min().y(), top = box.max().y() - std::min(kSlope, 0.25 * height);
     std::array<double, 2> at_top{box.max().x(), box.min().x()};
-    std::array<double, 2> outmost{0, 0};  // height of the outermost vertex on the left and on the right, m
+    std::array<std::size_t, 2> outmost{0, 0};  // the outermost vertex on the left and on the right
     std::array<double, 2> reach{box.max().x(), box.min().x()};
-    for (const Vec2d& v : panel.vertices) {
+    for (std::size_t i = 0; i < panel.vertices.size(); ++i) {
+        const Vec2d& v = panel.vertices[i];
         if (v.y() > top) at_top = {std::min(at_top[0], v.x()), std::max(at_top[1], v.x())};
-        if (v.x() < reach[0]) reach[0] = v.x(), outmost[0] = v.y();
-        if (v.x() > reach[1]) reach[1] = v.x(), outmost[1] = v.y();
+        if (v.x() < reach[0]) reach[0] = v.x(), outmost[0] = i;
+        if (v.x() > reach[1]) reach[1] = v.x(), outmost[1] = i;
     }
-    const auto is_hook = [&](std::size_t side, double out) {
-        const double share = (outmost[side] - low) / height;
-        return out > kHook && share > 0.35 && share < 0.85;
-    };
-    const bool is_left = is_hook(0, at_top[0] - reach[0]), is_right = is_hook(1, reach[1] - at_top[1]);
-    return is_left != is_right && !comes_out_again(panel, outmost[is_right ? 1 : 0], is_right);
+    // A slanted pocket takes a corner off the other side: the crotch stands out further.
+    const std::array<double, 2> out{at_top[0] - reach[0], reach[1] - at_top[1]};
+    const std::size_t side = out[0] > out[1] ? 0 : 1;
+    const double level = panel.vertices[outmost[side]].y(), share = (level - low) / height;
+    return out[side] > kHook && out[side] > 1.5 * out[1 - side] && share > 0.35 && share < 0.85 &&
+           is_corner(panel, outmost[side]) && !comes_out_again(panel, level, side == 1);
 }
 
 // Whether each vertex has its mirror image in the vertical through the middle.

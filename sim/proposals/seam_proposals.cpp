@@ -56,7 +56,12 @@ std::vector<double> stops_of(const OpenBoundary& boundary, const std::vector<Pan
     if (!is_strip) return stops;
     for (const AtomNotch& notch : notches_of(boundary, chain)) {
         const double at = shares[notch.atom] + notch.t * boundary.atom(chain.atoms[notch.atom]).length / chain.length;
-        if (at > 0.01 && at < 0.99) stops.push_back(at);
+        // A notch beside a vertex marks the vertex.
+        constexpr double kBeside = 0.003;  // m
+        const auto vertex =
+            std::ranges::find_if(shares, [&](double share) { return std::abs(share - at) * chain.length < kBeside; });
+        const double stop = vertex == shares.end() ? at : *vertex;
+        if (stop > 0.01 && stop < 0.99) stops.push_back(stop);
     }
     std::ranges::sort(stops);
     return stops;
@@ -145,8 +150,9 @@ class Search {
     // Fractions of both sides at which the seam is divided into pairs of stretches. Joints of both sides that nearly
     // meet are one.
     struct Joint {
-        double first = 0;   // fraction of the first side
-        double second = 0;  // of the second, from its own start
+        double first = 0;                              // fraction of the first side
+        double second = 0;                             // of the second, from its own start
+        bool is_on_first = true, is_on_second = true;  // whether an edge ends there
     };
     std::vector<Joint> joints(const Candidate& candidate) const {
         const double one = length_of(candidate.first), other = length_of(candidate.second);
@@ -158,12 +164,33 @@ class Search {
         std::vector<Joint> joints;
         for (const double t : a) {
             const auto near = std::ranges::find_if(b, [&](double s) { return std::abs(s - t) < snap; });
-            joints.push_back({t, 1 - (near == b.end() ? t : *near)});
+            joints.push_back({t, 1 - (near == b.end() ? t : *near), true, near != b.end()});
             if (near != b.end()) b.erase(near);
         }
-        for (const double t : b) joints.push_back({t, 1 - t});
+        for (const double t : b) joints.push_back({t, 1 - t, false, true});
         std::ranges::sort(joints, {}, &Joint::first);
+        keep_apart(joints, one, other);
         return joints;
+    }
+
+    // Moves joints along the side where no edge ends, so that no stretch is too short to be meshed.
+    static void keep_apart(std::vector<Joint>& joints, double one, double other) {
+        constexpr double kShortest = 0.003;  // m
+        const double first = std::min(0.2, kShortest / one), second = std::min(0.2, kShortest / other);
+        double low = 0, high = 1;
+        for (Joint& joint : joints) {
+            if (!joint.is_on_first) joint.first = std::max(joint.first, low + first);
+            if (!joint.is_on_second) joint.second = std::min(joint.second, high - second);
+            low = joint.first;
+            high = joint.second;
+        }
+        low = 0, high = 1;
+        for (auto joint = joints.rbegin(); joint != joints.rend(); ++joint) {
+            if (!joint->is_on_first) joint->first = std::min(joint->first, high - first);
+            if (!joint->is_on_second) joint->second = std::max(joint->second, low + second);
+            high = joint->first;
+            low = joint->second;
+        }
     }
 
     // Divides the atoms so that each stretch between joints is one atom; returns them in order.

@@ -65,11 +65,7 @@ double odds_of_band(const OpenBoundary& boundary, const PanelFacts& facts, int o
 // A seam in the middle of the front or the back is upright, and the panel's other side has found its seam.
 double odds_of_middle(const OpenBoundary& boundary, const PanelFacts& facts, int own, int twin,
                       const std::vector<Vec2d>& points) {
-    const std::vector<std::string> words = words_of_name(boundary.pattern().panels[as_size(own)].name);
-    const bool is_side = std::ranges::any_of(words, [](const std::string& word) {
-        return word.starts_with("side") || word.starts_with("outside") || word.starts_with("outer");
-    });
-    if (is_side || std::abs(rise(points)) < kUpright) return kNever;
+    if (facts.is_outer || std::abs(rise(points)) < kUpright) return kNever;
     if (facts.role.face == Face::Front && facts.role.part == GarmentPart::Torso && facts.has_opening) return -4;
     if (straightness(points) < 0.97 || bulge(points) < -0.02) return kNever;  // an armhole, or a neckline
     if (const auto is_middle = is_towards_middle(facts, points))
