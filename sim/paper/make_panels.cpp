@@ -610,7 +610,8 @@ class PanelMaker {
         const Panel& panel = out_.pattern.panels[p];
         if (comes_in_pairs(role, panel.name)) return true;
         const bool is_face =
-            (role.face != Face::None && role.part == GarmentPart::Torso) || role.part == GarmentPart::Yoke;
+            (role.face != Face::None && (role.part == GarmentPart::Torso || role.part == GarmentPart::Skirt)) ||
+            role.part == GarmentPart::Yoke;
         return is_face && !is_symmetric(panel, 0) && !is_symmetric(panel, 1);
     }
 

@@ -1,0 +1,23 @@
+#pragma once
+// How well two chains fit each other, whatever they are: their lengths, their notches, the angles at their ends, and
+// the seams that end at both.
+#include "sim/proposals/chain_view.h"
+#include "sim/proposals/evidence.h"
+#include "sim/proposals/open_boundary.h"
+
+namespace selvedge::sim {
+
+// are_single: each side lies on one panel.
+void weigh_lengths(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b,
+                   const PanelRole& role_a, const PanelRole& role_b, bool are_single);
+
+// The part of the length by which a notch may lie elsewhere, for ease lies between notches.
+void weigh_notches(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b);
+
+// Across a seam, the outline goes on without a corner.
+void weigh_ends(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b);
+
+// Seams that end at the same place of both chains: a side seam under the middle of a sleeve's.
+void weigh_joints(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b);
+
+}  // namespace selvedge::sim
