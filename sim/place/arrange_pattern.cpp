@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kBefore = 0.12, kBehind = 0.08;  // m, from the trunk to a flat front and to a flat back
 constexpr double kApart = 0.01;                   // m, between halves in the middle
+constexpr float kClear = 0.015F;                  // m: dressing moves panels that are nearer than 1 cm
 constexpr double kOffWaist = 0.02;                // m, from the body to a waist that is bent round it
 
 std::size_t as_size(int index) {
@@ -480,7 +481,7 @@ class Arranger {
     // Wraps a tube round an arm. Where it meets shoulder, chest or arm it slides towards the hand, and stands open
     // wider, until it is clear.
     void wrap_clear(std::size_t p, const ArrangementPoint& at, double arm_length) {
-        constexpr double kStep = 0.01, kMost = 0.3;        // m; of the arm's length
+        constexpr double kStep = 0.01, kMost = 0.45;       // m; of the arm's length
         constexpr std::array kOpen{1.04, 1.15, 1.3, 1.5};  // of a full turn, so that the edges do not meet
         if (!collider_) collider_.emplace(body_);
         const double least = at.radius;
@@ -491,18 +492,23 @@ class Arranger {
             sim::arrange(panel(p), point);
             sleeve_points_[p] = point;
         };
+        // None is clear: the one that is least in the body.
+        double best_open = kOpen[0], best_slid = 0;
+        float best = -std::numeric_limits<float>::infinity();
         for (const double open : kOpen) {
             for (double slid = 0; slid <= kMost * arm_length; slid += kStep) {
                 wrap(open, slid);
-                if (is_clear(p)) return;
+                const float clearance = least_clearance(p);
+                if (clearance > kClear) return;
+                if (clearance > best) best = clearance, best_open = open, best_slid = slid;
             }
         }
-        wrap(kOpen[0], 0);
+        wrap(best_open, best_slid);
     }
 
-    bool is_clear(std::size_t p) const {
-        constexpr int kSpots = 16;         // along each side of the panel's box
-        constexpr float kClear = 0.0105F;  // m: dressing moves panels that are nearer than 1 cm
+    // From the panel to the body, m.
+    float least_clearance(std::size_t p) const {
+        constexpr int kSpots = 16;  // along each side of the panel's box
         const Panel& own = pattern_.panels[p];
         const Eigen::AlignedBox2d& box = boxes_[p];
         std::vector<Vec2d> outline;
@@ -510,16 +516,17 @@ class Arranger {
             const std::vector<Vec2d> line = outline_polyline(own, edge, 1e-3);
             outline.insert(outline.end(), line.begin(), line.end() - 1);
         }
-        const auto is_outside = [&](const Vec2d& u) {
-            return collider_->contact(own.place(u).cast<float>()).distance > kClear;
+        float least = std::numeric_limits<float>::infinity();
+        const auto take = [&](const Vec2d& u) {
+            least = std::min(least, collider_->contact(own.place(u).cast<float>()).distance);
         };
-        if (!std::ranges::all_of(outline, is_outside)) return false;
+        for (const Vec2d& u : outline) take(u);
         for (int i = 0; i < kSpots * kSpots; ++i) {
             const Vec2d share((i % kSpots + 0.5) / kSpots, (i / kSpots + 0.5) / kSpots);
             const Vec2d u = box.min() + share.cwiseProduct(box.sizes());
-            if (is_inside(u, outline) && !is_outside(u)) return false;
+            if (is_inside(u, outline)) take(u);
         }
-        return true;
+        return least;
     }
 
     // ---- Which part of a band lies where.

@@ -75,9 +75,12 @@ std::vector<PlacedPanel> placed_panels(const GarmentMesh& unsewn) {
     return panels;
 }
 
+// Tubes may be nearer: what they are round holds them.
 bool is_clear(const PlacedPanel& panel, const Vec3d& shift, const BodyCollider& body) {
+    constexpr double kTubeClearance = 0.002;  // m
+    const double clearance = panel.is_tube ? kTubeClearance : kClearance;
     return std::all_of(panel.points.begin(), panel.points.end(), [&](const Vec3d& p) {
-        return body.contact((p + shift).cast<float>()).distance >= static_cast<float>(kClearance);
+        return body.contact((p + shift).cast<float>()).distance >= static_cast<float>(clearance);
     });
 }
 
@@ -245,17 +248,24 @@ double blocked_cost(const GarmentMesh& unsewn, double lift, const BodyCollider& 
 
 constexpr double kLiftStep = 0.01;  // m
 
+bool has_tubes(const GarmentMesh& unsewn) {
+    return std::ranges::any_of(placed_panels(unsewn), [](const PlacedPanel& panel) { return panel.is_tube; });
+}
+
 // Beyond a maximum of the cost, a sleeve may lie wholly on the wrong side of the arm, where the cost is low again. A
 // lift beyond such a maximum is accepted only if the seams are practically clear there.
 double least_blocked_lift(const GarmentMesh& unsewn, double as_placed, const BodyCollider& body) {
     constexpr int kStepsEachWay = 12;
     constexpr double kWorthPerStep = 0.05;       // of the initial cost, which each step must save at least
     constexpr double kHump = 1.2, kClear = 0.1;  // of the initial cost
+    // A sleeve that is wrapped round an arm and lifted by more would lie beside it.
+    constexpr int kStepsOfTubes = 4;
+    const int steps = has_tubes(unsewn) ? kStepsOfTubes : kStepsEachWay;
     double best = 0;
     double least = as_placed;
     for (const double way : {kLiftStep, -kLiftStep}) {
         bool is_behind = false;
-        for (int i = 1; i <= kStepsEachWay; ++i) {
+        for (int i = 1; i <= steps; ++i) {
             const double cost = blocked_cost(unsewn, i * way, body);
             is_behind |= cost > kHump * as_placed;
             const double with_way = cost + i * kWorthPerStep * as_placed;
@@ -365,8 +375,10 @@ std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& b
                 move_panel(unsewn, i, *nudge);
                 notes.push_back(name + " moved by " + std::to_string(std::lround(nudge->norm() * 1000)) +
                                 " mm, clear of the limb that it is round");
-                continue;
+            } else {
+                notes.push_back(name + " meets the limb that it is round");
             }
+            continue;
         }
         const std::optional<double> move = clearing_move(panels[i], outside, body);
         if (!move) notes.push_back(name + " stands in the body, and nowhere near is clear of it");
