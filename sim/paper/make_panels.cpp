@@ -611,7 +611,7 @@ class PanelMaker {
         if (comes_in_pairs(role, panel.name)) return true;
         const bool is_face =
             (role.face != Face::None && (role.part == GarmentPart::Torso || role.part == GarmentPart::Skirt)) ||
-            role.part == GarmentPart::Yoke;
+            role.part == GarmentPart::Hood || role.part == GarmentPart::Yoke;
         return is_face && !is_symmetric(panel, 0) && !is_symmetric(panel, 1);
     }
 

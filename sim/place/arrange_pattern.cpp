@@ -570,8 +570,9 @@ class Arranger {
         const Vec2d size = boxes_[p].sizes();
         const TrunkSection low = trunk_section(body_, height, stature_.height());
         const TrunkSection high = trunk_section(body_, height + size.y(), stature_.height());
-        const double reach = std::max(low.reach, high.reach) + kOffWaist;
-        point.radius = std::max({point.radius, reach, kOpen * size.x() / (2 * std::numbers::pi)});
+        const double reach = std::max(low.reach, high.reach);  // 0: the trunk is not found there
+        const double clear = reach > 0 ? reach + kOffWaist : point.radius;
+        point.radius = std::max(clear, kOpen * size.x() / (2 * std::numbers::pi));
         point.position = low.centre + point.radius * point.outward;
         point.position.y() = height + size.y() / 2;
         sim::arrange(panel(p), point);
