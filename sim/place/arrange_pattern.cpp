@@ -13,6 +13,7 @@
 #include "sim/collide/body_collider.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
+#include "sim/place/body_anchors.h"
 #include "sim/place/limbs.h"
 #include "sim/place/placement.h"
 
@@ -26,54 +27,6 @@ constexpr double kOffWaist = 0.02;                // m, from the body to a waist
 
 std::size_t as_size(int index) {
     return static_cast<std::size_t>(index);
-}
-
-// Heights and depths of the body at which panels are placed, m.
-struct Anchors {
-    double shoulder = 0;  // of the neck's side, where a shoulder seam begins
-    double waist = 0;
-    double hip = 0;
-    double crotch = 0;
-    Vec3d centre = Vec3d::Zero();  // of the trunk at the waist
-    double front = 0, back = 0;    // z of the trunk's outermost points
-};
-
-Anchors anchors_of(const Body& body, const Stature& stature) {
-    constexpr double kNeckSide = 0.845, kCrotch = 0.47;  // of the stature (the mannequin's proportions)
-    Anchors anchors;
-    const TorsoHeights heights = torso_heights(body, stature);
-    const LandmarkHeights landmarks = find_landmarks(body);
-    anchors.shoulder = stature.floor + kNeckSide * stature.height();
-    anchors.waist = heights.waist;
-    anchors.hip = heights.hip;
-    anchors.crotch = landmarks.crotch.value_or(stature.floor + kCrotch * stature.height());
-    Eigen::AlignedBox3d box;
-    for (const double y : {heights.chest, heights.waist, heights.hip}) {
-        for (const Vec3d& p : trunk_points(body, y, stature.height())) box.extend(p);
-    }
-    if (box.isEmpty()) box.extend(Vec3d(0, heights.waist, 0));
-    anchors.centre = Vec3d(box.center().x(), heights.waist, box.center().z());
-    anchors.front = box.max().z();
-    anchors.back = box.min().z();
-    return anchors;
-}
-
-// The trunk's section at a height.
-struct TrunkSection {
-    Vec3d centre = Vec3d::Zero();
-    double reach = 0;  // m, from there to the outermost point
-    double girth = 0;  // m, by the tape
-};
-
-TrunkSection trunk_section(const Body& body, double y, double stature) {
-    TrunkSection section;
-    SectionLoop loop;
-    loop.points = trunk_points(body, y, stature);
-    if (loop.points.empty()) return section;
-    section.centre = middle_of_box(loop.points);
-    for (const Vec3d& p : loop.points) section.reach = std::max(section.reach, (p - section.centre).norm());
-    section.girth = tape_length(loop, {.point = section.centre, .normal = Vec3d::UnitY()});
-    return section;
 }
 
 struct Sewn {
@@ -114,6 +67,7 @@ class Arranger {
             if (part == GarmentPart::Waistband) place_round(p, "waist", band_height(p));
         }
         for (std::size_t p = 0; p < out_.roles.size(); ++p) place_cuff(p);
+        place_hoods();
         continue_seams();
         place_rest();
         label_panels();
@@ -458,7 +412,8 @@ class Arranger {
         return count > 0 ? sum / count - boxes_[p].sizes().y() : anchors_.waist;
     }
 
-    // A cuff goes on where its sleeve ends, round the same arm.
+    // A cuff goes on where its sleeve ends, round the same arm; of a long sleeve, at the wrist: it closes there, and
+    // would not go over the hand.
     void place_cuff(std::size_t p) {
         if (out_.roles[p].part != GarmentPart::Cuff || !panel(p).is_worn || is_placed_[p]) return;
         for (const Sewn& sewn : sewn_[p]) {
@@ -466,16 +421,94 @@ class Arranger {
             if (sleeve == sleeve_points_.end()) continue;
             constexpr double kWrist = 0.035, kBelow = 0.01;  // m: least radius, and from the sleeve
             ArrangementPoint point = sleeve->second;
-            const double down = (boxes_[sleeve->first].sizes().y() + boxes_[p].sizes().y()) / 2 + kBelow;
+            const bool is_left = out_.roles[sleeve->first].flank != Flank::Right;
+            const Limb& limb = (*limbs_)[is_left ? LimbKind::LeftArm : LimbKind::RightArm];
+            const double height = boxes_[p].sizes().y();
+            const double to_hem = boxes_[sleeve->first].sizes().y() / 2 + height / 2 + kBelow;
+            const double to_wrist = (point.position - limb.joints[2].centre).dot(point.upward) - height / 2;
+            const double down = std::min(to_hem, to_wrist);
             point.position += (kWrist - point.radius) * point.outward - down * point.upward;
             point.radius = kWrist;
             sim::arrange(panel(p), point);
             const Vec3d axis = point.position - point.radius * point.outward;
             const double turn = turn_to_partners(p, axis, point.upward);
-            wrap_clear(p, std::abs(turn) > kTurned ? turned(point, axis, turn) : point, down);
+            wrap_clear(p, std::abs(turn) > kTurned ? turned(point, axis, turn) : point, 4 * kBelow);
             is_placed_[p] = true;
             return;
         }
+    }
+
+    // ---- Hoods.
+
+    // The sides of a hood stand beside the head, their round edge behind it; the strip between them is bent over it.
+    void place_hoods() {
+        if (!limbs_) limbs_ = find_limbs(body_);
+        const Limb& head = (*limbs_)[LimbKind::Head];
+        if (!head.is_found || head.joints.size() < 2) return;
+        for (std::size_t p = 0; p < out_.roles.size(); ++p) {
+            if (out_.roles[p].part != GarmentPart::Hood || !panel(p).is_worn || is_placed_[p]) continue;
+            if (is_hood_strip(p))
+                place_hood_strip(p, head);
+            else
+                place_hood_side(p, head);
+        }
+    }
+
+    bool is_hood_strip(std::size_t p) const {
+        constexpr double kStrip = 2.5;
+        return boxes_[p].sizes().maxCoeff() > kStrip * boxes_[p].sizes().minCoeff();
+    }
+
+    // Where the middle of all edges lies that are sewn to panels of the part, from the middle of the panel, m.
+    Vec2d towards(std::size_t p, GarmentPart part) const {
+        Vec2d sum = Vec2d::Zero();
+        for (const Sewn& sewn : sewn_[p]) {
+            if (is_part(sewn.panel, part) && as_size(sewn.panel) != p) sum += middle_of(sewn.own) - boxes_[p].center();
+        }
+        return sum;
+    }
+
+    void place_hood_side(std::size_t p, const Limb& head) {
+        constexpr double kBeside = 0.14;  // m, from the middle of the head
+        Panel& own = panel(p);
+        const double x = towards(p, GarmentPart::Hood).x();
+        if (x == 0) return;
+        // The right side faces outward: on the left of the body, the panel's x runs to the back.
+        const double way = x > 0 ? 1 : -1;
+        out_.roles[p].flank = way > 0 ? Flank::Left : Flank::Right;
+        own.wrap_radius = 0;
+        own.wrap_cone.reset();
+        own.rotation = Eigen::AngleAxisd(way * std::numbers::pi / 2, Vec3d::UnitY()).toRotationMatrix();
+        own.translation.setZero();
+        const Vec2d low(boxes_[p].center().x(), boxes_[p].min().y());
+        const Vec3d neck = head.joints[0].centre;
+        own.translation = Vec3d(neck.x() + way * kBeside, neck.y(), neck.z()) - own.place(low);
+        is_placed_[p] = true;
+    }
+
+    void place_hood_strip(std::size_t p, const Limb& head) {
+        constexpr double kArc = 3.6;  // rad, from the nape over the head
+        Panel& own = panel(p);
+        if (boxes_[p].sizes().y() > boxes_[p].sizes().x()) {
+            own = mapped_panel(own, Eigen::Affine2d(Eigen::Rotation2Dd(std::numbers::pi / 2)));
+            boxes_[p] = outline_box(own, 1e-3);
+        }
+        // Which side of the hood the lower edge belongs to.
+        double left = 0;
+        for (const Sewn& sewn : sewn_[p]) {
+            if (!is_part(sewn.panel, GarmentPart::Hood)) continue;
+            const bool is_low = middle_of(sewn.own).y() < boxes_[p].center().y();
+            const double x = towards(as_size(sewn.panel), GarmentPart::Hood).x();
+            left += (is_low ? 1 : -1) * x;
+        }
+        ArrangementPoint point;
+        point.upward = Vec3d(left > 0 ? -1 : 1, 0, 0);
+        point.outward = Vec3d(0, 0.6, -0.8);  // unit
+        point.radius = boxes_[p].sizes().x() / kArc;
+        const Vec3d middle = (head.joints[0].centre + head.joints[1].centre) / 2;
+        point.position = middle + point.radius * point.outward;
+        sim::arrange(own, point);
+        is_placed_[p] = true;
     }
 
     // Wraps a tube round an arm. Where it meets shoulder, chest or arm it slides towards the hand, and stands open
