@@ -369,7 +369,11 @@ class PartReader {
             const Vec2d start = panel_.vertices[as_size(panel_.edges[as_size(*edge)].start)];
             const Vec2d end = panel_.vertices[as_size(panel_.edges[as_size(*edge)].end)];
             if (!has_grain_line()) panel_.grain_angle = upright_angle(end - start);
-            panel_ = unfolded(panel_, *edge);
+            const Panel whole = unfolded(panel_, *edge);
+            if (find_outline_crossings(whole, {.most = 1}).empty())
+                panel_ = whole;
+            else
+                note("unfolded, it would cross itself: left as it is drawn");
             return;
         }
     }

@@ -15,11 +15,12 @@ Vec3d Panel::place(const Vec2d& u) const {
     if (wrap_cone) {
         const Vec2d from_apex = u - wrap_cone->apex;
         const double reach = from_apex.norm();
-        const double angle = std::atan2(from_apex.x(), -from_apex.y()) / wrap_cone->sine;
-        const double cosine = std::sqrt(std::max(0.0, 1 - wrap_cone->sine * wrap_cone->sine));
-        local.x() = side * (wrap_cone->apex.x() + reach * wrap_cone->sine * std::sin(angle));
-        local.y() = wrap_cone->apex.y() - reach * cosine;
-        local.z() = side * reach * wrap_cone->sine * std::cos(angle);
+        const double way = wrap_cone->sine < 0 ? 1 : -1, sine = std::abs(wrap_cone->sine);
+        const double angle = std::atan2(from_apex.x(), way * from_apex.y()) / sine;
+        const double cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
+        local.x() = side * (wrap_cone->apex.x() + reach * sine * std::sin(angle));
+        local.y() = wrap_cone->apex.y() + way * reach * cosine;
+        local.z() = side * reach * sine * std::cos(angle);
     }
     return rotation * local + translation;
 }

@@ -62,11 +62,11 @@ struct Notch {
     bool operator==(const Notch&) const = default;
 };
 
-// A cone to which a panel is bent without stretching it, as the sector of a disc is for a skirt. It opens downwards;
-// its axis is parallel to the panel's y, through the apex. The ray from the apex straight down stays where it is.
+// A cone to which a panel is bent without stretching it, as the sector of a disc is for a skirt. It opens downwards, or
+// upwards if its sine is negative; its axis is parallel to y, through the apex. The ray along the axis stays in place.
 struct WrapCone {
     Vec2d apex = Vec2d::Zero();  // panel frame, m
-    double sine = 1;             // of the angle between axis and cloth, 0 (exclusive) to 1; 1: flat, square to the axis
+    double sine = 1;             // of the angle between axis and cloth, 0.01 to 1 or -0.01 to -1; 1: flat
 
     bool operator==(const WrapCone&) const = default;
 };

@@ -222,7 +222,8 @@ class Reader : private FaultReader {
         const auto value = number(sine);
         if (!at || !value) return;
         constexpr double kLeastSine = 0.01;  // a sharper needle would wind the cloth round itself
-        if (!(*value >= kLeastSine && *value <= 1)) return error(sine, "the sine is from 0.01 to 1");
+        if (!(std::abs(*value) >= kLeastSine && std::abs(*value) <= 1))
+            return error(sine, "the sine is from 0.01 to 1, or as much below 0");
         panel.wrap_cone = WrapCone{*at, *value};
     }
 

@@ -330,8 +330,31 @@ class Arranger {
                 point.position += (placed->second.position - point.position).dot(point.upward) * point.upward +
                                   level_between(p, *half) * point.upward;
         }
-        wrap_clear(p, point, arm_length);
+        wrap_clear(p, point, arm_length, tapering_cone(p));
         is_placed_[p] = true;
+    }
+
+    // The cone of a sleeve that narrows downwards, with its apex where its two long edges meet; sine: as if it closed.
+    std::optional<WrapCone> tapering_cone(std::size_t p) const {
+        constexpr double kLeastAngle = 0.06;  // rad, between the edges: less is a cylinder
+        const Panel& own = pattern_.panels[p];
+        for (const Sewn& sewn : sewn_[p]) {
+            if (as_size(sewn.panel) != p || sewn.own == sewn.other) continue;
+            const auto ends = [&](const SeamSide& side) {
+                const OutlineEdge& edge = own.edges[as_size(side.edge)];
+                const Vec2d a = outline_point(own, edge, 0), b = outline_point(own, edge, 1);
+                return a.y() < b.y() ? std::pair(a, b) : std::pair(b, a);
+            };
+            const auto [low_a, high_a] = ends(sewn.own);
+            const auto [low_b, high_b] = ends(sewn.other);
+            const Vec2d a = high_a - low_a, b = high_b - low_b;
+            const double cross = cross2(a, b), angle = std::abs(std::atan2(cross, a.dot(b)));
+            const bool narrows = std::abs(high_a.x() - high_b.x()) > std::abs(low_a.x() - low_b.x());
+            if (!narrows || angle < kLeastAngle || angle > 1) return std::nullopt;
+            const double t = cross2(low_b - low_a, b) / cross;
+            return WrapCone{.apex = low_a + t * a, .sine = -angle / (2 * std::numbers::pi)};
+        }
+        return std::nullopt;
     }
 
     // From the underarm to the top, m.
@@ -426,9 +449,14 @@ class Arranger {
             const double height = boxes_[p].sizes().y();
             const double to_hem = boxes_[sleeve->first].sizes().y() / 2 + height / 2 + kBelow;
             const double to_wrist = (point.position - limb.joints[2].centre).dot(point.upward) - height / 2;
-            const double down = std::min(to_hem, to_wrist);
-            point.position += (kWrist - point.radius) * point.outward - down * point.upward;
+            point.position += (kWrist - point.radius) * point.outward - to_hem * point.upward;
             point.radius = kWrist;
+            if (to_wrist < to_hem) {
+                const Vec3d wrist = limb.joints[2].centre;
+                point.upward = (limb.joints[1].centre - wrist).normalized();
+                point.outward = (point.outward - point.outward.dot(point.upward) * point.upward).normalized();
+                point.position = wrist + height / 2 * point.upward + kWrist * point.outward;
+            }
             sim::arrange(panel(p), point);
             const Vec3d axis = point.position - point.radius * point.outward;
             const double turn = turn_to_partners(p, axis, point.upward);
@@ -513,8 +541,9 @@ class Arranger {
 
     // Wraps a tube round an arm. Where it meets shoulder, chest or arm it slides towards the hand, and stands open
     // wider, until it is clear.
-    void wrap_clear(std::size_t p, const ArrangementPoint& at, double arm_length) {
-        constexpr double kStep = 0.01, kMost = 0.45;       // m; of the arm's length
+    void wrap_clear(std::size_t p, const ArrangementPoint& at, double arm_length,
+                    const std::optional<WrapCone>& cone = {}) {
+        constexpr double kStep = 0.01, kMost = 0.45;             // m; of the arm's length
         constexpr std::array kOpen{1.04, 1.15, 1.3, 1.5};  // of a full turn, so that the edges do not meet
         if (!collider_) collider_.emplace(body_);
         const double least = at.radius;
@@ -522,8 +551,11 @@ class Arranger {
             ArrangementPoint point = at;
             point.radius = std::max(least, open * boxes_[p].sizes().x() / (2 * std::numbers::pi));
             point.position += (point.radius - least) * point.outward - slid * point.upward;
-            sim::arrange(panel(p), point);
             sleeve_points_[p] = point;
+            if (cone)
+                bend_to_cone(p, point, {.apex = cone->apex, .sine = cone->sine * open});
+            else
+                sim::arrange(panel(p), point);
         };
         // None is clear: the one that is least in the body.
         double best_open = kOpen[0], best_slid = 0;
@@ -537,6 +569,21 @@ class Arranger {
             }
         }
         wrap(best_open, best_slid);
+    }
+
+    // The middle of the panel's height lies beside the point, the cone's axis along the limb.
+    void bend_to_cone(std::size_t p, const ArrangementPoint& point, const WrapCone& cone) {
+        Panel& own = panel(p);
+        own.wrap_radius = 0;
+        own.wrap_cone = cone;
+        own.rotation.col(1) = point.upward;
+        own.rotation.col(2) = point.outward;
+        own.rotation.col(0) = point.upward.cross(point.outward);
+        own.translation.setZero();
+        const Vec2d middle = boxes_[p].center();
+        const double along = (own.place({cone.apex.x(), middle.y()})).dot(point.upward);
+        const Vec3d axis = point.position - point.radius * point.outward;
+        own.translation = axis - own.rotation.col(0) * cone.apex.x() - along * point.upward;
     }
 
     // From the panel to the body, m.
