@@ -76,8 +76,9 @@ bool is_sleeve_hem(const OpenBoundary& boundary, const ChainView& view) {
 
 // Two hems are not sewn to each other, nor two waists, nor two armholes or necklines.
 void weigh_facing(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b,
-                  GarmentPart part_a, GarmentPart part_b) {
+                  const PanelRole& role_a, const PanelRole& role_b) {
     using enum GarmentPart;
+    const GarmentPart part_a = role_a.part, part_b = role_b.part;
     if (part_a == Sleeve && part_b == Sleeve) {  // may be drawn along the arm
         if (is_sleeve_hem(boundary, a) && is_sleeve_hem(boundary, b)) add(evidence, -5);
         return;
@@ -92,7 +93,11 @@ void weigh_facing(Evidence& evidence, const OpenBoundary& boundary, const ChainV
                             is_one_of(part_b, {Waistband, Torso, Leg, Skirt});
     if (are_levels && (hangs_wrong(part_a, up_a) || hangs_wrong(part_b, up_b))) return add(evidence, -6);
     if (up_a < -kLevel && up_b < -kLevel) return add(evidence, -5);
-    if (std::min(up_a, up_b) < -kLevel && std::max(up_a, up_b) > kLevel) return add(evidence, 0.8);
+    if (std::min(up_a, up_b) < -kLevel && std::max(up_a, up_b) > kLevel) {
+        // What hangs from a panel is of its face; a front's hem is not sewn to a back's top.
+        const bool are_opposite = role_a.face != role_b.face && role_a.face != Face::None && role_b.face != Face::None;
+        return add(evidence, are_opposite && part_a == part_b ? -5 : 0.8);
+    }
     const bool has_shoulder = is_one_of(part_a, {Torso, Yoke, Hood, Unknown}) || is_one_of(part_b, {Torso, Yoke, Hood});
     if (up_a > kLevel && up_b > kLevel && !has_shoulder) add(evidence, -5);
 }
@@ -508,7 +513,7 @@ void weigh_looks(Evidence& evidence, const OpenBoundary& boundary, const std::ve
             weigh_other_side(evidence, boundary, facts, sides.panels_a[0], sides.panels_b[0], sides.points_a);
         if (!is_dart(boundary, facts, sides.a, sides.b)) weigh_upright(evidence, sides.points_a, sides.points_b);
     }
-    if (sides.panels_a != sides.panels_b) weigh_facing(evidence, boundary, sides.a, sides.b, a.role.part, b.role.part);
+    if (sides.panels_a != sides.panels_b) weigh_facing(evidence, boundary, sides.a, sides.b, a.role, b.role);
     const bool are_loops = sides.a.chain.is_loop && sides.b.chain.is_loop;
     if (are_loops && a.role.part == b.role.part && a.role.part != Unknown) evidence.is_possible = false;
     if (a.role.part == Binding && b.role.part != Binding) weigh_binding(evidence, boundary, facts, sides.a, sides.b);
@@ -518,8 +523,11 @@ void weigh_looks(Evidence& evidence, const OpenBoundary& boundary, const std::ve
         constexpr double kBothSides = -5;  // odds: a neckline is no armhole
         if (lies_on_both_sides(boundary, facts, a.role.part == Torso ? sides.a : sides.b)) add(evidence, kBothSides);
     }
-    if (are_parts(a.role.part, b.role.part, Torso, Sleeve) && are_loops)
+    if (are_parts(a.role.part, b.role.part, Torso, Sleeve) && are_loops) {
+        constexpr double kRings = 1;  // odds: an armhole and a cap that are rings
+        add(evidence, kRings);
         weigh_lowest(evidence, sides.points_a, sides.points_b);
+    }
 }
 
 }  // namespace

@@ -1,0 +1,248 @@
+// Seams of paper patterns, as drafts of real garments have them: halves and whole panels, darts, bands, hoods.
+#include <gtest/gtest.h>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "sim/pattern/edge_shape.h"
+#include "sim/pattern/outline.h"
+#include "sim/proposals/seam_proposals.h"
+
+namespace selvedge::sim {
+namespace {
+
+// Counter-clockwise corners, m; edge i begins at corner i.
+Panel polygon(const char* name, std::vector<Vec2d> corners) {
+    Panel panel;
+    panel.name = name;
+    panel.vertices = std::move(corners);
+    const int count = static_cast<int>(panel.vertices.size());
+    for (int i = 0; i < count; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % count});
+    return panel;
+}
+
+Panel rectangle(const char* name, double width, double height) {
+    return polygon(name, {{0, 0}, {width, 0}, {width, height}, {0, height}});
+}
+
+// Bends an edge outward, by so much in its middle, m.
+void bend(Panel& panel, std::size_t edge, double out) {
+    OutlineEdge& bent = panel.edges[edge];
+    const Vec2d a = panel.vertices[static_cast<std::size_t>(bent.start)];
+    const Vec2d b = panel.vertices[static_cast<std::size_t>(bent.end)];
+    const Vec2d along = (b - a).normalized();
+    bent.kind = CurveKind::Quadratic;
+    bent.control[0] = (a + b) / 2 + 2 * out * Vec2d(along.y(), -along.x());
+}
+
+// The edge i of the panel becomes edge (count - i) % count of its mirror image.
+Panel mirror_image(const Panel& panel) {
+    Panel image = mapped_panel(panel, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
+    image.mirror_of = panel.name;
+    image.name = panel.name + "_mirrored";
+    return image;
+}
+
+// Pairs of panel and edge that accepted proposals sew, the smaller first.
+using Pairs = std::set<std::pair<std::pair<std::string, int>, std::pair<std::string, int>>>;
+Pairs sewn(const Pattern& pattern) {
+    Pairs pairs;
+    const ProposalOptions options;
+    const auto end = [&](const EdgeSpan& span) {
+        return std::pair(pattern.panels[static_cast<std::size_t>(span.panel)].name, span.edge);
+    };
+    for (const SeamProposal& proposal : propose_seams(pattern, options)) {
+        if (proposal.confidence < options.accepted) continue;
+        for (const auto& [first, second] : proposal.parts) pairs.insert(std::minmax(end(first), end(second)));
+    }
+    return pairs;
+}
+
+bool are_sewn(const Pairs& pairs, const std::pair<std::string, int>& a, const std::pair<std::string, int>& b) {
+    return pairs.contains(std::minmax(a, b));
+}
+
+bool are_panels_sewn(const Pairs& pairs, const std::string& a, const std::string& b) {
+    return std::ranges::any_of(pairs, [&](const auto& pair) {
+        return (pair.first.first == a && pair.second.first == b) || (pair.first.first == b && pair.second.first == a);
+    });
+}
+
+// A whole front or back: hem 0, side 1, armhole 2, shoulder 3, neck 4, shoulder 5, armhole 6, side 7.
+Panel whole(const char* name) {
+    Panel panel = polygon(
+        name, {{-0.25, 0}, {0.25, 0}, {0.25, 0.4}, {0.2, 0.6}, {0.08, 0.64}, {-0.08, 0.64}, {-0.2, 0.6}, {-0.25, 0.4}});
+    bend(panel, 2, -0.03);
+    bend(panel, 6, -0.03);
+    bend(panel, 4, -0.05);
+    return panel;
+}
+
+// Hem 0, underarm 1, cap 2 and 3, underarm 4. The cap is 1 cm longer than the armhole.
+Panel sleeve(const char* name) {
+    Panel panel = polygon(name, {{-0.1, 0}, {0.1, 0}, {0.18, 0.45}, {0, 0.56}, {-0.18, 0.45}});
+    bend(panel, 2, 0.03);
+    bend(panel, 3, 0.03);
+    return panel;
+}
+
+Pattern body_block() {
+    Pattern pattern;
+    pattern.panels = {whole("front"), whole("back"), sleeve("sleeve")};
+    pattern.panels.push_back(mirror_image(pattern.panels[2]));
+    return pattern;
+}
+
+TEST(Drafts, have_their_armholes_sewn_to_sleeves_and_not_to_each_other) {
+    const Pairs pairs = sewn(body_block());
+    EXPECT_TRUE(are_sewn(pairs, {"front", 1}, {"back", 7}));
+    EXPECT_TRUE(are_sewn(pairs, {"front", 7}, {"back", 1}));
+    EXPECT_TRUE(are_sewn(pairs, {"front", 3}, {"back", 5}));
+    EXPECT_TRUE(are_sewn(pairs, {"front", 5}, {"back", 3}));
+    EXPECT_TRUE(are_panels_sewn(pairs, "front", "sleeve"));
+    EXPECT_TRUE(are_panels_sewn(pairs, "back", "sleeve"));
+    EXPECT_TRUE(are_panels_sewn(pairs, "front", "sleeve_mirrored"));
+    for (const int armhole : {2, 6}) {
+        for (const int other : {2, 6}) EXPECT_FALSE(are_sewn(pairs, {"front", armhole}, {"back", other}));
+    }
+}
+
+TEST(Drafts, have_ribbing_sewn_to_the_hems_that_it_ends) {
+    Pattern pattern = body_block();
+    // Drawn along the cloth; 15 % shorter than the hems of 0.2 and 1 m.
+    pattern.panels.push_back(rectangle("cuff", 0.1, 0.17));
+    pattern.panels.push_back(mirror_image(pattern.panels.back()));
+    pattern.panels.push_back(rectangle("waistband", 0.1, 0.85));
+    const Pairs pairs = sewn(pattern);
+    EXPECT_TRUE(are_sewn(pairs, {"cuff", 0}, {"cuff", 2})) << "the cuff is as long round as the sleeve's hem";
+    EXPECT_TRUE(are_sewn(pairs, {"waistband", 0}, {"waistband", 2}));
+    EXPECT_NE(are_panels_sewn(pairs, "cuff", "sleeve"), are_panels_sewn(pairs, "cuff", "sleeve_mirrored"));
+    EXPECT_NE(are_panels_sewn(pairs, "cuff_mirrored", "sleeve"),
+              are_panels_sewn(pairs, "cuff_mirrored", "sleeve_mirrored"));
+    const bool is_at_hem =
+        are_sewn(pairs, {"front", 0}, {"waistband", 1}) || are_sewn(pairs, {"front", 0}, {"waistband", 3});
+    EXPECT_TRUE(is_at_hem);
+    EXPECT_FALSE(are_sewn(pairs, {"front", 4}, {"waistband", 1}) || are_sewn(pairs, {"front", 4}, {"waistband", 3}));
+}
+
+// A trouser half: hem 0, inseam 1, crotch 2, waist 3, outseam 4.
+Panel leg(const char* name, double crotch) {
+    Panel panel = polygon(name, {{0, 0}, {0.2, 0}, {0.2 + crotch, 0.7}, {0.2, 0.95}, {0, 0.95}});
+    bend(panel, 2, -0.03);
+    return panel;
+}
+
+TEST(Drafts, of_trousers_have_the_crotch_sewn_to_its_mirror_image_and_nothing_else) {
+    Pattern pattern;
+    pattern.panels = {leg("front", 0.05), leg("back", 0.09)};
+    pattern.panels[1] = mapped_panel(pattern.panels[1], Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
+    pattern.panels.push_back(mirror_image(pattern.panels[0]));
+    pattern.panels.push_back(mirror_image(pattern.panels[1]));
+    pattern.panels.push_back(rectangle("waistband", 0.8, 0.05));
+    const Pairs pairs = sewn(pattern);
+    EXPECT_TRUE(are_sewn(pairs, {"front", 2}, {"front_mirrored", 3}));
+    EXPECT_TRUE(are_sewn(pairs, {"front", 4}, {"back", 1}));
+    EXPECT_TRUE(are_sewn(pairs, {"front", 1}, {"back", 4}));
+    EXPECT_FALSE(are_sewn(pairs, {"front", 4}, {"front_mirrored", 1}));
+    EXPECT_TRUE(are_panels_sewn(pairs, "waistband", "front"));
+    EXPECT_FALSE(are_sewn(pairs, {"front", 0}, {"waistband", 0}) || are_sewn(pairs, {"front", 0}, {"waistband", 2}));
+}
+
+// A back half with the middle at x = 0, seen from outside: hem 0, side 1, armhole 2, shoulder 3, neck 4, middle 5.
+Panel back_half() {
+    return polygon("back", {{0, 0}, {0.25, 0}, {0.25, 0.4}, {0.2, 0.6}, {0.08, 0.64}, {0, 0.6}});
+}
+
+TEST(Drafts, of_two_halves_are_sewn_in_the_middle_and_to_one_side_of_a_whole_front) {
+    Pattern pattern;
+    pattern.panels = {
+        polygon(
+            "front",
+            {{-0.25, 0}, {0.25, 0}, {0.25, 0.4}, {0.2, 0.6}, {0.08, 0.64}, {-0.08, 0.64}, {-0.2, 0.6}, {-0.25, 0.4}}),
+        back_half()};
+    pattern.panels.push_back(mirror_image(pattern.panels[1]));
+    const Pairs pairs = sewn(pattern);
+    EXPECT_TRUE(are_sewn(pairs, {"back", 5}, {"back_mirrored", 1}));
+    EXPECT_FALSE(are_sewn(pairs, {"back", 1}, {"back_mirrored", 5}));
+    // Side 7 and shoulder 5 of the front are on its left, side 1 and shoulder 3 on its right.
+    EXPECT_EQ(are_sewn(pairs, {"front", 7}, {"back", 1}), are_sewn(pairs, {"front", 5}, {"back", 3}));
+    EXPECT_NE(are_sewn(pairs, {"front", 7}, {"back", 1}), are_sewn(pairs, {"front", 1}, {"back", 1}));
+    EXPECT_NE(are_sewn(pairs, {"front", 1}, {"back", 1}), are_sewn(pairs, {"front", 1}, {"back_mirrored", 5}));
+}
+
+TEST(Drafts, have_wide_darts_closed_and_the_seam_across_them_found) {
+    Pattern pattern;
+    // A front whose sides have darts of 50 degrees: the side is straight when they are closed.
+    const double angle = 50 * std::acos(-1) / 180, reach = 0.16;
+    const Vec2d tip(0.25 - reach, 0.25);
+    const auto turned = [&](double x, double y) -> Vec2d {  // what lies below the dart, turned away about its tip
+        return tip + Eigen::Rotation2Dd(-angle) * (Vec2d(x, y) - tip);
+    };
+    const std::vector<Vec2d> right{turned(0.08, 0), turned(0.25, 0), turned(0.25, 0.25), tip,
+                                   {0.25, 0.25},    {0.25, 0.4},     {0.2, 0.6},         {0.08, 0.64}};
+    std::vector<Vec2d> corners = right;
+    for (auto p = right.rbegin(); p != right.rend(); ++p) corners.emplace_back(-p->x(), p->y());
+    pattern.panels = {
+        polygon("front", corners),
+        polygon(
+            "back",
+            {{-0.25, 0}, {0.25, 0}, {0.25, 0.4}, {0.2, 0.6}, {0.08, 0.64}, {-0.08, 0.64}, {-0.2, 0.6}, {-0.25, 0.4}})};
+    const Pairs pairs = sewn(pattern);
+    EXPECT_TRUE(are_sewn(pairs, {"front", 2}, {"front", 3}));
+    EXPECT_TRUE(are_sewn(pairs, {"front", 1}, {"back", 7})) << "below the dart";
+    EXPECT_TRUE(are_sewn(pairs, {"front", 4}, {"back", 7})) << "above the dart";
+}
+
+TEST(Drafts, with_a_deep_neck_have_no_dart_there) {
+    Pattern pattern;
+    pattern.panels = {
+        polygon("front", {{-0.25, 0}, {0.25, 0}, {0.25, 0.6}, {0.12, 0.6}, {0, 0.4}, {-0.12, 0.6}, {-0.25, 0.6}})};
+    EXPECT_FALSE(are_sewn(sewn(pattern), {"front", 3}, {"front", 4}));
+}
+
+TEST(Drafts, of_two_piece_sleeves_are_sewn_where_the_outline_turns_only_a_little) {
+    Pattern pattern;
+    // Hem 0, front seam 1, cap 2 and 3, which goes on from the back seam 4 with a turn of some 20 degrees.
+    pattern.panels = {polygon("topsleeve", {{0, 0}, {0.18, 0}, {0.2, 0.45}, {0.11, 0.58}, {0.02, 0.53}}),
+                      polygon("undersleeve", {{0, 0}, {0.1, 0}, {0.1, 0.5304}, {0, 0.4504}})};
+    bend(pattern.panels[0], 3, 0.012);
+    bend(pattern.panels[1], 2, -0.03);
+    const Pairs pairs = sewn(pattern);
+    EXPECT_TRUE(are_sewn(pairs, {"topsleeve", 1}, {"undersleeve", 3}));
+    EXPECT_TRUE(are_sewn(pairs, {"topsleeve", 4}, {"undersleeve", 1}));
+}
+
+TEST(Drafts, with_a_hood_have_no_binding_at_the_neck_and_a_strip_between_the_sides) {
+    Pattern pattern;
+    // Neck 0, back 1 (round), face 2.
+    pattern.panels = {polygon("hoodSide", {{0, 0}, {0.18, 0}, {0.04, 0.36}})};
+    bend(pattern.panels[0], 1, 0.1);
+    pattern.panels.push_back(mirror_image(pattern.panels[0]));
+    const double round = outline_length(pattern.panels[0], pattern.panels[0].edges[1]);
+    pattern.panels.push_back(rectangle("hoodCenter", round, 0.06));
+    const Pairs pairs = sewn(pattern);
+    EXPECT_TRUE(are_panels_sewn(pairs, "hoodSide", "hoodCenter"));
+    EXPECT_TRUE(are_panels_sewn(pairs, "hoodSide_mirrored", "hoodCenter"));
+    EXPECT_FALSE(are_panels_sewn(pairs, "hoodSide", "hoodSide_mirrored"));
+}
+
+TEST(Drafts, have_no_stretch_that_is_too_short_to_be_meshed) {
+    Pattern pattern;
+    pattern.panels = {rectangle("collar", 0.4, 0.06), rectangle("collar stand", 0.44, 0.04)};
+    // Notches 0.02 mm beside a vertex of the stand, and 2 cm from its ends.
+    split_edge(pattern.panels[1], 2, 0.5);
+    for (const double t : {0.02 / 0.22, 1 - 1e-4}) pattern.panels[1].notches.push_back({.edge = 2, .t = t});
+    pattern.panels[1].notches.push_back({.edge = 3, .t = 1 - 0.02 / 0.22});
+    for (const SeamProposal& proposal : propose_seams(pattern)) {
+        for (const auto& [first, second] : proposal.parts) {
+            for (const EdgeSpan& span : {first, second}) {
+                const Panel& panel = pattern.panels[static_cast<std::size_t>(span.panel)];
+                const double whole_edge = outline_length(panel, panel.edges[static_cast<std::size_t>(span.edge)]);
+                EXPECT_GT((span.to - span.from) * whole_edge, 1e-3);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace selvedge::sim
