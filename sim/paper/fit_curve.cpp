@@ -41,10 +41,13 @@ CubicPoints fit_once(Points points, const std::vector<double>& s, const Vec2d& a
     }
     normal(1, 0) = normal(0, 1);
     const double chord = (last - first).norm(), determinant = normal.determinant();
+    // Longer handles than the way along the points make a loop between them.
+    double way = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) way += (points[i] - points[i - 1]).norm();
     Vec2d reach(chord / 3, chord / 3);
     if (std::abs(determinant) > 1e-12 * normal(0, 0) * normal(1, 1)) {
         const Vec2d solved = normal.inverse() * right;
-        if (solved.minCoeff() > 1e-6 * chord && solved.maxCoeff() < 10 * chord + 1e-300) reach = solved;
+        if (solved.minCoeff() > 1e-6 * chord && solved.maxCoeff() < way) reach = solved;
     }
     return {first, first + reach[0] * at_start, last + reach[1] * at_end, last};
 }

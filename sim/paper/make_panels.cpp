@@ -31,18 +31,14 @@ std::string in_cm(double metres) {
     return text.data();
 }
 
-Eigen::AlignedBox2d box_of(const DrawnPath& path) {
-    Eigen::AlignedBox2d box;
-    for (const Vec2d& v : path.vertices) box.extend(v);
-    for (const OutlineEdge& edge : path.edges) {
-        if (edge.kind == CurveKind::Quadratic || edge.kind == CurveKind::Cubic) box.extend(edge.control[0]);
-        if (edge.kind == CurveKind::Cubic) box.extend(edge.control[1]);
-    }
-    return box;
-}
-
+// In file units, of the curve itself: a handle may reach far beyond it.
 double extent(const DrawnPath& path) {
-    const Eigen::AlignedBox2d box = box_of(path);
+    Eigen::AlignedBox2d box;
+    const Panel shape = as_panel(path);
+    for (const OutlineEdge& edge : shape.edges) {
+        constexpr int kSteps = 8;
+        for (int i = 0; i <= kSteps; ++i) box.extend(outline_point(shape, edge, i / double(kSteps)));
+    }
     return box.isEmpty() ? 0 : box.sizes().maxCoeff();
 }
 

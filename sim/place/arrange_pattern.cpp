@@ -15,6 +15,7 @@
 #include "sim/pattern/outline.h"
 #include "sim/place/body_anchors.h"
 #include "sim/place/limbs.h"
+#include "sim/place/panel_cones.h"
 #include "sim/place/placement.h"
 
 namespace selvedge::sim {
@@ -204,35 +205,6 @@ class Arranger {
         return anchors_.crotch - kBelowCrotch - outmost->y();
     }
 
-    // The circle of the most hollow edge: the waist of a skirt that is a sector of a disc.
-    struct WaistArc {
-        Vec2d centre = Vec2d::Zero();
-        double radius = 0;  // m; 0: there is none
-        double angle = 0;   // rad, of all edges on the circle
-    };
-    WaistArc waist_arc(const Panel& own) const {
-        WaistArc arc;
-        double best = 0;
-        for (const OutlineEdge& edge : own.edges) {
-            const Vec2d a = outline_point(own, edge, 0);
-            const Vec2d ab = outline_point(own, edge, 0.5) - a, ac = outline_point(own, edge, 1) - a;
-            const double area = cross2(ab, ac), length = outline_length(own, edge);
-            if (area > -0.02 * length * length || -area / length < best) continue;  // not hollow
-            best = -area / length;
-            const Vec2d off(ac.y() * ab.squaredNorm() - ab.y() * ac.squaredNorm(),
-                            ab.x() * ac.squaredNorm() - ac.x() * ab.squaredNorm());
-            arc.centre = a + off / (2 * area);
-            arc.radius = off.norm() / (2 * -area);
-        }
-        constexpr double kOnCircle = 0.02;
-        for (const OutlineEdge& edge : own.edges) {
-            const double distance = (outline_point(own, edge, 0.3) - arc.centre).norm();
-            if (best > 0 && std::abs(distance - arc.radius) < kOnCircle * arc.radius)
-                arc.angle += outline_length(own, edge) / arc.radius;
-        }
-        return arc;
-    }
-
     // m, round the top of the skirt or the trousers; 0: not known.
     double waist_length() const {
         double band = 0, arc_length = 0;
@@ -330,29 +302,15 @@ class Arranger {
                 point.position += (placed->second.position - point.position).dot(point.upward) * point.upward +
                                   level_between(p, *half) * point.upward;
         }
-        wrap_clear(p, point, arm_length, tapering_cone(p));
+        wrap_clear(p, point, arm_length, cone_of_sleeve(p));
         is_placed_[p] = true;
     }
 
-    // The cone of a sleeve that narrows downwards, with its apex where its two long edges meet; sine: as if it closed.
-    std::optional<WrapCone> tapering_cone(std::size_t p) const {
-        constexpr double kLeastAngle = 0.06;  // rad, between the edges: less is a cylinder
-        const Panel& own = pattern_.panels[p];
+    // The cone of a sleeve that narrows, by the seam that closes it.
+    std::optional<WrapCone> cone_of_sleeve(std::size_t p) const {
         for (const Sewn& sewn : sewn_[p]) {
-            if (as_size(sewn.panel) != p || sewn.own == sewn.other) continue;
-            const auto ends = [&](const SeamSide& side) {
-                const OutlineEdge& edge = own.edges[as_size(side.edge)];
-                const Vec2d a = outline_point(own, edge, 0), b = outline_point(own, edge, 1);
-                return a.y() < b.y() ? std::pair(a, b) : std::pair(b, a);
-            };
-            const auto [low_a, high_a] = ends(sewn.own);
-            const auto [low_b, high_b] = ends(sewn.other);
-            const Vec2d a = high_a - low_a, b = high_b - low_b;
-            const double cross = cross2(a, b), angle = std::abs(std::atan2(cross, a.dot(b)));
-            const bool narrows = std::abs(high_a.x() - high_b.x()) > std::abs(low_a.x() - low_b.x());
-            if (!narrows || angle < kLeastAngle || angle > 1) return std::nullopt;
-            const double t = cross2(low_b - low_a, b) / cross;
-            return WrapCone{.apex = low_a + t * a, .sine = -angle / (2 * std::numbers::pi)};
+            if (as_size(sewn.panel) == p && sewn.own != sewn.other)
+                return tapering_cone(pattern_.panels[p], sewn.own.edge, sewn.other.edge);
         }
         return std::nullopt;
     }
@@ -543,7 +501,7 @@ class Arranger {
     // wider, until it is clear.
     void wrap_clear(std::size_t p, const ArrangementPoint& at, double arm_length,
                     const std::optional<WrapCone>& cone = {}) {
-        constexpr double kStep = 0.01, kMost = 0.45;             // m; of the arm's length
+        constexpr double kStep = 0.01, kMost = 0.45;       // m; of the arm's length
         constexpr std::array kOpen{1.04, 1.15, 1.3, 1.5};  // of a full turn, so that the edges do not meet
         if (!collider_) collider_.emplace(body_);
         const double least = at.radius;
@@ -612,13 +570,6 @@ class Arranger {
     // ---- Which part of a band lies where.
 
     static constexpr double kTurned = 0.35;  // rad: bands that are turned by less stay as they are
-
-    static ArrangementPoint turned(ArrangementPoint point, const Vec3d& centre, double angle) {
-        const Eigen::AngleAxisd turn(angle, point.upward);
-        point.position = centre + turn * (point.position - centre);
-        point.outward = turn * point.outward;
-        return point;
-    }
 
     // By how much a band must turn about an axis so that its edges lie beside those that they are sewn to, rad.
     double turn_to_partners(std::size_t p, const Vec3d& centre, const Vec3d& axis) const {

@@ -590,6 +590,13 @@ std::vector<ArrangementPoint> arrangement_points(const Body& body) {
 
 // The wrap bends about the panel's x = 0. If that is not its centre, the panel is rotated until its centre faces
 // outward.
+ArrangementPoint turned(ArrangementPoint point, const Vec3d& centre, double angle) {
+    const Eigen::AngleAxisd turn(angle, point.upward);
+    point.position = centre + turn * (point.position - centre);
+    point.outward = turn * point.outward;
+    return point;
+}
+
 void arrange(Panel& panel, const ArrangementPoint& point) {
     const Eigen::AlignedBox2d box = box_of(panel);
     if (box.isEmpty()) return;

@@ -44,6 +44,9 @@ struct ArrangementPoint {
     double radius = 0;               // m, of that cylinder
 };
 
+// The point turned about the line through `centre` along its `upward`, rad.
+ArrangementPoint turned(ArrangementPoint point, const Vec3d& centre, double angle);
+
 // All points in a fixed order: torso from neck to below the hip, then arms, then legs; at each torso level front, back,
 // left, right. Points too close to the body are left out.
 std::vector<ArrangementPoint> arrangement_points(const Body& body);

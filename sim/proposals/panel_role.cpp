@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 
 #include "sim/pattern/edge_shape.h"
-#include "sim/pattern/outline.h"
+#include "sim/proposals/shape_role.h"
 
 namespace selvedge::sim {
 namespace {
@@ -65,74 +64,6 @@ GarmentPart part_of_words(const std::vector<std::string>& words) {
         }
     }
     return GarmentPart::Unknown;
-}
-
-// Whether the side of the outline above a height comes out again after it went in, as an armhole does below the
-// shoulder, and a crotch does not.
-bool comes_out_again(const Panel& panel, double from, bool is_right) {
-    constexpr int kSteps = 40;      // along each edge, and up
-    constexpr double kOut = 0.012;  // m
-    const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
-    std::array<double, kSteps> reach{};  // of the side, outward, per level
-    reach.fill(-1e9);
-    for (const OutlineEdge& edge : panel.edges) {
-        for (int i = 0; i <= 4 * kSteps; ++i) {
-            const Vec2d p = outline_point(panel, edge, i / (4.0 * kSteps));
-            const double share = (p.y() - from) / (box.max().y() - from);
-            if (share < 0) continue;
-            double& level = reach[std::min<std::size_t>(kSteps - 1, static_cast<std::size_t>(share * kSteps))];
-            level = std::max(level, is_right ? p.x() : -p.x());
-        }
-    }
-    double least = 1e9;
-    for (const double x : reach) {
-        if (x < -1e8) continue;
-        least = std::min(least, x);
-        if (x > least + kOut) return true;
-    }
-    return false;
-}
-
-// Whether the outline turns by much at a vertex, as at a crotch and not at a hip.
-bool is_corner(const Panel& panel, std::size_t vertex) {
-    constexpr double kNear = 0.05;  // of an edge
-    constexpr double kLeast = 0.6;  // rad
-    Vec2d in = Vec2d::Zero(), out = Vec2d::Zero();
-    for (const OutlineEdge& edge : panel.edges) {
-        if (static_cast<std::size_t>(edge.end) == vertex)
-            in = outline_point(panel, edge, 1) - outline_point(panel, edge, 1 - kNear);
-        if (static_cast<std::size_t>(edge.start) == vertex)
-            out = outline_point(panel, edge, kNear) - outline_point(panel, edge, 0);
-    }
-    return std::abs(std::atan2(cross2(in, out), in.dot(out))) > kLeast;
-}
-
-// Whether the outline narrows from its widest place, where a crotch would be, both to the hem and to the waist, and
-// much more on one side than on the other: the hook of a trouser leg.
-bool looks_like_leg(const Panel& panel) {
-    constexpr double kSlender = 1.3;  // height over width
-    constexpr double kHook = 0.03;    // m, by which the crotch stands out above
-    const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
-    const double height = box.sizes().y(), width = box.sizes().x();
-    if (!(height > kSlender * width)) return false;
-    // The waist slopes up to the middle of the back.
-    constexpr double kSlope = 0.1;  // m
-    const double low = box.min().y(), top = box.max().y() - std::min(kSlope, 0.25 * height);
-    std::array<double, 2> at_top{box.max().x(), box.min().x()};
-    std::array<std::size_t, 2> outmost{0, 0};  // the outermost vertex on the left and on the right
-    std::array<double, 2> reach{box.max().x(), box.min().x()};
-    for (std::size_t i = 0; i < panel.vertices.size(); ++i) {
-        const Vec2d& v = panel.vertices[i];
-        if (v.y() > top) at_top = {std::min(at_top[0], v.x()), std::max(at_top[1], v.x())};
-        if (v.x() < reach[0]) reach[0] = v.x(), outmost[0] = i;
-        if (v.x() > reach[1]) reach[1] = v.x(), outmost[1] = i;
-    }
-    // A slanted pocket takes a corner off the other side: the crotch stands out further.
-    const std::array<double, 2> out{at_top[0] - reach[0], reach[1] - at_top[1]};
-    const std::size_t side = out[0] > out[1] ? 0 : 1;
-    const double level = panel.vertices[outmost[side]].y(), share = (level - low) / height;
-    return out[side] > kHook && out[side] > 1.5 * out[1 - side] && share > 0.35 && share < 0.85 &&
-           is_corner(panel, outmost[side]) && !comes_out_again(panel, level, side == 1);
 }
 
 // Whether each vertex has its mirror image in the vertical through the middle.
@@ -225,6 +156,9 @@ std::vector<PanelRole> roles_of(const Pattern& pattern, std::string_view hints) 
         if (panel.label == "leg") role.part = GarmentPart::Leg;  // of GarmentCode, which means skirts, too
         if (panel.label == "arm") role.part = GarmentPart::Sleeve;
     }
+    const bool tells_nothing = std::ranges::all_of(
+        roles, [](const PanelRole& role) { return role.part == GarmentPart::Unknown && role.face == Face::None; });
+    if (tells_nothing) return roles_by_shape(pattern);
     const GarmentPart part = part_of_faces(pattern, roles, hints);
     for (PanelRole& role : roles) {
         if (is_plain_face(role)) role.part = part;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "sim/collide/body_collider.h"
 #include "sim/pattern/edge_shape.h"
@@ -152,6 +154,104 @@ TEST(ArrangePattern, says_what_it_placed_by_guess_and_continues_what_is_sewn) {
     const Vec3d yoke = middle_of(pattern.panels[5]), front = middle_of(pattern.panels[0]);
     EXPECT_NEAR(yoke.y() - front.y(), 0.35, 1e-9);
     EXPECT_NEAR(yoke.z(), front.z(), 1e-9);
+}
+
+// Counter-clockwise corners, m; edge i begins at corner i.
+Panel polygon(const char* name, std::vector<Vec2d> corners) {
+    Panel panel;
+    panel.name = name;
+    panel.vertices = std::move(corners);
+    const int count = static_cast<int>(panel.vertices.size());
+    for (int i = 0; i < count; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % count});
+    return panel;
+}
+
+// A shirt with long sleeves that narrow to the wrist, and cuffs that are drawn along the cloth.
+Pattern long_sleeved() {
+    Pattern pattern = shirt();
+    pattern.seams.resize(2);
+    // Hem 0, underarm 1, cap 2, underarm 3.
+    pattern.panels[2] = polygon("sleeve", {{-0.11, 0}, {0.11, 0}, {0.19, 0.55}, {-0.19, 0.55}});
+    pattern.panels[3] = polygon("sleeve_mirrored", {{-0.11, 0}, {0.11, 0}, {0.19, 0.55}, {-0.19, 0.55}});
+    pattern.panels[3].mirror_of = "sleeve";
+    pattern.panels.push_back(rectangle("cuff", 0.08, 0.2));
+    for (const int sleeve : {2, 3}) pattern.seams.push_back({{sleeve, 1}, {sleeve, 3}});
+    pattern.seams.push_back({{0, 2}, {2, 2}});
+    pattern.seams.push_back({{0, 4}, {3, 2}});
+    pattern.seams.push_back({{4, 0}, {4, 2}});
+    pattern.seams.push_back({{2, 0}, {4, 1}});
+    return pattern;
+}
+
+TEST(ArrangePattern, bends_a_sleeve_that_narrows_to_a_cone_clear_of_the_arm) {
+    Pattern pattern = long_sleeved();
+    arrange_pattern(pattern, mannequin());
+    const BodyCollider body(mannequin());
+    for (const int p : {2, 3}) {
+        const Panel& sleeve = pattern.panels[static_cast<std::size_t>(p)];
+        ASSERT_TRUE(sleeve.wrap_cone);
+        EXPECT_LT(sleeve.wrap_cone->sine, 0) << "it opens upwards";
+        // Its hem goes round the arm, and not through it.
+        for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+            const Vec3d at = sleeve.place(outline_point(sleeve, sleeve.edges[0], t));
+            EXPECT_GT(body.contact(at.cast<float>()).distance, 0.002F) << p << " " << t;
+        }
+        const Vec3d one = sleeve.place(sleeve.vertices[0]), other = sleeve.place(sleeve.vertices[1]);
+        const Vec3d across = sleeve.place(outline_point(sleeve, sleeve.edges[0], 0.5));
+        const Vec3d inside = (across + (one + other) / 2) / 2;
+        EXPECT_LT(body.contact(inside.cast<float>()).distance, 0) << "the arm is in the middle of the hem";
+        EXPECT_LT((one - other).norm(), 0.11) << p;
+    }
+}
+
+TEST(ArrangePattern, turns_a_cuff_level_and_puts_it_round_the_arm_of_its_sleeve) {
+    Pattern pattern = long_sleeved();
+    const Arrangement arrangement = arrange_pattern(pattern, mannequin());
+    const Panel& cuff = pattern.panels[4];
+    const Eigen::AlignedBox2d box = outline_box(cuff);
+    EXPECT_NEAR(box.sizes().x(), 0.2, 1e-9) << "it was drawn upright";
+    // The edge that is sewn to the sleeve is the upper one, nearer to the shoulder.
+    const Vec3d upper = cuff.place(outline_point(cuff, cuff.edges[1], 0.5));
+    const Vec3d lower = cuff.place(outline_point(cuff, cuff.edges[3], 0.5));
+    EXPECT_GT(upper.y(), lower.y() + 0.03);
+    EXPECT_EQ(arrangement.roles[2].flank, Flank::Left);
+    EXPECT_GT(upper.x(), 0.3);
+    EXPECT_NEAR((cuff.place(cuff.vertices[1]) - cuff.place(cuff.vertices[0])).norm(), 0, 0.16);
+}
+
+TEST(ArrangePattern, puts_a_waistband_of_a_bodice_at_its_hem_with_its_ends_where_the_seam_ends) {
+    Pattern pattern = shirt();
+    pattern.panels.push_back(rectangle("waistband", 1.0, 0.08));
+    split_edge(pattern.panels[4], 2, 0.5);
+    // From the wearer's left side over the front: the first half of the upper edge to the front.
+    pattern.seams.push_back({{0, 0}, {4, 2}});
+    pattern.seams.push_back({{1, 0}, {4, 3}});
+    arrange_pattern(pattern, mannequin());
+    const Panel& band = pattern.panels[4];
+    const auto middle_of_edge = [&](std::size_t p, std::size_t e) {
+        return pattern.panels[p].place(outline_point(pattern.panels[p], pattern.panels[p].edges[e], 0.5));
+    };
+    EXPECT_NEAR(middle_of_edge(4, 2).y(), middle_of_edge(0, 0).y(), 0.02);
+    EXPECT_GT(middle_of_edge(4, 2).z(), 0.05) << "before the body";
+    EXPECT_LT(middle_of_edge(4, 3).z(), -0.05) << "behind it";
+    EXPECT_GT(std::abs(band.place({0, 0}).x()), 0.1) << "its ends are at the side";
+}
+
+TEST(ArrangePattern, stands_the_sides_of_a_hood_beside_the_head_and_bends_the_strip_over_it) {
+    Pattern pattern;
+    // Neck 0, back 1, top 2, face 3; the image has its back 3.
+    pattern.panels = {rectangle("hoodSide", 0.25, 0.35), rectangle("hoodSide_mirrored", 0.25, 0.35),
+                      rectangle("hoodCenter", 0.35, 0.08)};
+    pattern.panels[1].mirror_of = "hoodSide";
+    pattern.seams = {{{0, 1}, {2, 0}}, {{1, 3}, {2, 2}}};
+    arrange_pattern(pattern, mannequin());
+    EXPECT_GT(middle_of(pattern.panels[0]).x(), 0.1);
+    EXPECT_LT(middle_of(pattern.panels[1]).x(), -0.1);
+    EXPECT_LT(pattern.panels[0].place({0.25, 0.1}).z(), pattern.panels[0].place({0, 0.1}).z()) << "its back is behind";
+    EXPECT_LT(pattern.panels[1].place({0, 0.1}).z(), pattern.panels[1].place({0.25, 0.1}).z());
+    EXPECT_GT(pattern.panels[2].wrap_radius, 0);
+    EXPECT_GT(pattern.panels[2].place({0.1, 0}).x(), pattern.panels[2].place({0.1, 0.08}).x())
+        << "left edge, left side";
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include "sim/proposals/panel_role.h"
 
 #include <gtest/gtest.h>
+#include <utility>
+#include <vector>
 
 namespace selvedge::sim {
 namespace {
@@ -59,6 +61,64 @@ TEST(PanelRole, of_a_leg_is_seen_from_its_crotch) {
     EXPECT_EQ(roles_of(pattern)[0].part, Leg);
     pattern.panels[0].vertices[2] = {0.2, 0.7};
     EXPECT_EQ(roles_of(pattern)[0].part, Torso);
+}
+
+Panel polygon(const char* name, std::vector<Vec2d> corners) {
+    Panel panel;
+    panel.name = name;
+    panel.vertices = std::move(corners);
+    const int count = static_cast<int>(panel.vertices.size());
+    for (int i = 0; i < count; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % count});
+    return panel;
+}
+
+// A bodice half with its middle on the left: the shoulder stands out over the armhole.
+Panel bodice_half(const char* name, double neck) {
+    return polygon(name, {{0, 0}, {0.24, 0}, {0.25, 0.4}, {0.17, 0.45}, {0.19, 0.6}, {0.08, 0.64}, {0, 0.64 - neck}});
+}
+
+// A trouser half: the crotch on the right, a waist that slopes, a corner off for a slanted pocket.
+Panel leg_half(const char* name, double width) {
+    return polygon(name, {{0, 0}, {0.2, 0}, {width, 0.7}, {0.22, 0.8}, {0.21, 1.0}, {0.04, 0.96}, {0, 0.82}});
+}
+
+TEST(PanelRole, of_bodices_and_skirts_is_not_that_of_a_leg) {
+    Pattern pattern;
+    pattern.panels = {bodice_half("front", 0.08), bodice_half("back", 0.02)};
+    EXPECT_EQ(roles_of(pattern)[0].part, Torso);
+    // The hip of a skirt is round.
+    Panel skirt = polygon("front", {{0, 0}, {0.25, 0}, {0.26, 0.45}, {0.25, 0.55}, {0.2, 0.65}, {0, 0.65}});
+    pattern.panels = {skirt, skirt};
+    pattern.panels[1].name = "back";
+    EXPECT_EQ(roles_of(pattern)[0].part, Torso);
+    pattern.panels.push_back(polygon("waistband", {{0, 0}, {0.7, 0}, {0.7, 0.04}, {0, 0.04}}));
+    EXPECT_EQ(roles_of(pattern)[0].part, Skirt) << "it hangs from a waistband";
+}
+
+TEST(PanelRole, of_a_leg_is_seen_though_its_waist_slopes_and_its_pocket_is_slanted) {
+    Pattern pattern;
+    pattern.panels = {leg_half("front", 0.3), leg_half("back", 0.34)};
+    EXPECT_EQ(roles_of(pattern)[0].part, Leg);
+    EXPECT_EQ(roles_of(pattern)[1].part, Leg);
+    // A front that spans the middle of the body is of no trousers.
+    pattern.panels[0] = polygon("front", {{-0.25, 0}, {0.25, 0}, {0.25, 0.6}, {-0.25, 0.6}});
+    EXPECT_NE(roles_of(pattern)[1].part, Leg);
+}
+
+TEST(PanelRole, of_pieces_without_names_is_seen_from_their_outlines) {
+    Pattern pattern;
+    pattern.panels = {leg_half("DETAIL", 0.3), leg_half("DETAIL_2", 0.34)};
+    std::vector<PanelRole> roles = roles_of(pattern);
+    EXPECT_EQ(roles[0], (PanelRole{Leg, Face::Front, Flank::None}));
+    EXPECT_EQ(roles[1], (PanelRole{Leg, Face::Back, Flank::None})) << "the wider one";
+    pattern.panels = {bodice_half("?????", 0.08), bodice_half("??????", 0.02),
+                      polygon("???", {{-0.1, 0}, {0.1, 0}, {0.18, 0.45}, {0.05, 0.55}, {-0.05, 0.55}, {-0.18, 0.45}}),
+                      polygon("????", {{0, 0}, {0.1, 0}, {0.1, 0.12}, {0, 0.12}})};
+    roles = roles_of(pattern);
+    EXPECT_EQ(roles[0], (PanelRole{Torso, Face::Front, Flank::None})) << "the deeper neck";
+    EXPECT_EQ(roles[1], (PanelRole{Torso, Face::Back, Flank::None}));
+    EXPECT_EQ(roles[2].part, Sleeve);
+    EXPECT_EQ(roles[3].part, Unknown);
 }
 
 }  // namespace

@@ -1,0 +1,18 @@
+#pragma once
+// What a panel is for, from its outline alone, drawn upright: trouser legs by their crotch, bodices by their armholes,
+// sleeves by their cap. For patterns whose pieces have no names, or names that say nothing.
+#include <vector>
+
+#include "sim/pattern/pattern.h"
+#include "sim/proposals/panel_role.h"
+
+namespace selvedge::sim {
+
+// Whether the outline narrows from its widest place, where a crotch would be, both to the hem and to the waist, and
+// much more on one side than on the other: the hook of a trouser leg.
+bool looks_like_leg(const Panel& panel);
+
+// The roles of all panels. The wider leg is the back; the bodice with the deeper neck is the front. Others are Unknown.
+std::vector<PanelRole> roles_by_shape(const Pattern& pattern);
+
+}  // namespace selvedge::sim
