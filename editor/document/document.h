@@ -63,7 +63,7 @@ class Document {
     // be picked any more leave the selection. changeable() is what the views may change of it: what can be picked.
     const PanelStates& panel_states() const { return panel_states_; }
     void set_panel_states(PanelStates states);
-    Selection changeable() const { return pickable(selection_, panel_states_); }
+    Selection changeable() const { return pickable(selection_, panel_states_, pattern()); }
 
     // Applies a command, adds it to the history and selects what it made. Throws GeometryError, with nothing changed,
     // if the command is not possible.

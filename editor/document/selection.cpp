@@ -42,12 +42,17 @@ Selection clean_selection(Selection selection, const sim::Pattern& pattern) {
     return selection;
 }
 
-Selection pickable(Selection selection, const PanelStates& states) {
+Selection pickable(Selection selection, const PanelStates& states, const sim::Pattern& pattern) {
     std::erase_if(selection.panels, [&](const std::string& name) { return !states.may_be_picked(name); });
     for (std::set<PartRef>* parts :
          {&selection.vertices, &selection.edges, &selection.internal_lines, &selection.notches}) {
         std::erase_if(*parts, [&](const PartRef& ref) { return !states.may_be_picked(ref.panel); });
     }
+    std::erase_if(selection.seams, [&](int index) {
+        const sim::Seam& seam = pattern.seams[static_cast<std::size_t>(index)];
+        return !states.may_be_picked(sim::panel_of(pattern, seam.first).name) ||
+               !states.may_be_picked(sim::panel_of(pattern, seam.second).name);
+    });
     return selection;
 }
 

@@ -63,8 +63,8 @@ struct Hover {
 
 Selection clean_selection(Selection selection, const sim::Pattern& pattern);
 
-// The selection without the panels, and parts of panels, that cannot be picked. Seams stay.
-Selection pickable(Selection selection, const PanelStates& states);
+// The selection without the panels, parts of panels and seams of panels that cannot be picked.
+Selection pickable(Selection selection, const PanelStates& states, const sim::Pattern& pattern);
 
 // The states without panels that the pattern does not have, and with a panel's new name instead of its old one.
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "editor/geometry/draft.h"
 #include "editor/tools/tool.h"
@@ -175,10 +176,12 @@ void SelectTool::drop(ToolContext& context, const SheetPointer& pointer) {
 
 // Moves the selection by dx or by dx x dy, cm.
 bool SelectTool::enter(ToolContext& context, const std::vector<double>& numbers) {
-    if (numbers.size() > 2) return false;
-    drag_ = Drag::None;
+    // A number cannot tell how far copies, a frame or a curve's handle go.
+    const Drag drag = std::exchange(drag_, Drag::None);
+    if (numbers.size() > 2 || drag == Drag::Box || (drag == Drag::Move && is_copying_)) return false;
     const Vec2d by = Vec2d(numbers[0], numbers.size() > 1 ? numbers[1] : 0) / 100;
-    const std::optional<Command> command = move_selected(context.geometry, context.document.changeable(), by);
+    const Selection held = drag == Drag::Move ? moved_ : context.document.changeable();
+    const std::optional<Command> command = move_selected(context.geometry, held, by);
     if (!command) return false;
     context.document.run(*command);
     return true;
@@ -283,6 +286,23 @@ void EditPointTool::double_click(ToolContext& context, const SheetPointer& point
     const double t =
         snap_along(*context.geometry.edge(picked.ref()), picked.t, snap_options(context, pointer.modifiers));
     context.document.run(AddVertex{picked.panel, picked.index, t});
+}
+
+// Moves the handle, or the point of an internal line, that is dragged by dx or by dx x dy, cm.
+bool EditPointTool::enter(ToolContext& context, const std::vector<double>& numbers) {
+    if (!std::exchange(is_dragging_part_, false)) return SelectTool::enter(context, numbers);
+    const PanelShape* shape = context.geometry.find(pressed_.panel);
+    if (numbers.size() > 2 || shape == nullptr) return false;
+    const Vec2d by = Vec2d(numbers[0], numbers.size() > 1 ? numbers[1] : 0) / 100;
+    const auto move = [&](Vec2d& u) { u = shape->in_panel(shape->on_sheet(u) + by); };
+    if (pressed_.kind == PickKind::Handle) {
+        move(curve_.control.at(static_cast<std::size_t>(pressed_.control)));
+        context.document.run(SetCurve{pressed_.panel, pressed_.index, curve_});
+    } else {
+        move(line_.points.at(line_point_));
+        context.document.run(SetInternalLine{pressed_.panel, pressed_.index, line_});
+    }
+    return true;
 }
 
 bool EditPointTool::cancel(ToolContext& context) {

@@ -73,6 +73,7 @@ class EditPointTool : public SelectTool {
     void drag(ToolContext& context, const SheetPointer& pointer) override;
     void drop(ToolContext& context, const SheetPointer& pointer) override;
     void double_click(ToolContext& context, const SheetPointer& pointer) override;
+    bool enter(ToolContext& context, const std::vector<double>& numbers) override;
     bool cancel(ToolContext& context) override;
     void draw(const ToolContext& context, ToolOverlay& overlay) const override;
     std::string hint(const ToolContext& context) const override;

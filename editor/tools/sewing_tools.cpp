@@ -94,7 +94,7 @@ void SewingTool::hover(ToolContext& context, const SheetPointer& pointer) {
 
 void SewingTool::click(ToolContext& context, const SheetPointer& pointer) {
     slide_.reset();
-    for (const int seam : context.document.selection().seams) {
+    for (const int seam : context.document.changeable().seams) {
         const std::optional<Vec2d> button = seam_button(context.geometry, context.document.pattern(), seam);
         if (first_ || !button || (*button - pointer.at).norm() > kPickTolerance * context.px) continue;
         return context.document.run(ReverseSeam{seam});
@@ -133,7 +133,7 @@ bool SewingTool::key(ToolContext& context, Key key, const Modifiers& modifiers) 
 // found again by name.
 void SewingTool::reverse_selected(ToolContext& context) const {
     std::vector<std::string> sewings;
-    for (const int seam : one_of_each_sewing(context.document.pattern(), context.document.selection().seams)) {
+    for (const int seam : one_of_each_sewing(context.document.pattern(), context.document.changeable().seams)) {
         const std::string& sewing = context.document.pattern().seams[static_cast<std::size_t>(seam)].sewing;
         if (sewing.empty()) {
             context.document.run(ReverseSeam{seam});
@@ -152,7 +152,7 @@ void SewingTool::press(ToolContext& context, const SheetPointer& pointer) {
     slide_.reset();
     const std::optional<SewnEnd> end = first_ ? std::nullopt : end_at(context, pointer);
     const std::optional<int> seam = end ? context.geometry.seam_of(end->edge) : std::nullopt;
-    if (!seam || !context.document.selection().seams.contains(*seam)) return;
+    if (!seam || !context.document.changeable().seams.contains(*seam)) return;
     const sim::SeamSide& first = context.document.pattern().seams[static_cast<std::size_t>(*seam)].first;
     const bool is_second = index_of(context.geometry, end->edge.panel) != first.panel || end->edge.index != first.edge;
     if (!can_slide(context.document.pattern(), *seam, is_second ? SewingRun::Second : SewingRun::First)) return;

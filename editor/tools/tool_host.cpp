@@ -264,7 +264,7 @@ bool ToolHost::nudge(ToolHostContext host, Key key, const Modifiers& modifiers) 
 bool ToolHost::select_all(ToolHostContext host) {
     Selection all;
     for (const PanelShape& shape : geometry_.panels()) all.panels.insert(shape.panel.name);
-    host.document.select(pickable(all, host.document.panel_states()));
+    host.document.select(pickable(all, host.document.panel_states(), host.document.pattern()));
     return true;
 }
 

@@ -37,6 +37,7 @@ void show_document(AppState& state, sim::PatternDocument source, const std::stri
     state.workspace.file = file;
     state.workspace.look.hidden_garments.clear();
     state.inspectors.objects = {};
+    state.workspace.fabrics.show("");  // the Cloth tab showed one of the garment before
     state.workspace.drape.begin_document();
     state.tools.choose(tool_host_context(state.workspace), default_tool());
     state.shows_start_page = false;

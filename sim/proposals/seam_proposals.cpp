@@ -175,7 +175,7 @@ class Search {
 
     // Moves joints along the side where no edge ends, so that no stretch is too short to be meshed.
     static void keep_apart(std::vector<Joint>& joints, double one, double other) {
-        constexpr double kShortest = 0.003;  // m
+        constexpr double kShortest = 0.0005;  // m
         const double first = std::min(0.2, kShortest / one), second = std::min(0.2, kShortest / other);
         double low = 0, high = 1;
         for (Joint& joint : joints) {

@@ -327,6 +327,43 @@ TEST(AskedNumber, may_be_refused) {
     }
 }
 
+TEST(AskedNumber, leaves_the_selection_alone_where_a_frame_or_copies_are_dragged) {
+    for (const bool is_copying : {false, true}) {
+        SheetUser user;
+        user.click({0.1, 0.1});  // selects the left panel
+        const Vec2d before = user.vertex("left", 0);
+        const Vec2d from = is_copying ? Vec2d(0.1, 0.1) : Vec2d(0.25, -0.1);
+        const Modifiers modifiers{.alt = is_copying};
+        user.press(from, modifiers);
+        user.move(from + Vec2d(0.04, 0.02), modifiers);
+        user.move(from + Vec2d(0.06, 0.03), modifiers);
+        ASSERT_TRUE(user.tools.ask_number(user.host())) << is_copying;
+        user.release(from + Vec2d(0.06, 0.03), modifiers);
+        user.type("5");
+        EXPECT_LT((user.vertex("left", 0) - before).norm(), 1e-12) << is_copying;
+        EXPECT_EQ(user.message(), "This tool does not use a number here") << is_copying;
+        EXPECT_EQ(user.pattern().panels.size(), 2U) << is_copying;
+    }
+}
+
+TEST(AskedNumber, moves_a_curve_handle_that_is_dragged) {
+    SheetUser user;
+    sim::OutlineEdge curve = user.panel("left").edges[0];
+    curve.kind = sim::CurveKind::Quadratic;
+    curve.control[0] = {0.1, 0.04};
+    user.document.run(SetCurve{"left", 0, curve});
+    user.choose("edit_point");
+    user.click({0.1, 0.02});  // selects the edge: its handle shows
+    user.press({0.1, 0.04});
+    user.move({0.12, 0.06});
+    user.move({0.13, 0.06});
+    ASSERT_TRUE(user.tools.ask_number(user.host()));
+    user.release({0.13, 0.06});
+    user.type("2x1");
+    EXPECT_LT((user.panel("left").edges[0].control[0] - Vec2d(0.12, 0.05)).norm(), 1e-9);
+    EXPECT_LT((user.vertex("left", 0) - Vec2d(0, 0)).norm(), 1e-9) << "nothing else moves";
+}
+
 TEST(AskedNumber, is_a_length_of_what_is_drawn) {
     SheetUser user;
     user.choose("polygon");

@@ -52,6 +52,27 @@ TEST(SewingTool, tells_both_lengths_and_their_difference) {
     EXPECT_EQ(readout[1], "+3.2 mm");
 }
 
+TEST(SewingTool, leaves_seams_of_hidden_and_locked_panels_alone) {
+    for (const bool is_hidden : {false, true}) {
+        SheetUser user;
+        user.document.run(SewEdges{{"left", 1}, {"right", 3}, true});
+        user.choose("segment_sewing");
+        user.click({0.3, 0.05});
+        const std::set<std::string> names{"left"};
+        if (is_hidden)
+            user.document.set_panel_states({.hidden = names, .locked = {}});
+        else
+            user.document.set_panel_states({.hidden = {}, .locked = names});
+        Selection selection;
+        selection.seams = {0};
+        user.document.select(selection);
+        user.key(key_of('R'));
+        user.key(Key::Delete);
+        ASSERT_EQ(user.pattern().seams.size(), 1U) << is_hidden;
+        EXPECT_TRUE(user.pattern().seams[0].is_reversed) << is_hidden;
+    }
+}
+
 TEST(SewingTool, a_sewn_edge_is_selected_and_r_or_a_click_on_its_mark_reverses_it) {
     SheetUser user;
     user.document.run(SewEdges{{"left", 1}, {"right", 3}, true});
