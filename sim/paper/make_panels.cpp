@@ -11,6 +11,7 @@
 #include "sim/core/error.h"
 #include "sim/paper/cut_line.h"
 #include "sim/paper/path_builder.h"
+#include "sim/paper/polyline_outline.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
@@ -128,9 +129,35 @@ void drop_unused_vertices(Panel& panel) {
     panel.vertices = std::move(kept);
 }
 
+// Whether a closed polygon is a curve that was drawn as lines: most of its corners are slight turns.
+bool has_facets(const std::vector<Vec2d>& corners) {
+    constexpr std::size_t kLeast = 24;
+    constexpr double kStraight = 1e-4, kSlight = 0.25;  // rad
+    std::size_t slight = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2d& at = corners[i];
+        const Vec2d in = at - corners[(i + corners.size() - 1) % corners.size()];
+        const Vec2d out = corners[(i + 1) % corners.size()] - at;
+        const double turn = std::abs(std::atan2(cross2(in, out), in.dot(out)));
+        slight += turn > kStraight && turn < kSlight ? 1 : 0;
+    }
+    return corners.size() >= kLeast && 2 * slight > corners.size();
+}
+
+// A closed path, m: curves that a program drew as many lines are curves again.
+DrawnPath without_facets(const DrawnPath& path) {
+    constexpr double kTolerance = 1e-4;  // m
+    std::vector<Vec2d> corners;
+    for (const OutlineEdge& edge : path.edges) {
+        if (edge.kind != CurveKind::Line) return path;
+        corners.push_back(path.vertices[as_size(edge.start)]);
+    }
+    return has_facets(corners) ? outline_of_points(corners, true, {.tolerance = kTolerance}) : path;
+}
+
 // Pre: the path is closed. Counter-clockwise, as panels are.
-Panel outline_of(const DrawnPath& path) {
-    Panel panel = as_panel(path);
+Panel outline_of(const DrawnPath& drawn) {
+    Panel panel = as_panel(without_facets(drawn));
     drop_short_edges(panel);
     if (panel.edges.size() < 2) return panel;
     if (outline_area(panel) < 0) panel = reversed_outline(panel);

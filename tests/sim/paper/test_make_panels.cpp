@@ -1,6 +1,7 @@
 // Drawings become panels.
 #include "sim/paper/make_panels.h"
 
+#include <cmath>
 #include <map>
 
 #include "sim/paper/cut_line.h"
@@ -61,6 +62,31 @@ TEST(MakePanels, guess_a_unit_from_the_size_and_say_so) {
     const PanelsOfDrawing told = make_panels(drawing, "", {.metres_per_unit = 0.0254});
     EXPECT_NEAR(outline_box(told.pattern.panels[0]).sizes().y(), 28 * 0.0254, 1e-9);
     EXPECT_FALSE(told.is_unit_guessed);
+}
+
+TEST(MakePanels, make_curves_again_of_curves_that_were_drawn_as_lines) {
+    DrawnPath path{.kind = LineKind::Sew, .vertices = {{-300, 0}, {300, 0}}, .edges = {}, .is_closed = true};
+    constexpr int kFacets = 60;  // of a half circle
+    for (int i = 1; i < kFacets; ++i) {
+        const double angle = std::acos(-1) * i / kFacets;
+        path.vertices.emplace_back(300 * std::cos(angle), 300 * std::sin(angle));
+    }
+    const int count = static_cast<int>(path.vertices.size());
+    for (int i = 0; i < count; ++i) path.edges.push_back({.start = i, .end = (i + 1) % count});
+    const PanelsOfDrawing made = make_panels(one_part({.name = "flap", .paths = {path}}), "");
+    ASSERT_EQ(made.pattern.panels.size(), 1U);
+    const Panel& panel = made.pattern.panels[0];
+    EXPECT_LE(panel.edges.size(), 6U);
+    const double pi = std::acos(-1);
+    EXPECT_NEAR(outline_area(panel), pi * 0.3 * 0.3 / 2, 2e-4);
+    // A polygon of many real corners stays as it is.
+    DrawnPath star{.kind = LineKind::Sew, .vertices = {}, .edges = {}, .is_closed = true};
+    for (int i = 0; i < 40; ++i) {
+        const double radius = i % 2 == 0 ? 300 : 200, angle = 2 * pi * i / 40;
+        star.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+        star.edges.push_back({.start = i, .end = (i + 1) % 40});
+    }
+    EXPECT_EQ(make_panels(one_part({.name = "star", .paths = {star}}), "").pattern.panels[0].edges.size(), 40U);
 }
 
 TEST(MakePanels, add_the_second_of_a_mirrored_pair) {
