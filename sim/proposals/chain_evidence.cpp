@@ -537,16 +537,25 @@ Evidence weigh(const OpenBoundary& boundary, const std::vector<PanelFacts>& fact
     constexpr double kPrior = -4.0;  // of two chains taken at random
     Evidence evidence;
     evidence.odds = kPrior;
-    const Sides sides{.a = first,
-                      .b = second,
-                      .panels_a = panels_of(boundary, first),
-                      .panels_b = panels_of(boundary, second),
-                      .points_a = sampled(boundary, first),
-                      .points_b = sampled(boundary, second)};
+    // No seam is gathered to less than this: the rest need not be looked at.
+    constexpr double kLeastShare = 0.39;
+    const double one = length_of(first), other = length_of(second);
+    if (std::min(one, other) < kLeastShare * std::max(one, other)) {
+        evidence.is_possible = false;
+        return evidence;
+    }
+    Sides sides{.a = first,
+                .b = second,
+                .panels_a = panels_of(boundary, first),
+                .panels_b = panels_of(boundary, second),
+                .points_a = {},
+                .points_b = {}};
     const PanelFacts& a = facts[as_size(sides.panels_a[0])];
     const PanelFacts& b = facts[as_size(sides.panels_b[0])];
     weigh_lengths(evidence, boundary, first, second, a.role, b.role, sides.are_single());
     if (!evidence.is_possible) return evidence;
+    sides.points_a = sampled(boundary, first);
+    sides.points_b = sampled(boundary, second);
     const bool is_one_panel = sides.are_single() && sides.panels_a == sides.panels_b;
     if (sides.are_single() && !is_one_panel && are_twins(facts, sides.panels_a[0], sides.panels_b[0])) {
         evidence.is_possible = are_mirrored_places(a, b, sides.points_a, sides.points_b);
