@@ -113,12 +113,17 @@ bool is_single(const std::vector<int>& panels) {
     return panels.size() == 1;
 }
 
-// Whether a panel is on both sides; of sleeves, as when a side is sewn in one with the sleeve that is in it, this says
-// nothing.
-bool share_a_panel(const std::vector<int>& a, const std::vector<int>& b, const std::vector<PanelFacts>& facts) {
-    return std::ranges::any_of(a, [&](int panel) {
-        return facts[as_size(panel)].role.part != GarmentPart::Sleeve && std::ranges::find(b, panel) != b.end();
-    });
+// Panels on both sides of a seam: whether there is a sleeve, and whether there is another panel.
+struct Shared {
+    bool is_sleeve = false, is_other = false;
+};
+Shared shared_panels(const std::vector<int>& a, const std::vector<int>& b, const std::vector<PanelFacts>& facts) {
+    Shared shared;
+    for (const int panel : a) {
+        if (std::ranges::find(b, panel) == b.end()) continue;
+        (facts[as_size(panel)].role.part == GarmentPart::Sleeve ? shared.is_sleeve : shared.is_other) = true;
+    }
+    return shared;
 }
 
 // What is up in one panel is up in the other, if both are drawn upright.
@@ -492,7 +497,10 @@ void weigh_place(Evidence& evidence, const OpenBoundary& boundary, const std::ve
         return;
     }
     constexpr double kOneWithItself = -4;  // odds: a seam over several panels that has one panel on both sides
-    if (!sides.are_single() && share_a_panel(sides.panels_a, sides.panels_b, facts)) add(evidence, kOneWithItself);
+    constexpr double kSideAndSleeve = 2;   // odds: the side is sewn in one with the sleeve that is in it
+    const Shared shared = shared_panels(sides.panels_a, sides.panels_b, facts);
+    if (!sides.are_single() && shared.is_other) add(evidence, kOneWithItself);
+    if (!sides.are_single() && shared.is_sleeve) add(evidence, kSideAndSleeve, "side and sleeve in one");
     weigh_two_panels(evidence, boundary, facts, sides);
     weigh_flanks(evidence, flank(a, sides.panels_a, sides.points_a), flank(b, sides.panels_b, sides.points_b));
 }

@@ -107,6 +107,16 @@ TEST(Drafts, have_their_armholes_sewn_to_sleeves_and_not_to_each_other) {
     }
 }
 
+TEST(Drafts, have_a_side_sewn_in_one_with_the_sleeve_that_is_in_it) {
+    Pattern pattern = body_block();
+    pattern.panels.pop_back();
+    // The left sleeve is sewn in flat: shoulder, and both halves of the armhole.
+    pattern.seams = {{{0, 3}, {1, 5}}, {{0, 2}, {2, 3}}, {{1, 6}, {2, 2}}};
+    const Pairs pairs = sewn(pattern);
+    EXPECT_TRUE(are_sewn(pairs, {"front", 1}, {"back", 7}));
+    EXPECT_TRUE(are_sewn(pairs, {"sleeve", 1}, {"sleeve", 4}));
+}
+
 TEST(Drafts, have_ribbing_sewn_to_the_hems_that_it_ends) {
     Pattern pattern = body_block();
     // Drawn along the cloth; 15 % shorter than the hems of 0.2 and 1 m.
