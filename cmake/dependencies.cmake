@@ -21,5 +21,6 @@ pkg_check_modules(yaml-cpp REQUIRED IMPORTED_TARGET yaml-cpp>=0.7)  # sim/paper
 pkg_check_modules(pangocairo REQUIRED IMPORTED_TARGET pangocairo>=1.50)  # sim/print, with Cairo
 # Its -pthread would define _REENTRANT, with which the precompiled header was not made.
 set_target_properties(PkgConfig::pangocairo PROPERTIES INTERFACE_COMPILE_OPTIONS "")
+pkg_check_modules(glib REQUIRED IMPORTED_TARGET glib-2.0>=2.74)  # sim/proposals: letters of any script
 pkg_check_modules(fontconfig REQUIRED IMPORTED_TARGET fontconfig)  # app/fallback_fonts
 pkg_check_modules(glfw REQUIRED IMPORTED_TARGET glfw3>=3.3)    # app/window

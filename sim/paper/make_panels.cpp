@@ -10,6 +10,8 @@
 
 #include "sim/core/error.h"
 #include "sim/paper/cut_line.h"
+#include "sim/paper/drawn_outline.h"
+#include "sim/paper/outline_repair.h"
 #include "sim/paper/path_builder.h"
 #include "sim/paper/polyline_outline.h"
 #include "sim/pattern/edge_shape.h"
@@ -94,77 +96,6 @@ DrawnPath scaled(DrawnPath path, double scale) {
     return path;
 }
 
-Panel reversed_outline(const Panel& panel) {
-    Panel reversed = panel;
-    std::ranges::reverse(reversed.edges);
-    for (OutlineEdge& edge : reversed.edges) edge = reversed_edge(edge);
-    return reversed;
-}
-
-// Without edges that are too short; the next edge starts where the removed one did.
-void drop_short_edges(Panel& panel) {
-    std::vector<OutlineEdge> kept;
-    for (const OutlineEdge& edge : panel.edges) {
-        if (outline_length(panel, edge) >= kShortestEdge) {
-            kept.push_back(edge);
-        } else if (!kept.empty()) {
-            kept.back().end = edge.end;
-        }
-    }
-    for (std::size_t e = 0; e < kept.size(); ++e) kept[e].end = kept[(e + 1) % kept.size()].start;
-    panel.edges = std::move(kept);
-}
-
-void drop_unused_vertices(Panel& panel) {
-    std::vector<int> image(panel.vertices.size(), -1);
-    std::vector<Vec2d> kept;
-    for (OutlineEdge& edge : panel.edges) {
-        image[as_size(edge.start)] = static_cast<int>(kept.size());
-        kept.push_back(panel.vertices[as_size(edge.start)]);
-    }
-    for (OutlineEdge& edge : panel.edges) {
-        edge.start = image[as_size(edge.start)];
-        edge.end = image[as_size(edge.end)];
-    }
-    panel.vertices = std::move(kept);
-}
-
-// Whether a closed polygon is a curve that was drawn as lines: most of its corners are slight turns.
-bool has_facets(const std::vector<Vec2d>& corners) {
-    constexpr std::size_t kLeast = 24;
-    constexpr double kStraight = 1e-4, kSlight = 0.25;  // rad
-    std::size_t slight = 0;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vec2d& at = corners[i];
-        const Vec2d in = at - corners[(i + corners.size() - 1) % corners.size()];
-        const Vec2d out = corners[(i + 1) % corners.size()] - at;
-        const double turn = std::abs(std::atan2(cross2(in, out), in.dot(out)));
-        slight += turn > kStraight && turn < kSlight ? 1 : 0;
-    }
-    return corners.size() >= kLeast && 2 * slight > corners.size();
-}
-
-// A closed path, m: curves that a program drew as many lines are curves again.
-DrawnPath without_facets(const DrawnPath& path) {
-    constexpr double kTolerance = 1e-4;  // m
-    std::vector<Vec2d> corners;
-    for (const OutlineEdge& edge : path.edges) {
-        if (edge.kind != CurveKind::Line) return path;
-        corners.push_back(path.vertices[as_size(edge.start)]);
-    }
-    return has_facets(corners) ? outline_of_points(corners, true, {.tolerance = kTolerance}) : path;
-}
-
-// Pre: the path is closed. Counter-clockwise, as panels are.
-Panel outline_of(const DrawnPath& drawn) {
-    Panel panel = as_panel(without_facets(drawn));
-    drop_short_edges(panel);
-    if (panel.edges.size() < 2) return panel;
-    if (outline_area(panel) < 0) panel = reversed_outline(panel);
-    drop_unused_vertices(panel);
-    return panel;
-}
-
 struct OutlinePlace {
     int edge = 0;
     double t = 0;
@@ -226,10 +157,38 @@ class PartReader {
         return found;
     }
 
+    // Without the small faults of its drawing, which are told.
+    Panel mended(Panel panel) {
+        if (panel.edges.size() < 3) return panel;
+        const OutlineRepairs repairs = repair_outline(panel);
+        if (!repairs.is_any()) return panel;
+        drop_short_edges(panel);
+        drop_unused_vertices(panel);
+        if (repairs.retraced > 0) note("a line of the outline runs forth and back: taken off");
+        if (repairs.slits > 0) note("edges of the outline lie on each other: moved apart by 0.2 mm");
+        if (repairs.loops > 0) {
+            const Vec2d at = repairs.place / scale_;
+            std::array<char, 128> text{};
+            std::snprintf(text.data(), text.size(),
+                          "the outline crosses itself near (%.6g, %.6g): a loop of %s was cut off", at.x(), at.y(),
+                          in_cm(repairs.longest_loop).c_str());
+            note(text.data());
+        }
+        return panel;
+    }
+
+    static constexpr double kGap = 0.5e-3;  // m, between the ends of lines that are joined
+
     std::optional<Panel> read_outline() {
         const DrawnPath* path = largest(LineKind::Cut);
-        if (const DrawnPath* sewn = largest(LineKind::Sew)) {
-            Panel panel = outline_of(scaled(*sewn, scale_));
+        const DrawnPath* sewn = largest(LineKind::Sew);
+        const std::optional<DrawnPath> joined = sewn ? std::nullopt : joined_outline(part_.paths, kGap / scale_);
+        if (joined) {
+            note("the outline is drawn as lines that meet: joined");
+            sewn = &*joined;
+        }
+        if (sewn) {
+            Panel panel = mended(outline_of(scaled(*sewn, scale_)));
             if (panel.edges.size() >= 2) add_allowances(panel);
             if (!path || panel.edges.size() < 2 || find_outline_crossings(panel, {.most = 1}).empty()) return panel;
             const double width = distance_between(panel, outline_of(scaled(*path, scale_)));
@@ -239,7 +198,7 @@ class PartReader {
         const bool is_cut = path != nullptr;
         if (!path) path = largest(LineKind::Unknown);
         if (!path) return std::nullopt;
-        Panel panel = outline_of(scaled(*path, scale_));
+        Panel panel = mended(outline_of(scaled(*path, scale_)));
         if (panel.edges.size() < 2) return std::nullopt;
         panel.name = part_.name;
         if (!allowance_) {
@@ -248,9 +207,9 @@ class PartReader {
         }
         if (*allowance_ == 0) return panel;
         note("seam allowance of " + in_cm(*allowance_) + " taken off the cut line");
-        Panel sewn = inset_panel(panel, *allowance_);
-        sewn.allowance = *allowance_;
-        return sewn;
+        Panel inner = inset_panel(panel, *allowance_);
+        inner.allowance = *allowance_;
+        return inner;
     }
 
     // The allowance of each edge is its distance from the cut line, where that is even. The panel's is the one that
@@ -632,10 +591,18 @@ class PanelMaker {
         return comes_once && is_symmetric(out_.pattern.panels[p], 0);
     }
 
-    // By its name, or because it is the front or the back of one half of the body.
+    // By its name, or because it is the front or the back of one half of the body, or lies beside the middle of a
+    // garment that is cut on the fold there.
     bool is_one_of_a_pair(std::size_t p, const PanelRole& role) const {
+        using enum GarmentPart;
         const Panel& panel = out_.pattern.panels[p];
         if (comes_in_pairs(role, panel.name)) return true;
+        const bool may_lie_beside = role.part == Unknown || role.part == Torso || role.part == Skirt;
+        const bool has_fold = std::ranges::any_of(drawing_.parts, [](const DrawnPart& part) {
+            return std::ranges::any_of(part.paths,
+                                       [](const DrawnPath& path) { return path.kind == LineKind::FoldEdge; });
+        });
+        if (has_fold && may_lie_beside && !is_symmetric(panel, 0) && !is_symmetric(panel, 1)) return true;
         const bool is_face =
             (role.face != Face::None && (role.part == GarmentPart::Torso || role.part == GarmentPart::Skirt)) ||
             role.part == GarmentPart::Hood || role.part == GarmentPart::Yoke;

@@ -580,7 +580,8 @@ Evidence weigh(const OpenBoundary& boundary, const std::vector<PanelFacts>& fact
     weigh_looks(evidence, boundary, facts, sides);
     weigh_ends(evidence, boundary, first, second);
     weigh_joints(evidence, boundary, first, second);
-    weigh_notches(evidence, boundary, first, second);
+    const bool are_faces = a.role.face != Face::None && b.role.face != Face::None && a.role.face != b.role.face;
+    weigh_notches(evidence, boundary, first, second, sides.are_single() && are_faces);
     return evidence;
 }
 

@@ -70,7 +70,8 @@ InnerEnds inner_ends(const OpenBoundary& boundary, const ChainView& view) {
 
 }  // namespace
 
-void weigh_notches(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b) {
+void weigh_notches(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b,
+                   bool may_differ) {
     const InnerEnds ends_a = inner_ends(boundary, a), ends_b = inner_ends(boundary, b);
     if (ends_a.at_notch + ends_b.at_notch > 0) add(evidence, 1.0, "ends at a notch");
     constexpr double kTurnedEnd = -0.6;  // odds: a seam seldom ends where the outline turns only a little
@@ -93,7 +94,8 @@ void weigh_notches(Evidence& evidence, const OpenBoundary& boundary, const Chain
     }
 
     if (met > 0) add(evidence, std::min(3.0, 1.5 * met), met == 1 ? "a notch meets" : "notches meet");
-    if (wrong > 0) add(evidence, -2.5 * wrong);
+    constexpr double kOtherKind = 0.5, kWrongKind = -2.5;  // odds of a notch at the same place
+    if (wrong > 0) add(evidence, may_differ ? kOtherKind : kWrongKind * wrong);
     if (met + wrong == 0) add(evidence, -0.8);
 }
 

@@ -12,7 +12,9 @@ void weigh_lengths(Evidence& evidence, const OpenBoundary& boundary, const Chain
                    const PanelRole& role_a, const PanelRole& role_b, bool are_single);
 
 // The part of the length by which a notch may lie elsewhere, for ease lies between notches.
-void weigh_notches(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b);
+// may_differ: a front is compared with a back, and a single notch there may be a double one here, which says "back".
+void weigh_notches(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b,
+                   bool may_differ);
 
 // Across a seam, the outline goes on without a corner.
 void weigh_ends(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b);

@@ -8,6 +8,10 @@
 namespace selvedge::sim {
 namespace {
 
+constexpr std::string_view kOuterWords = "side outside outer seiten fianco flanc zijpand бок боч";
+constexpr std::string_view kInnerWords = "inside inner cent middle mitte milieu средн";
+constexpr std::string_view kOpeningWords = "placket button zip knopf bouton boton планк застеж";
+
 // The mean length of the lower edges of sleeves, or of legs if there is no sleeve, m; 0: there is none.
 double mean_hem(const Pattern& pattern, const std::vector<PanelRole>& roles) {
     constexpr double kLevel = 0.75;  // least run of a level edge over its length
@@ -38,12 +42,9 @@ std::vector<PanelFacts> facts_of(const Pattern& pattern, std::string_view hints)
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
         const Panel& panel = pattern.panels[p];
         PanelFacts facts{.role = roles[p]};
-        for (const std::string& word : words_of_name(panel.name)) {
-            const auto begins = [&](std::string_view start) { return word.starts_with(start); };
-            facts.is_outer = facts.is_outer || begins("side") || begins("outside") || begins("outer");
-            facts.is_inner =
-                facts.is_inner || begins("inside") || begins("inner") || begins("cent") || begins("middle");
-        }
+        const std::vector<std::string> words = words_of_name(panel.name);
+        facts.is_outer = names_any(words, kOuterWords);
+        facts.is_inner = names_any(words, kInnerWords);
         const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
         facts.axis = box.center().x();
         facts.width = box.sizes().x();
@@ -62,11 +63,8 @@ std::vector<PanelFacts> facts_of(const Pattern& pattern, std::string_view hints)
         }
         all.push_back(facts);
     }
-    const bool has_opening = std::ranges::any_of(pattern.panels, [](const Panel& panel) {
-        return std::ranges::any_of(words_of_name(panel.name), [](const std::string& word) {
-            return word.starts_with("placket") || word.starts_with("button") || word.starts_with("zip");
-        });
-    });
+    const bool has_opening = std::ranges::any_of(
+        pattern.panels, [](const Panel& panel) { return names_any(words_of_name(panel.name), kOpeningWords); });
     const double opening = mean_hem(pattern, roles);
     for (PanelFacts& facts : all) {
         if (facts.role.part == GarmentPart::Cuff) facts.opening = opening;

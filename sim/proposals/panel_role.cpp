@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "sim/pattern/edge_shape.h"
 #include "sim/proposals/shape_role.h"
@@ -10,60 +9,62 @@
 namespace selvedge::sim {
 namespace {
 
-// Words that begin with one of these name the part; the first row that fits any word of the name wins.
+// The beginnings of words that name the part, without accents; of "=" the whole word. The first row that fits wins.
 struct PartWords {
     GarmentPart part;
     std::string_view words;
 };
 constexpr std::array kPartWords = std::to_array<PartWords>({
     {GarmentPart::Accessory,
-     "facing interfac lining pocket flap placket welt fly loop belt strap zip tab elastic tasche besatz beleg poche "
-     "bolsillo tasca"},
-    {GarmentPart::Binding, "binding ribbing rib neckband armband"},
-    {GarmentPart::Waistband, "waistband wb bund ceinture pretina cintura tailleband"},
-    {GarmentPart::Cuff, "cuff manschette manchette polsino"},
+     "facing interfac lining pocket flap placket welt fly loop belt strap zip tab elastic tasche besatz beleg futter "
+     "einlage poche doublure parementure forro bolsillo bolso vista tasca fodera voering zak podsivk podszewk kapsa "
+     "kieszen vuori tasku foder ficka podkladk karman планк подклад карман кишен клапан обтачк обшивк подборт застеж "
+     "дублер мешков 口袋 里布 裏 ポケット 见返 見返"},
+    {GarmentPart::Binding, "binding ribbing rib neckband armband einfass biais bies окантов бейк резинк"},
+    {GarmentPart::Waistband,
+     "waistband wb bund ceinture pretina cintura cinturilla tailleband pasek vyotar linning =cos poyas пояс 腰头 腰頭 "
+     "ウエスト"},
+    {GarmentPart::Cuff,
+     "cuff manschett manchette manchet polsino poignet puno punho mankiet manzet mansett manzhet манжет 袖口 袖头 "
+     "袖克夫 "
+     "カフス"},
     {GarmentPart::Sleeve,
-     "sleeve slv topsleeve undersleeve shortsleeve longsleeve armel aermel rmel manche manga manica mouw"},
-    {GarmentPart::CollarStand, "collarstand collarbase collarband"},
-    {GarmentPart::Collar, "undercollar collar kragen cuello colletto kraag"},
-    {GarmentPart::Hood, "hood kapuze capuche capucha cappuccio"},
-    {GarmentPart::Yoke, "yoke passe canesu"},
-    {GarmentPart::Skirt, "skirt rock jupe falda gonna godet"},
-    {GarmentPart::Leg, "pant trouser leg jeans chino shorts slacks hose pantalon broek"},
-    {GarmentPart::Torso, "torso ftorso btorso bodice bust corps"},
+     "sleeve slv topsleeve undersleeve shortsleeve longsleeve armel aermel rmel manche manga manica mouw rekaw rukav "
+     "hiha =arm рукав ръкав μανικι 袖"},
+    {GarmentPart::CollarStand,
+     "collarstand collarbase collarband kragensteg kragenstand stojk stoyka стойк стійк 领座 領座 台衿"},
+    {GarmentPart::Collar,
+     "undercollar collar kragen krage kraag cuello colletto =col =collo gola kolnierz limec kaulu vorotnik воротн "
+     "комір "
+     "γιακα 领 領 衿"},
+    {GarmentPart::Hood,
+     "hood kapuze kaptur kapuce capuche capucha capuchon cappuccio capuz huppu huva капюш каптур 帽 "
+     "フード"},
+    {GarmentPart::Yoke, "yoke passe canesu empiecement sprone karcz kaarroke koketk кокетк"},
+    {GarmentPart::Skirt, "skirt rock jupe falda gonna godet saia =rok spodnic sukne hame kjol юбк спідниц 裙 スカート"},
+    {GarmentPart::Leg,
+     "pant trouser leg jeans chino shorts slacks hose pantalon broek spodnie kalhot housu lahje byx calca брюк штан "
+     "裤 褲 パンツ"},
+    {GarmentPart::Torso, "torso ftorso btorso bodice bust corps 身頃"},
 });
 
-constexpr std::array<std::string_view, 9> kFrontWords{"front",  "frnt",   "fr",       "f",      "ftorso",
-                                                      "vorder", "devant", "delanter", "davanti"};
-constexpr std::array<std::string_view, 9> kBackWords{"back",  "bk",  "b",       "btorso", "rear",
-                                                     "rueck", "dos", "trasero", "dietro"};
-constexpr std::array<std::string_view, 5> kLeftWords{"left", "l", "lt", "links", "gauche"};
-constexpr std::array<std::string_view, 5> kRightWords{"right", "r", "rt", "rechts", "droit"};
-
-// Words of up to two letters must be equal, longer ones may go on.
-bool begins(const std::string& word, std::string_view with) {
-    return with.size() <= 2 ? word == with : word.starts_with(with);
-}
-
-template <std::size_t N>
-bool has_word(const std::vector<std::string>& words, const std::array<std::string_view, N>& known) {
-    return std::ranges::any_of(words, [&](const std::string& word) {
-        return std::ranges::any_of(known, [&](std::string_view one) { return begins(word, one); });
-    });
-}
+constexpr std::string_view kFrontWords =
+    "front frnt fr f ftorso vorder devant delanter davanti frente voor przod predni fram forstykke etu eleje pered "
+    "poloch перед полоч пілоч предн 前";
+constexpr std::string_view kBackWords =
+    "back bk b btorso rear rueck ruck hinter dos trasero espalda dietro costas achter rugpand tyl zadni bak rygg ryg "
+    "taka hatulj spink spate спин зад гръб 后 後";
+constexpr std::string_view kLeftWords =
+    "left l lt links linker gauche izquierd esquerd sinistr lewy lewa levy leva лев лів 左";
+constexpr std::string_view kRightWords =
+    "right r rt rechts rechter droit derech direit destr prawy prawa pravy prava прав 右";
+constexpr std::string_view kUpperWords = "top upper ober dessus верх";
+constexpr std::string_view kUnderWords = "under unter dessous нижн";
 
 GarmentPart part_of_words(const std::vector<std::string>& words) {
-    constexpr std::size_t kCompound = 5;  // letters: words as long as this may be in a longer one, as FULLSLEEVE
-    std::string together;
-    for (const std::string& word : words) together += word;
-    for (const PartWords& row : kPartWords) {
-        for (const std::string& known : words_of_name(row.words)) {
-            if (known.size() >= kCompound && together.find(known) != std::string::npos) return row.part;
-            if (std::ranges::any_of(words, [&](const std::string& word) { return begins(word, known); }))
-                return row.part;
-        }
-    }
-    return GarmentPart::Unknown;
+    const auto row =
+        std::ranges::find_if(kPartWords, [&](const PartWords& one) { return names_any(words, one.words); });
+    return row == kPartWords.end() ? GarmentPart::Unknown : row->part;
 }
 
 // Whether each vertex has its mirror image in the vertical through the middle.
@@ -113,37 +114,17 @@ std::string_view name_of(GarmentPart part) {
     return names[static_cast<std::size_t>(part)];
 }
 
-std::vector<std::string> words_of_name(std::string_view name) {
-    std::vector<std::string> words;
-    char last = ' ';
-    for (const char c : name) {
-        const auto byte = static_cast<unsigned char>(c);
-        const auto before = static_cast<unsigned char>(last);
-        const bool is_letter = std::isalpha(byte) || byte >= 0x80;
-        if (is_letter || std::isdigit(byte)) {
-            const bool goes_on = is_letter ? std::isalpha(before) || before >= 0x80 : std::isdigit(before) != 0;
-            const bool is_capital = std::isupper(byte) && std::islower(before);
-            if (!goes_on || is_capital) words.emplace_back();
-            words.back() += static_cast<char>(byte < 0x80 ? std::tolower(byte) : byte);
-        }
-        last = c;
-    }
-    return words;
-}
-
 PanelRole role_of_name(std::string_view name) {
     const std::vector<std::string> words = words_of_name(name);
     PanelRole role;
     role.part = part_of_words(words);
-    if (has_word(words, kFrontWords)) role.face = Face::Front;
-    if (has_word(words, kBackWords)) role.face = role.face == Face::None ? Face::Back : Face::None;
+    if (names_any(words, kFrontWords)) role.face = Face::Front;
+    if (names_any(words, kBackWords)) role.face = role.face == Face::None ? Face::Back : Face::None;
     // The two halves of a sleeve.
-    if (role.part == GarmentPart::Sleeve && has_word(words, std::array<std::string_view, 2>{"top", "upper"}))
-        role.face = Face::Front;
-    if (role.part == GarmentPart::Sleeve && has_word(words, std::array<std::string_view, 1>{"under"}))
-        role.face = Face::Back;
-    if (has_word(words, kLeftWords)) role.flank = Flank::Left;
-    if (has_word(words, kRightWords)) role.flank = role.flank == Flank::None ? Flank::Right : Flank::None;
+    if (role.part == GarmentPart::Sleeve && names_any(words, kUpperWords)) role.face = Face::Front;
+    if (role.part == GarmentPart::Sleeve && names_any(words, kUnderWords)) role.face = Face::Back;
+    if (names_any(words, kLeftWords)) role.flank = Flank::Left;
+    if (names_any(words, kRightWords)) role.flank = role.flank == Flank::None ? Flank::Right : Flank::None;
     return role;
 }
 

@@ -1,13 +1,14 @@
 #pragma once
 // What a panel is for, from its name and the names beside it: "left_sleeve_f" is the front of a left sleeve. Imported
-// patterns say it nowhere else. Names may be English, German, French, Spanish, Italian or Dutch, joined by capitals,
-// dots, blanks or underscores.
+// patterns say it nowhere else. Names may be in the languages of Europe that pattern programs are written in, Chinese
+// or Japanese, joined by capitals, dots, blanks or underscores.
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "sim/pattern/pattern.h"
+#include "sim/proposals/name_words.h"
 
 namespace selvedge::sim {
 
@@ -42,9 +43,6 @@ std::string_view name_of(GarmentPart part);  // "collar stand"
 
 // What one name says. A torso that is only called front or back has the part Unknown.
 PanelRole role_of_name(std::string_view name);
-
-// The lower-case words of a name: "FrontPanel_2" gives front, panel, 2.
-std::vector<std::string> words_of_name(std::string_view name);
 
 // The roles of all panels. Fronts and backs that name no part belong to legs if the pattern's name or another panel
 // says trousers, to a skirt if it says skirt, else to the torso; panels that look like trouser legs are taken for them.

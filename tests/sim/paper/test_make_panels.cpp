@@ -128,6 +128,81 @@ TEST(MakePanels, refuse_an_outline_that_crosses_itself_and_name_the_place) {
     }
 }
 
+DrawnPath polygon(std::vector<Vec2d> corners) {
+    DrawnPath path{.kind = LineKind::Sew, .vertices = std::move(corners), .edges = {}};
+    const int count = static_cast<int>(path.vertices.size());
+    for (int i = 0; i < count; ++i) path.edges.push_back({.start = i, .end = (i + 1) % count});
+    path.is_closed = true;
+    return path;
+}
+
+bool says(const PanelsOfDrawing& made, std::string_view text) {
+    return std::ranges::any_of(made.notes, [&](const std::string& note) { return note.find(text) != note.npos; });
+}
+
+TEST(MakePanels, take_off_a_line_that_runs_forth_and_back) {
+    const DrawnPath path = polygon({{0, 0}, {300, 0}, {300, 400}, {200, 400}, {340, 400}, {340, 400.001}, {0, 400}});
+    const PanelsOfDrawing made = make_panels(one_part({.name = "front", .paths = {path}}), "");
+    ASSERT_EQ(made.pattern.panels.size(), 1U);
+    EXPECT_NEAR(std::abs(outline_area(made.pattern.panels[0])), 0.12, 1e-6);
+    EXPECT_TRUE(says(made, "forth and back"));
+}
+
+TEST(MakePanels, open_a_dart_that_is_closed_at_the_hem) {
+    const DrawnPath path = polygon({{0, 0},
+                                    {150, 0},
+                                    {150, 5},
+                                    {140, 100},
+                                    {150, 250},
+                                    {160, 100},
+                                    {150, 5},
+                                    {150, 0},
+                                    {300, 0},
+                                    {300, 400},
+                                    {0, 400}});
+    const PanelsOfDrawing made = make_panels(one_part({.name = "front", .paths = {path}}), "");
+    ASSERT_EQ(made.pattern.panels.size(), 1U);
+    EXPECT_EQ(made.pattern.panels[0].edges.size(), 11U);
+    EXPECT_TRUE(find_outline_crossings(made.pattern.panels[0]).empty());
+    EXPECT_TRUE(says(made, "moved apart"));
+}
+
+TEST(MakePanels, cut_off_a_small_loop) {
+    const DrawnPath path =
+        polygon({{0, 0}, {300, 0}, {300, 400}, {40, 400}, {-10, 385}, {-10, 415}, {20, 395}, {0, 380}});
+    const PanelsOfDrawing made = make_panels(one_part({.name = "front", .paths = {path}}), "");
+    ASSERT_FALSE(made.pattern.panels.empty());
+    EXPECT_TRUE(find_outline_crossings(made.pattern.panels[0]).empty());
+    EXPECT_NEAR(std::abs(outline_area(made.pattern.panels[0])), 0.12, 1e-3);
+    EXPECT_TRUE(says(made, "was cut off"));
+}
+
+TEST(MakePanels, join_lines_that_make_the_outline_together) {
+    DrawnPath sides{.kind = LineKind::Internal, .vertices = {{0, 400}, {0, 0}, {300, 0}, {300, 400}}, .edges = {}};
+    for (int i = 0; i < 3; ++i) sides.edges.push_back({.start = i, .end = i + 1});
+    const DrawnPath top{
+        .kind = LineKind::Internal, .vertices = {{0, 400.1}, {300, 400}}, .edges = {{.start = 0, .end = 1}}};
+    const DrawnPath mark{
+        .kind = LineKind::Internal, .vertices = {{50, 50}, {90, 50}}, .edges = {{.start = 0, .end = 1}}};
+    const PanelsOfDrawing made = make_panels(one_part({.name = "front", .paths = {mark, top, sides}}), "");
+    ASSERT_EQ(made.pattern.panels.size(), 1U);
+    EXPECT_EQ(made.pattern.panels[0].edges.size(), 4U);
+    EXPECT_NEAR(std::abs(outline_area(made.pattern.panels[0])), 0.12, 1e-4);
+    EXPECT_TRUE(says(made, "joined"));
+}
+
+TEST(MakePanels, pair_what_lies_beside_the_middle_of_a_garment_cut_on_the_fold) {
+    DrawnPart middle{.name = "panel1", .paths = {rectangle(LineKind::Sew, {0, 0}, {100, 400})}};
+    middle.paths.push_back(
+        {.kind = LineKind::FoldEdge, .vertices = {{0, 0}, {0, 400}}, .edges = {{.start = 0, .end = 1}}});
+    const DrawnPart side{.name = "panel2", .paths = {polygon({{200, 0}, {300, 0}, {290, 390}, {200, 400}})}};
+    Drawing drawing = one_part(middle);
+    drawing.parts.push_back(side);
+    EXPECT_EQ(make_panels(drawing, "").pattern.panels.size(), 3U);
+    drawing.parts[0].paths.pop_back();
+    EXPECT_EQ(make_panels(drawing, "").pattern.panels.size(), 2U);
+}
+
 TEST(MakePanels, turn_pieces_upright_that_lie_on_their_sides) {
     Drawing drawing = one_part({.name = "back", .paths = {rectangle(LineKind::Sew, {0, 0}, {600, 400})}});
     drawing.parts[0].paths[0].vertices = {{0, 100}, {600, 0}, {600, 400}, {0, 300}};  // narrow on the left: the top

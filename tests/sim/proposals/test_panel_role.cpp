@@ -29,6 +29,20 @@ TEST(PanelRole, is_read_from_names_of_several_programs_and_languages) {
                                  {"manche", {Sleeve, Face::None, Flank::None}},
                                  {"PocketFlap", {Accessory, Face::None, Flank::None}},
                                  {"teagan.sleeve", {Sleeve, Face::None, Flank::None}},
+                                 {"R\u00FCckenteil links", {Unknown, Face::Back, Flank::Left}},
+                                 {"\u00C4rmel", {Sleeve, Face::None, Flank::None}},
+                                 {"Pu\u00F1o", {Cuff, Face::None, Flank::None}},
+                                 {"Col", {Collar, Face::None, Flank::None}},
+                                 {"Colour card", {Unknown, Face::None, Flank::None}},
+                                 {"\u041F\u0415\u0420\u0415\u0414", {Unknown, Face::Front, Flank::None}},
+                                 {"\u0412\u0435\u0440\u0445\u043D\u044F\u044F \u0447\u0430\u0441\u0442\u044C "
+                                  "\u0440\u0443\u043A\u0430\u0432\u0430",
+                                  {Sleeve, Face::Front, Flank::None}},
+                                 {"Takakappale", {Unknown, Face::Back, Flank::None}},
+                                 {"Ty\u0142", {Unknown, Face::Back, Flank::None}},
+                                 {"\u5DE6\u524D\u7247", {Unknown, Face::Front, Flank::Left}},
+                                 {"\u8896\u53E3", {Cuff, Face::None, Flank::None}},
+                                 {"\xFFhiha\xFE", {Sleeve, Face::None, Flank::None}},
                                  {"Detail_2", {Unknown, Face::None, Flank::None}}};
     for (const Named& named : all) EXPECT_EQ(role_of_name(named.name), named.role) << named.name;
 }

@@ -1,0 +1,164 @@
+#include "sim/paper/drawn_outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/paper/path_builder.h"
+#include "sim/paper/polyline_outline.h"
+#include "sim/pattern/edge_shape.h"
+#include "sim/pattern/outline.h"
+
+namespace selvedge::sim {
+namespace {
+
+std::size_t as_size(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+Panel reversed_outline(const Panel& panel) {
+    Panel reversed = panel;
+    std::ranges::reverse(reversed.edges);
+    for (OutlineEdge& edge : reversed.edges) edge = reversed_edge(edge);
+    return reversed;
+}
+
+// Whether a closed polygon is a curve that was drawn as lines: most of its corners are slight turns.
+bool has_facets(const std::vector<Vec2d>& corners) {
+    constexpr std::size_t kLeast = 24;
+    constexpr double kStraight = 1e-4, kSlight = 0.25;  // rad
+    std::size_t slight = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2d& at = corners[i];
+        const Vec2d in = at - corners[(i + corners.size() - 1) % corners.size()];
+        const Vec2d out = corners[(i + 1) % corners.size()] - at;
+        const double turn = std::abs(std::atan2(cross2(in, out), in.dot(out)));
+        slight += turn > kStraight && turn < kSlight ? 1 : 0;
+    }
+    return corners.size() >= kLeast && 2 * slight > corners.size();
+}
+
+// A closed path, m: curves that a program drew as many lines are curves again.
+DrawnPath without_facets(const DrawnPath& path) {
+    constexpr double kTolerance = 1e-4;  // m
+    std::vector<Vec2d> corners;
+    for (const OutlineEdge& edge : path.edges) {
+        if (edge.kind != CurveKind::Line) return path;
+        corners.push_back(path.vertices[as_size(edge.start)]);
+    }
+    return has_facets(corners) ? outline_of_points(corners, true, {.tolerance = kTolerance}) : path;
+}
+
+// ---- Lines that make an outline together.
+
+Vec2d first_point(const DrawnPath& path) {
+    return path.vertices[as_size(path.edges.front().start)];
+}
+
+Vec2d last_point(const DrawnPath& path) {
+    return path.vertices[as_size(path.edges.back().end)];
+}
+
+DrawnPath turned_round(DrawnPath path) {
+    std::ranges::reverse(path.edges);
+    for (OutlineEdge& edge : path.edges) edge = reversed_edge(edge);
+    return path;
+}
+
+// Appends a path that begins where the other ends.
+void append(DrawnPath& path, const DrawnPath& more) {
+    const int offset = static_cast<int>(path.vertices.size());
+    path.vertices.insert(path.vertices.end(), more.vertices.begin(), more.vertices.end());
+    const int meeting = path.edges.back().end;
+    for (std::size_t e = 0; e < more.edges.size(); ++e) {
+        OutlineEdge edge = more.edges[e];
+        edge.start = e == 0 ? meeting : edge.start + offset;
+        edge.end += offset;
+        path.edges.push_back(edge);
+    }
+}
+
+Eigen::AlignedBox2d box_of(const DrawnPath& path) {
+    Eigen::AlignedBox2d box;
+    for (const Vec2d& v : path.vertices) box.extend(v);
+    return box;
+}
+
+}  // namespace
+
+void drop_short_edges(Panel& panel) {
+    std::vector<OutlineEdge> kept;
+    for (const OutlineEdge& edge : panel.edges) {
+        if (outline_length(panel, edge) >= kShortestEdge) {
+            kept.push_back(edge);
+        } else if (!kept.empty()) {
+            kept.back().end = edge.end;
+        }
+    }
+    for (std::size_t e = 0; e < kept.size(); ++e) kept[e].end = kept[(e + 1) % kept.size()].start;
+    panel.edges = std::move(kept);
+}
+
+void drop_unused_vertices(Panel& panel) {
+    std::vector<int> image(panel.vertices.size(), -1);
+    std::vector<Vec2d> kept;
+    for (OutlineEdge& edge : panel.edges) {
+        image[as_size(edge.start)] = static_cast<int>(kept.size());
+        kept.push_back(panel.vertices[as_size(edge.start)]);
+    }
+    for (OutlineEdge& edge : panel.edges) {
+        edge.start = image[as_size(edge.start)];
+        edge.end = image[as_size(edge.end)];
+    }
+    panel.vertices = std::move(kept);
+}
+
+Panel outline_of(const DrawnPath& drawn) {
+    Panel panel = as_panel(without_facets(drawn));
+    drop_short_edges(panel);
+    if (panel.edges.size() < 2) return panel;
+    if (outline_area(panel) < 0) panel = reversed_outline(panel);
+    drop_unused_vertices(panel);
+    return panel;
+}
+
+std::optional<DrawnPath> joined_outline(const std::vector<DrawnPath>& paths, double gap) {
+    constexpr double kLeastSize = 0.8;  // of the part's
+    std::vector<DrawnPath> open;
+    Eigen::AlignedBox2d part;
+    for (const DrawnPath& path : paths) {
+        if (path.edges.empty()) continue;
+        if (path.kind == LineKind::Cut || path.kind == LineKind::Internal) part.extend(box_of(path));
+        if (path.kind == LineKind::Internal && !path.is_closed) open.push_back(path);
+    }
+    if (open.size() < 2) return std::nullopt;
+    std::ranges::stable_sort(open, std::greater<>(),
+                             [](const DrawnPath& path) { return box_of(path).diagonal().norm(); });
+    DrawnPath outline = open.front();
+    open.erase(open.begin());
+    const auto is_met = [&](const DrawnPath& one) { return (first_point(one) - last_point(outline)).norm() <= gap; };
+    while ((first_point(outline) - last_point(outline)).norm() > gap) {
+        auto next = std::ranges::find_if(open, is_met);
+        if (next == open.end()) {
+            next = std::ranges::find_if(open, [&](const DrawnPath& one) { return is_met(turned_round(one)); });
+            if (next == open.end()) return std::nullopt;
+            *next = turned_round(*next);
+        }
+        append(outline, *next);
+        open.erase(next);
+    }
+    if (box_of(outline).diagonal().norm() < kLeastSize * part.diagonal().norm()) return std::nullopt;
+    std::vector<Vec2d> corners;
+    for (OutlineEdge& edge : outline.edges) {
+        corners.push_back(outline.vertices[as_size(edge.start)]);
+        edge.start = static_cast<int>(corners.size()) - 1;
+        edge.end = edge.start + 1;
+    }
+    outline.edges.back().end = 0;
+    outline.vertices = std::move(corners);
+    outline.kind = LineKind::Sew;
+    outline.is_closed = true;
+    return outline;
+}
+
+}  // namespace selvedge::sim
