@@ -58,7 +58,7 @@ class Arranger {
     Arrangement run() {
         find_flanks();
         for (std::size_t p = 0; p < out_.roles.size(); ++p) level_band(p);
-        anchors_.waist = resting_height(waist_length());
+        anchors_.waist = resting_height(body_, anchors_, stature_, waist_length());
         for (const auto part : {GarmentPart::Torso, GarmentPart::Leg, GarmentPart::Skirt}) {
             for (const Face face : {Face::Front, Face::Back, Face::None}) place_all(part, face);
         }
@@ -178,6 +178,12 @@ class Arranger {
         }
         const double z = is_back ? anchors_.back - kBehind : anchors_.front + kBefore;
         own.translation = {x, height_of(p), z};
+        std::vector<int> shoulders;
+        for (const Sewn& sewn : sewn_[p]) {
+            const PanelRole& other = out_.roles[as_size(sewn.panel)];
+            if (other.part == GarmentPart::Torso && other.face != role.face) shoulders.push_back(sewn.own.edge);
+        }
+        own.translation.y() += lift_over_shoulders(body_, anchors_, own, shoulders);
         is_placed_[p] = true;
     }
 
@@ -217,14 +223,6 @@ class Arranger {
             arc_length += arc.angle * arc.radius;
         }
         return band > 0 ? band : arc_length;
-    }
-
-    // Where a band of that length rests, m: not above the waist, not below the hip.
-    double resting_height(double length) const {
-        constexpr double kStep = 0.005;  // m
-        double y = anchors_.waist;
-        while (y - kStep > anchors_.hip && trunk_section(body_, y, stature_.height()).girth < length) y -= kStep;
-        return y;
     }
 
     // A skirt of one piece whose waist is an arc is bent to a cone round the body. At the waist it stands clear of the

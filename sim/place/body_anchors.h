@@ -1,7 +1,10 @@
 #pragma once
 // Where on a body panels are placed: heights and depths of the trunk, and its sections.
+#include <span>
+
 #include "sim/body/body.h"
 #include "sim/body/landmarks.h"
+#include "sim/pattern/pattern.h"
 
 namespace selvedge::sim {
 
@@ -26,5 +29,12 @@ struct TrunkSection {
 };
 
 TrunkSection trunk_section(const Body& body, double y, double stature);
+
+// Where a band of that length (m) rests, m: not above the waist, not below the hip.
+double resting_height(const Body& body, const Anchors& anchors, const Stature& stature, double length);
+
+// How far up a placed panel of the trunk goes, m, so that those of its edges that are shoulders, level upper ones, pass
+// over the shoulders of the body.
+double lift_over_shoulders(const Body& body, const Anchors& anchors, const Panel& panel, std::span<const int> edges);
 
 }  // namespace selvedge::sim
