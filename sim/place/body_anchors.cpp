@@ -62,7 +62,7 @@ double resting_height(const Body& body, const Anchors& anchors, const Stature& s
 }
 
 double lift_over_shoulders(const Body& body, const Anchors& anchors, const Panel& panel, std::span<const int> edges) {
-    constexpr double kOver = 0.015, kLevel = 0.75;  // m; least run of a level edge over its length
+    constexpr double kOver = 0.005, kLevel = 0.75;  // m; least run of a level edge over its length
     double lift = 0;
     for (const int e : edges) {
         const OutlineEdge& edge = panel.edges[static_cast<std::size_t>(e)];

@@ -531,6 +531,13 @@ void weigh_looks(Evidence& evidence, const OpenBoundary& boundary, const std::ve
         constexpr double kBothSides = -5;  // odds: a neckline is no armhole
         if (lies_on_both_sides(boundary, facts, a.role.part == Torso ? sides.a : sides.b)) add(evidence, kBothSides);
     }
+    if (are_parts(a.role.part, b.role.part, Torso, Sleeve) && sides.are_single()) {
+        constexpr double kRound = 0.9, kStraight = 0.95;  // straightness
+        constexpr double kNoArmhole = -5;                 // odds: a cap is not sewn to a side
+        const double cap = straightness(a.role.part == Sleeve ? sides.points_a : sides.points_b);
+        const double armhole = straightness(a.role.part == Torso ? sides.points_a : sides.points_b);
+        if (cap < kRound && armhole > kStraight) add(evidence, kNoArmhole);
+    }
     if (are_parts(a.role.part, b.role.part, Torso, Sleeve) && are_loops) {
         constexpr double kRings = 1;  // odds: an armhole and a cap that are rings
         add(evidence, kRings);
