@@ -48,6 +48,15 @@ struct Sides {
     bool are_single() const { return panels_a.size() == 1 && panels_b.size() == 1; }
 };
 
+// Whether the panels are one and its mirror image at most, as the halves of a back are.
+bool is_of_one_kind(const std::vector<PanelFacts>& facts, const std::vector<int>& panels) {
+    const PanelRole& first = facts[as_size(panels[0])].role;
+    return std::ranges::all_of(panels, [&](int panel) {
+        const PanelRole& role = facts[as_size(panel)].role;
+        return role.part == first.part && role.face == first.face;
+    });
+}
+
 // ---- Shape and direction.
 
 void weigh_shape(Evidence& evidence, const std::vector<Vec2d>& a, std::vector<Vec2d> b) {
@@ -96,6 +105,9 @@ void weigh_facing(Evidence& evidence, const OpenBoundary& boundary, const ChainV
     if (std::min(up_a, up_b) < -kLevel && std::max(up_a, up_b) > kLevel) {
         // What hangs from a panel is of its face; a front's hem is not sewn to a back's top.
         const bool are_opposite = role_a.face != role_b.face && role_a.face != Face::None && role_b.face != Face::None;
+        const bool is_yoke_above = (part_a == Yoke && part_b == Torso && role_b.face == Face::Back && up_a < 0) ||
+                                   (part_b == Yoke && part_a == Torso && role_a.face == Face::Back && up_b < 0);
+        if (is_yoke_above) return add(evidence, 4, "the back hangs from the yoke");
         return add(evidence, are_opposite && part_a == part_b ? -5 : 0.8);
     }
     const bool has_shoulder = is_one_of(part_a, {Torso, Yoke, Hood, Unknown}) || is_one_of(part_b, {Torso, Yoke, Hood});
@@ -220,11 +232,17 @@ bool is_on_wrong_side(const OpenBoundary& boundary, const std::vector<PanelFacts
     return is_sewn_at(half, -side) || is_sewn_at(twin, side);
 }
 
-// The shoulders of a front and a back: straight, at the top, and sloping away from the neck, which meets the neck.
+// The shoulders of a front and a back or a yoke: straight, at the top, and sloping away from the neck, which meets the
+// neck.
 double odds_of_shoulders(const OpenBoundary& boundary, const PanelRole& a, const PanelRole& b, const Sides& sides) {
     constexpr double kUp = 0.75, kSlope = 0.08;
-    if (a.part != GarmentPart::Torso || b.part != GarmentPart::Torso || a.face == b.face) return 0;
-    if (a.face == Face::None || b.face == Face::None) return 0;
+    const auto is_front = [](const PanelRole& one) {
+        return one.part == GarmentPart::Torso && one.face == Face::Front;
+    };
+    const auto is_behind = [](const PanelRole& one) {
+        return one.part == GarmentPart::Yoke || (one.part == GarmentPart::Torso && one.face == Face::Back);
+    };
+    if (!(is_front(a) && is_behind(b)) && !(is_front(b) && is_behind(a))) return 0;
     if (facing_up(boundary, sides.a) < kUp || facing_up(boundary, sides.b) < kUp) return 0;
     const double rise_a = rise_along(boundary, sides.a), rise_b = rise_along(boundary, sides.b);
     if (std::min(std::abs(rise_a), std::abs(rise_b)) < kSlope) return 0;
@@ -242,6 +260,23 @@ bool are_sewn_opposite(const OpenBoundary& boundary, const PanelFacts& facts, in
     });
 }
 
+// Whether the garment has other sleeves of one panel already, so that this one is a choice, as a short one.
+bool is_other_choice(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, int sleeve) {
+    using enum GarmentPart;
+    const PanelFacts& own = facts[as_size(sleeve)];
+    if (own.role.part != Sleeve || own.role.face != Face::None) return false;
+    for (std::size_t q = 0; q < facts.size(); ++q) {
+        const int other = static_cast<int>(q);
+        if (other == sleeve || other == own.twin || facts[q].role.part != Sleeve || facts[q].role.face != Face::None ||
+            facts[q].twin < 0)
+            continue;
+        const std::vector<int> joined = boundary.joined_panels(other);
+        if (std::ranges::any_of(joined, [&](int p) { return is_one_of(facts[as_size(p)].role.part, {Torso, Yoke}); }))
+            return true;
+    }
+    return false;
+}
+
 void weigh_two_panels(Evidence& evidence, const OpenBoundary& boundary, const std::vector<PanelFacts>& facts,
                       const Sides& sides) {
     using enum GarmentPart;
@@ -251,6 +286,9 @@ void weigh_two_panels(Evidence& evidence, const OpenBoundary& boundary, const st
     const double odds = odds_of_parts(one.role, other.role);
     if (odds <= -6) evidence.is_possible = false;
     add(evidence, odds);
+    if (one.role.part != other.role.part &&
+        (is_other_choice(boundary, facts, a) || is_other_choice(boundary, facts, b)))
+        evidence.is_possible = false;
     const double shoulders = odds_of_shoulders(boundary, one.role, other.role, sides);
     add(evidence, shoulders, shoulders > 0 ? "shoulders" : "");
     if (!sides.are_single()) return add(evidence, one.role.part == other.role.part && !(shoulders > 0) ? -2 : 0);
@@ -467,8 +505,8 @@ bool closes_in_the_middle(const OpenBoundary& boundary, const std::vector<PanelF
         const int other = boundary.atom(place_on(boundary, sides.b, 1 - t).atom).span.panel;
         const PanelFacts& panel = facts[as_size(one)];
         const bool is_band = one == other && is_one_of(panel.role.part, {Waistband, Collar, CollarStand, Binding});
-        const bool is_twin = panel.twin == other && is_one_of(panel.role.part, {Torso, Skirt}) && !panel.is_outer &&
-                             !(panel.has_opening && panel.role.face == Face::Front);
+        const bool is_twin = panel.twin == other && is_one_of(panel.role.part, {Torso, Skirt, Yoke}) &&
+                             !panel.is_outer && !(panel.has_opening && panel.role.face == Face::Front);
         if (!is_band && !is_twin) return false;
         has_twins = has_twins || is_twin;
     }
@@ -516,7 +554,9 @@ void weigh_looks(Evidence& evidence, const OpenBoundary& boundary, const std::ve
     if (is_hood_strip) add(evidence, bulge(sides.points_a) > 0.05 || bulge(sides.points_b) > 0.05 ? 2 : -2);
     if (sides.are_single() && are_alike && !is_hood_strip) {
         weigh_shape(evidence, sides.points_a, sides.points_b);
-        weigh_bulges(evidence, sides.points_a, sides.points_b);
+        // The underarm of a sleeve may be hollow on both sides.
+        const bool closes_sleeve = sides.panels_a == sides.panels_b && a.role.part == Sleeve;
+        if (!closes_sleeve) weigh_bulges(evidence, sides.points_a, sides.points_b);
         if (is_one_of(a.role.part, {Torso, Skirt}) && a.role.part == b.role.part)
             weigh_other_side(evidence, boundary, facts, sides.panels_a[0], sides.panels_b[0], sides.points_a);
         if (!is_dart(boundary, facts, sides.a, sides.b)) weigh_upright(evidence, sides.points_a, sides.points_b);
@@ -567,7 +607,8 @@ Evidence weigh(const OpenBoundary& boundary, const std::vector<PanelFacts>& fact
                 .points_b = {}};
     const PanelFacts& a = facts[as_size(sides.panels_a[0])];
     const PanelFacts& b = facts[as_size(sides.panels_b[0])];
-    weigh_lengths(evidence, boundary, first, second, a.role, b.role, sides.are_single());
+    const bool are_of_one_kind = is_of_one_kind(facts, sides.panels_a) && is_of_one_kind(facts, sides.panels_b);
+    weigh_lengths(evidence, boundary, first, second, a.role, b.role, are_of_one_kind);
     if (!evidence.is_possible) return evidence;
     sides.points_a = sampled(boundary, first);
     sides.points_b = sampled(boundary, second);

@@ -103,10 +103,10 @@ namespace {
 
 // ---- Lengths and ends.
 
-// Whether one side may be much longer. A yoke's seam is gathered only where it lies between two panels.
-bool may_be_gathered(const PanelRole& a, const PanelRole& b, bool are_single) {
+// Whether one side may be much longer. A yoke's seam is gathered only where it lies between yoke and trunk.
+bool may_be_gathered(const PanelRole& a, const PanelRole& b, bool are_of_one_kind) {
     using enum GarmentPart;
-    return (are_single && are_parts(a.part, b.part, Torso, Yoke)) || are_parts(a.part, b.part, Skirt, Waistband) ||
+    return (are_of_one_kind && are_parts(a.part, b.part, Torso, Yoke)) || are_parts(a.part, b.part, Skirt, Waistband) ||
            are_parts(a.part, b.part, Skirt, Torso) || are_parts(a.part, b.part, Sleeve, Cuff) ||
            are_parts(a.part, b.part, Leg, Cuff);
 }
@@ -137,7 +137,7 @@ double odds_of_band(const OpenBoundary& boundary, const ChainView& a, const Chai
 }  // namespace
 
 void weigh_lengths(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b,
-                   const PanelRole& role_a, const PanelRole& role_b, bool are_single) {
+                   const PanelRole& role_a, const PanelRole& role_b, bool are_of_one_kind) {
     using enum GarmentPart;
     const double one = length_of(a), other = length_of(b);
     const double part = std::abs(one - other) / std::max(one, other);
@@ -154,7 +154,8 @@ void weigh_lengths(Evidence& evidence, const OpenBoundary& boundary, const Chain
     if (part < 0.08 && is_cap) return add(evidence, 0.6, text + " (ease)");
     if (part < 0.15 && is_stretched) return add(evidence, 0.6, text + " (stretched)");
     if (part < 0.08) return add(evidence, -1, text);
-    if (part < 0.6 && may_be_gathered(role_a, role_b, are_single)) return add(evidence, -0.2, text + " (gathered)");
+    if (part < 0.6 && may_be_gathered(role_a, role_b, are_of_one_kind))
+        return add(evidence, -0.2, text + " (gathered)");
     if (part < 0.15) return add(evidence, -3, text);
     evidence.is_possible = false;
 }

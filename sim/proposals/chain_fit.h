@@ -7,9 +7,9 @@
 
 namespace selvedge::sim {
 
-// are_single: each side lies on one panel.
+// are_of_one_kind: each side lies on one panel, or on halves of one.
 void weigh_lengths(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b,
-                   const PanelRole& role_a, const PanelRole& role_b, bool are_single);
+                   const PanelRole& role_a, const PanelRole& role_b, bool are_of_one_kind);
 
 // The part of the length by which a notch may lie elsewhere, for ease lies between notches.
 // may_differ: a front is compared with a back, and a single notch there may be a double one here, which says "back".
