@@ -23,8 +23,8 @@ namespace {
 
 constexpr double kBefore = 0.12, kBehind = 0.08;  // m, from the trunk to a flat front and to a flat back
 constexpr double kApart = 0.01;                   // m, between halves in the middle
+constexpr double kOffWaist = 0.02;                // m, from the body to a band that is bent round it
 constexpr float kClear = 0.015F;                  // m: dressing moves panels that are nearer than 1 cm
-constexpr double kOffWaist = 0.02;                // m, from the body to a waist that is bent round it
 
 std::size_t as_size(int index) {
     return static_cast<std::size_t>(index);
@@ -225,36 +225,12 @@ class Arranger {
         return band > 0 ? band : arc_length;
     }
 
-    // A skirt of one piece whose waist is an arc is bent to a cone round the body. At the waist it stands clear of the
-    // body, so that it stays open at the back if its waist is too short to go all the way round there.
     bool place_round_skirt(std::size_t p) {
-        constexpr double kOpen = 0.97;     // of a full turn, so that the edges do not meet
-        constexpr double kShortest = 0.4;  // of a full turn: a shorter one is no skirt round the body
-        Panel& own = panel(p);
-        WaistArc arc = waist_arc(own);
-        if (!closes_round(p) || arc.radius == 0) return false;
-        const auto way_to_front = [&] {  // rad, on the panel, from straight down
-            const Vec2d middle = boxes_[p].center() - arc.centre;
-            return std::atan2(middle.x(), -middle.y());
-        };
-        // The cone is cut open above its apex: a skirt that was drawn hem up or aside is turned first.
-        if (std::abs(way_to_front()) > std::numbers::pi / 4) {
-            own = mapped_panel(own, Eigen::Affine2d(Eigen::Rotation2Dd(-way_to_front())));
-            boxes_[p] = outline_box(own, 1e-3);
-            arc = waist_arc(own);
-        }
-        const double full = 2 * std::numbers::pi;
         const TrunkSection waist = trunk_section(body_, anchors_.waist, stature_.height());
-        const double round = std::min(kOpen * full, arc.angle * arc.radius / (waist.reach + kOffWaist));
-        if (round < kShortest * full) return false;
-        own.wrap_radius = 0;
-        own.wrap_cone = WrapCone{.apex = arc.centre, .sine = std::min(1.0, arc.angle / round)};
-        own.rotation = Eigen::AngleAxisd(-way_to_front() / own.wrap_cone->sine, Vec3d::UnitY()).toRotationMatrix();
-        const double below = arc.radius * std::sqrt(1 - own.wrap_cone->sine * own.wrap_cone->sine);
-        own.translation = Vec3d(waist.centre.x(), anchors_.waist, waist.centre.z()) -
-                          own.rotation * Vec3d(arc.centre.x(), arc.centre.y() - below, 0);
-        is_placed_[p] = true;
-        return true;
+        if (!closes_round(p)) return false;
+        is_placed_[p] = bend_round_waist(panel(p), waist, anchors_.waist);
+        boxes_[p] = outline_box(panel(p), 1e-3);  // it may be turned
+        return is_placed_[p];
     }
 
     // ---- Wrapped panels.
@@ -618,20 +594,30 @@ class Arranger {
             has_changed = false;
             for (std::size_t p = 0; p < pattern_.panels.size(); ++p) {
                 if (is_placed_[p] || !panel(p).is_worn) continue;
-                const Sewn* best = nullptr;
-                double longest = 0;
-                for (const Sewn& sewn : sewn_[p]) {
-                    const Panel& own = panel(p);
-                    const double length = outline_length(own, own.edges[as_size(sewn.own.edge)]);
-                    if (!is_placed_[as_size(sewn.panel)] || length <= longest) continue;
-                    best = &sewn;
-                    longest = length;
+                if (const Sewn* best = seam_to_continue(p)) {
+                    continue_over(p, *best);
+                    has_changed = true;
                 }
-                if (!best) continue;
-                continue_over(p, *best);
-                has_changed = true;
             }
         }
+    }
+
+    // The longest edge to the placed panel that it is sewn to the most: a yoke goes on from the back, not from a front.
+    const Sewn* seam_to_continue(std::size_t p) const {
+        const auto length_of = [&](const Sewn& sewn) {
+            return outline_length(pattern_.panels[p], pattern_.panels[p].edges[as_size(sewn.own.edge)]);
+        };
+        std::map<int, double> lengths;  // by the other panel, m
+        for (const Sewn& sewn : sewn_[p]) {
+            if (is_placed_[as_size(sewn.panel)]) lengths[sewn.panel] += length_of(sewn);
+        }
+        if (lengths.empty()) return nullptr;
+        const int partner = std::ranges::max_element(lengths, {}, [](const auto& one) { return one.second; })->first;
+        const Sewn* best = nullptr;
+        for (const Sewn& sewn : sewn_[p]) {
+            if (sewn.panel == partner && (!best || length_of(sewn) > length_of(*best))) best = &sewn;
+        }
+        return best;
     }
 
     void continue_over(std::size_t p, const Sewn& sewn) {

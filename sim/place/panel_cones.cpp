@@ -50,4 +50,31 @@ std::optional<WrapCone> tapering_cone(const Panel& panel, int edge, int other_ed
     return WrapCone{.apex = low_a + t * a, .sine = -angle / (2 * std::numbers::pi)};
 }
 
+bool bend_round_waist(Panel& panel, const TrunkSection& waist, double height) {
+    constexpr double kOffWaist = 0.02;  // m, from the body to a waist that is bent round it
+    constexpr double kOpen = 0.97;      // of a full turn, so that the edges do not meet
+    constexpr double kShortest = 0.4;   // of a full turn: a shorter one is no skirt round the body
+    WaistArc arc = waist_arc(panel);
+    if (arc.radius == 0) return false;
+    const auto way_to_front = [&] {  // rad, on the panel, from straight down
+        const Vec2d middle = outline_box(panel, 1e-3).center() - arc.centre;
+        return std::atan2(middle.x(), -middle.y());
+    };
+    // The cone is cut open above its apex: a skirt that was drawn hem up or aside is turned first.
+    if (std::abs(way_to_front()) > std::numbers::pi / 4) {
+        panel = mapped_panel(panel, Eigen::Affine2d(Eigen::Rotation2Dd(-way_to_front())));
+        arc = waist_arc(panel);
+    }
+    const double full = 2 * std::numbers::pi;
+    const double round = std::min(kOpen * full, arc.angle * arc.radius / (waist.reach + kOffWaist));
+    if (round < kShortest * full) return false;
+    panel.wrap_radius = 0;
+    panel.wrap_cone = WrapCone{.apex = arc.centre, .sine = std::min(1.0, arc.angle / round)};
+    panel.rotation = Eigen::AngleAxisd(-way_to_front() / panel.wrap_cone->sine, Vec3d::UnitY()).toRotationMatrix();
+    const double below = arc.radius * std::sqrt(1 - panel.wrap_cone->sine * panel.wrap_cone->sine);
+    panel.translation = Vec3d(waist.centre.x(), height, waist.centre.z()) -
+                        panel.rotation * Vec3d(arc.centre.x(), arc.centre.y() - below, 0);
+    return true;
+}
+
 }  // namespace selvedge::sim

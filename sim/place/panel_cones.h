@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sim/pattern/pattern.h"
+#include "sim/place/body_anchors.h"
 
 namespace selvedge::sim {
 
@@ -14,6 +15,11 @@ struct WaistArc {
     double angle = 0;   // rad, of all edges on the circle
 };
 WaistArc waist_arc(const Panel& panel);
+
+// A skirt of one piece whose waist is an arc is bent to a cone round the body, its waist at that height (m). There it
+// stands clear of the body, so that it stays open at the back if its waist is too short to go all the way round.
+// Returns whether it is such a skirt.
+bool bend_round_waist(Panel& panel, const TrunkSection& waist, double height);
 
 // The cone of a panel that narrows downwards between two edges, its apex where they meet, its sine as if it closed;
 // none if it does not narrow, or by so little that a cylinder fits.
