@@ -153,7 +153,14 @@ void validate_openings(const WornGarment& garment, const PanelVertices& panels, 
     // Level 0 cuts the corners that its leaves go round. If no leaf is inside the body, a limb meets cloth only there.
     const LimbPassages found = find_passages(garment.closed, garment.closed_draped, openings, bodies.worn_by,
                                              {.ends_at_cloth = report.contact.faces_in_body == 0});
-    const LimbSet known = meant.limbs.known & found.known;
+    LimbSet known = meant.limbs.known & found.known;
+    // An arm that leaves through the end of its own sleeve is where it belongs, whatever the panels tell as placed:
+    // those of a sleeve that stands open do not hold it.
+    for (std::size_t i = 0; i < openings.size(); ++i) {
+        const auto panel = static_cast<std::size_t>(openings[i].panels.front());
+        const std::optional<LimbKind> arm = arm_of(panels[panel], garment.panels.x, bodies.meant_for);
+        if (arm && found.through[i].count() == 1 && found.through[i][index_of(*arm)]) known[index_of(*arm)] = false;
+    }
     for (std::size_t i = 0; i < openings.size(); ++i) {
         const auto mismatch = compare(meant.limbs.through[i], found.through[i], known);
         if (!mismatch) continue;

@@ -240,6 +240,15 @@ TEST(Wearing, finds_an_empty_sleeve) {
     EXPECT_EQ(report.faults[0].place, "the left arm does not pass through the cuff of 'front'");
 }
 
+// The placed panels of a sleeve that stands open do not hold the arm.
+TEST(Wearing, lets_an_arm_go_through_the_sleeve_beside_which_it_was) {
+    Pattern beside = sleeve();
+    for (Panel& panel : beside.panels) panel.translation.z() += 0.12;
+    const auto onto_the_arm = [](const Vec3d& x) { return Vec3d(x - Vec3d(0, 0, 0.12)); };
+    EXPECT_EQ(std::ranges::count(report_on(beside, onto_the_arm, mannequin()).faults, "limb_missed", &DressFault::kind),
+              0);
+}
+
 // The garment was placed round an arm that hangs at an angle, and is worn on one that is level.
 TEST(Wearing, expects_the_same_arm_in_a_sleeve_whatever_the_pose) {
     const DressReport missed = report_on(sleeve(), stays, mannequin_in_t_pose());
