@@ -8,6 +8,7 @@
 
 #include "sim/pattern/enum_names.h"
 #include "sim/pattern/fabric.h"
+#include "sim/pattern/fabric_file.h"
 #include "sim/pattern/fault.h"
 #include "sim/pattern/outline.h"
 
@@ -453,7 +454,7 @@ class Reader : private FaultReader {
 
     std::string read_fabric_name(const Node& node) {
         const auto name = text(node);
-        if (!name || name->empty() || name->ends_with(".json")) return name.value_or("");
+        if (!name || name->empty() || is_fabric_file(*name)) return name.value_or("");
         const std::vector<std::string> known = fabric_names();
         if (std::find(known.begin(), known.end(), *name) == known.end()) {
             warn(node, "no fabric '" + *name + "' ships with the program");
