@@ -72,7 +72,7 @@ std::vector<editor::OrphanedJournal> orphaned_journals(const JournalStore& store
     std::vector<editor::OrphanedJournal> left;
     for (const StoredJournal& stored : store.left()) {
         const auto recovery = editor::recover(stored.text);
-        if (recovery && recovery->changes > 0) {
+        if (recovery && (recovery->changes > 0 || !recovery->drafts.empty())) {
             left.push_back({stored.path.string(), *recovery, age_text(stored.age_seconds)});
         } else {
             JournalStore::discard(stored.path);  // contains no changes
@@ -176,7 +176,7 @@ editor::Services make_editor_services(const EditorServicesOptions& options) {
     services.recent_files = [recent] { return recent->list(); };
     services.remember_file = [recent](const std::string& file) { recent->add(file); };
     services.examples = examples();
-    services.begin_journal = [journals](const std::string& head) { journals->begin(head); };
+    services.begin_journal = [journals](const std::string& text) { journals->begin(text); };
     services.note_in_journal = [journals](std::string_view line) { journals->note(line); };
     services.end_journal = [journals] { journals->end(); };
     services.orphaned_journals = [journals] { return orphaned_journals(*journals); };

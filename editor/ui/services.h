@@ -48,6 +48,8 @@ struct ExportRequest {
     render::Camera camera{};
     render::Light light{};
     sim::DrawMesh garment{};
+};  // of a mesh
+    sim::Pattern pattern{};       // says what the garment's panels are made of
 };
 
 // What became of a drawing of another program.
@@ -82,9 +84,9 @@ struct Services {
     std::function<void(const std::string& file)> remember_file;
     std::vector<Example> examples{};
 
-    // begin_journal starts a new journal for the open document with its first line; note_in_journal appends one line
-    // per change.
-    std::function<void(const std::string& head)> begin_journal;
+    // begin_journal starts a new journal for the open document with its first line, and those of the drafts of fabrics;
+    // note_in_journal appends one line per change.
+    std::function<void(const std::string& text)> begin_journal;
     std::function<void(std::string_view line)> note_in_journal;
     std::function<void()> end_journal;  // deletes the journal: nothing to recover
     std::function<std::vector<OrphanedJournal>()> orphaned_journals;
