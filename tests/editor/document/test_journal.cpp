@@ -154,6 +154,7 @@ TEST(CommandJson, every_command_survives) {
         SetBody{.body = "mannequin:bust=92", .shifts = {Vec3d(0, 0.01, 0)}},
         TransformPanels{.panels = {"a", "b"}, .map = {.x_axis = {0, 1}, .y_axis = {-1, 0}}, .what = "Rotate"},
         SetEdgeLength{},
+        ReplaceFabric{.from = "silk", .to = "/f/mine.json"},
         SetAllowance{.panel = "a", .edge = 2, .width = 0.01, .corner = sim::AllowanceCorner::Squared},
         SetSurface{.panel = "a", .surface = sim::SurfaceDesign{.kind = sim::DesignKind::Colour, .source = "#102030"}},
         SetUnderlays{.underlays = {{.file = "a.png", .position = Vec2d(1, 2), .pixel_size = 0.002, .opacity = 0.5}}},
