@@ -16,6 +16,7 @@
 #include "editor/tools/tool_host.h"
 #include "editor/tools/underlay_tool.h"
 #include "editor/ui/app_state.h"
+#include "editor/ui/export_thickness.h"
 #include "editor/ui/fabric_files.h"
 #include "editor/ui/widgets.h"
 #include "sim/core/error.h"
@@ -256,12 +257,14 @@ void save_as(AppState& state, const std::string& file) {
     ask_to_replace(state, target, write);
 }
 
-void export_to(AppState& state, const std::string& file) {
+void export_to(AppState& state, const std::string& file, const ExportThickness& thickness) {
     const ExportRequest request{.file = file,
                                 .scene = state.viewport.scene,
                                 .camera = state.viewport.camera,
                                 .light = state.viewport.light,
-                                .garment = state.workspace.drape.frame()->mesh};
+                                .garment = state.workspace.drape.frame()->mesh,
+                                .thickness = thickness,
+                                .pattern = state.workspace.document->pattern()};
     if (!request.scene || request.garment.triangles.empty()) {
         return state.workspace.messages.warn("There is nothing to export yet");
     }
@@ -341,8 +344,11 @@ void browse_to_export(AppState& state, const std::string& ending) {
                         .endings = {ending},
                         .is_saving = true,
                         .name = name + ending,
-                        .choose = [ending](AppState& current,
-                                           const std::string& file) { export_to(current, with_ending(file, ending)); }},
+                        .show_options = ending == ".png" ? nullptr : show_export_thickness,
+                        .choose =
+                            [ending](AppState& current, const std::string& file) {
+                                export_to(current, with_ending(file, ending), current.export_thickness);
+                            }},
                        state.services);
 }
 
@@ -537,9 +543,11 @@ void FileBrowser::show(AppState& state) {
         const std::string shown = elided(folder_, ImGui::GetContentRegionAvail().x, Elide::Middle);
         ImGui::TextDisabled("%s", shown.c_str());
         tip_of_whole(folder_, shown);
-        ImGui::BeginChild("##entries", {0, -2 * ImGui::GetFrameHeightWithSpacing()}, true);
+        const float rows = request_.show_options ? 3 : 2;  // below the list
+        ImGui::BeginChild("##entries", {0, -rows * ImGui::GetFrameHeightWithSpacing()}, true);
         show_entries(state);
         ImGui::EndChild();
+        if (request_.show_options) request_.show_options(state);
         if (takes_focus_) ImGui::SetKeyboardFocusHere();
         takes_focus_ = false;
         ImGui::SetNextItemWidth(-1);

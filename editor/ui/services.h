@@ -41,6 +41,13 @@ struct OrphanedJournal {
     std::string age;  // for example "3 minutes ago"
 };
 
+// How thick the cloth of an exported mesh is: not at all, as the fabric of each panel, or as given.
+struct ExportThickness {
+    enum class Kind { None, Fabric, Given };
+    Kind kind = Kind::None;
+    double metres = 0.001;  // of Given, 0.00001 to 0.05
+};
+
 // An export; the extension of `file` selects the format: .png, .obj, .glb, .ply or .stl.
 struct ExportRequest {
     std::string file;
@@ -48,7 +55,7 @@ struct ExportRequest {
     render::Camera camera{};
     render::Light light{};
     sim::DrawMesh garment{};
-};  // of a mesh
+    ExportThickness thickness{};  // of a mesh
     sim::Pattern pattern{};       // says what the garment's panels are made of
 };
 

@@ -92,6 +92,26 @@ TEST_F(EditorServices, garments_are_exported_as_meshes_and_pictures_as_png) {
     EXPECT_EQ(picture.at(2, 1), (render::Rgba8{9, 8, 7, 255}));
 }
 
+TEST_F(EditorServices, meshes_are_exported_as_thick_as_asked_for) {
+    editor::ExportRequest request = triangle_to(folder_ / "a.stl");
+    request.thickness = {.kind = editor::ExportThickness::Kind::Given, .metres = 0.002};
+    services_.write_export(request);
+    EXPECT_EQ(content_of(folder_ / "a.stl").size(), 84U + 8 * 50U) << "two sides, and two triangles per border edge";
+    sim::Panel panel;
+    panel.name = "front";
+    panel.fabric = "denim";
+    request.pattern.panels = {panel};
+    request.thickness.kind = editor::ExportThickness::Kind::Fabric;
+    request.file = folder_ / "a.obj";
+    services_.write_export(request);
+    const sim::DrawMesh thick = sim::read_garment(folder_ / "a.obj");
+    ASSERT_EQ(thick.triangles.size(), 8U);
+    const auto [low, high] = std::ranges::minmax_element(thick.x, {}, [](const Vec3f& x) { return x.z(); });
+    EXPECT_NEAR(high->z() - low->z(), sim::find_fabric("denim").thickness, 1e-6);
+    request.pattern.panels[0].fabric = "no/such.json";
+    EXPECT_THROW(services_.write_export(request), sim::InputError);
+}
+
 TEST_F(EditorServices, an_export_that_cannot_be_written_is_an_input_error) {
     for (const char* name : {"no/such/a.obj", "no/such/a.glb", "no/such/a.png"}) {
         EXPECT_THROW(services_.write_export(triangle_to(folder_ / name)), sim::InputError) << name;
