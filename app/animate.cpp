@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/actor.h"
+#include "app/baked_textures.h"
 #include "app/camera_path.h"
 #include "app/commands.h"
 #include "app/film.h"
@@ -49,6 +50,8 @@ struct AnimateArguments {
     Path film;  // empty: no such output
     std::vector<Path> caches;
     int cache_triangles = 20'000;
+    sim::AtlasOptions atlas;
+    bool has_textures = true;
     Path report_file;
 };
 
@@ -181,13 +184,15 @@ class Caching {
         const int level = sim::fixed_level_for(animation.cloth(), static_cast<std::size_t>(arguments.cache_triangles));
         fixed_ = sim::make_fixed_mesh(animation.cloth(), animation.panel_names(), level);
         const sim::DrawMesh body = sim::body_mesh(animation.body());
+        sim::CacheOptions options{.frames = static_cast<std::size_t>(animation.frame_count()),
+                                  .frames_per_second = static_cast<double>(arguments.frames_per_second),
+                                  .atlas = arguments.atlas};
+        const auto is_glb = [](const Path& path) { return path.extension() == ".glb"; };
+        if (arguments.has_textures && std::ranges::any_of(arguments.caches, is_glb))
+            options.textures = textures(arguments);
         for (const Path& path : arguments.caches) {
-            caches_.push_back(
-                sim::open_mesh_cache(path, fixed_.mesh,
-                                     {.frames = static_cast<std::size_t>(animation.frame_count()),
-                                      .frames_per_second = static_cast<double>(arguments.frames_per_second)},
-                                     path.extension() == ".glb" ? &body : nullptr));
-            has_body_.push_back(path.extension() == ".glb");
+            caches_.push_back(sim::open_mesh_cache(path, fixed_.mesh, options, is_glb(path) ? &body : nullptr));
+            has_body_.push_back(is_glb(path));
         }
     }
 
@@ -204,6 +209,13 @@ class Caching {
     }
 
  private:
+    sim::GarmentTextures textures(const AnimateArguments& arguments) const {
+        const PictureOptions& picture = arguments.picture;
+        const std::vector<render::ClothItem> cloths =
+            picture.looks->parts({.mesh = fixed_.mesh, .sett = {}}, *picture.pattern);
+        return bake_pngs(fixed_.mesh, cloths, arguments.atlas);
+    }
+
     sim::FixedMesh fixed_;
     std::vector<std::unique_ptr<sim::MeshCache>> caches_;
     std::vector<bool> has_body_;
@@ -377,6 +389,11 @@ void add_output_options(CLI::App& command, AnimateArguments& arguments) {
                     [&arguments](int triangles) { arguments.cache_triangles = triangles; })
         ->type_name("N")
         ->group("Output");
+    add_number<int>(command, "--texture-size", {64, 16384}, "Side of the textures of .glb, in pixels (default 2048)",
+                    [&arguments](int size_px) { arguments.atlas.size_px = size_px; })
+        ->type_name("PX")
+        ->group("Output");
+    command.add_flag("--no-textures{false}", arguments.has_textures, "A .glb without colour")->group("Output");
     command.add_option("--report", arguments.report_file, "What came of it, as JSON")
         ->type_name("JSON")
         ->group("Output");

@@ -15,7 +15,9 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
+#include "sim/dress/dressing.h"
 #include "sim/exchange/mesh_file.h"
+#include "sim/exchange/thick_cloth.h"
 #include "sim/paper/drawing_file.h"
 #include "sim/pattern/fabric_file.h"
 #include "sim/pattern/pattern.h"
@@ -72,7 +74,7 @@ std::vector<editor::OrphanedJournal> orphaned_journals(const JournalStore& store
     std::vector<editor::OrphanedJournal> left;
     for (const StoredJournal& stored : store.left()) {
         const auto recovery = editor::recover(stored.text);
-        if (recovery && recovery->changes > 0) {
+        if (recovery && (recovery->changes > 0 || !recovery->drafts.empty())) {
             left.push_back({stored.path.string(), *recovery, age_text(stored.age_seconds)});
         } else {
             JournalStore::discard(stored.path);  // contains no changes
@@ -94,12 +96,31 @@ std::vector<editor::Example> examples() {
         {"Poncho", "One large square with a slit, wool that falls in folds.", text_of("patterns/poncho.json")}};
 }
 
+// Of each panel of the mesh, m. Throws InputError if a fabric cannot be read.
+std::vector<float> thickness_of_panels(const editor::ExportRequest& request) {
+    const std::vector<std::string>& names = request.garment.panel_names;
+    if (request.thickness.kind == editor::ExportThickness::Kind::Given)
+        return std::vector<float>(std::max<std::size_t>(1, names.size()), static_cast<float>(request.thickness.metres));
+    const std::vector<sim::Fabric> fabrics = fabrics_of(request.pattern);
+    std::vector<float> thickness;
+    for (const std::string& name : names) {
+        const auto panel = std::ranges::find(request.pattern.panels, name, &sim::Panel::name);
+        const auto index = static_cast<std::size_t>(panel - request.pattern.panels.begin());
+        const bool is_known = panel != request.pattern.panels.end();  // it may have been renamed since
+        const sim::Fabric fabric = is_known ? fabrics[index] : sim::find_fabric(request.pattern.fabric);
+        thickness.push_back(static_cast<float>(fabric.thickness));
+    }
+    return thickness;
+}
+
 void write_export(const editor::ExportRequest& request, const EditorServicesOptions& options) {
     if (!request.file.ends_with(".png")) {
         sim::GarmentExport content;
         if (sim::mesh_format_of(request.file).takes_textures)
             content.textures = bake_pngs(request.garment, request.scene->cloths, content.atlas);
-        return write_garment(request.garment, request.file, content);
+        if (request.thickness.kind == editor::ExportThickness::Kind::None)
+            return write_garment(request.garment, request.file, content);
+        return write_garment(with_thickness(request.garment, thickness_of_panels(request)), request.file, content);
     }
     render::Scene scene = *request.scene;
     scene.camera = request.camera;
@@ -176,7 +197,7 @@ editor::Services make_editor_services(const EditorServicesOptions& options) {
     services.recent_files = [recent] { return recent->list(); };
     services.remember_file = [recent](const std::string& file) { recent->add(file); };
     services.examples = examples();
-    services.begin_journal = [journals](const std::string& head) { journals->begin(head); };
+    services.begin_journal = [journals](const std::string& text) { journals->begin(text); };
     services.note_in_journal = [journals](std::string_view line) { journals->note(line); };
     services.end_journal = [journals] { journals->end(); };
     services.orphaned_journals = [journals] { return orphaned_journals(*journals); };

@@ -76,11 +76,11 @@ JournalStore::~JournalStore() {
 
 // Writes a new file, locked from the start, and renames it over the old one: a crash leaves either the old or the new
 // journal.
-void JournalStore::begin(std::string_view head) {
+void JournalStore::begin(std::string_view lines) {
     const fs::path fresh = path_.string() + ".new";
     const int file = ::open(fresh.c_str(), O_CREAT | O_TRUNC | O_RDWR | O_APPEND | O_CLOEXEC, 0600);
     if (file < 0) fail(fresh, "cannot be written");
-    const bool is_written = ::flock(file, LOCK_EX | LOCK_NB) == 0 && write_all(file, head) && write_all(file, "\n") &&
+    const bool is_written = ::flock(file, LOCK_EX | LOCK_NB) == 0 && write_all(file, lines) && write_all(file, "\n") &&
                             ::rename(fresh.c_str(), path_.c_str()) == 0;
     if (!is_written) {
         ::close(file);

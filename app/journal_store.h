@@ -27,8 +27,8 @@ class JournalStore {
     JournalStore(const JournalStore&) = delete;
     JournalStore& operator=(const JournalStore&) = delete;
 
-    // Replaces the current journal by a new one, atomically. Throws InputError.
-    void begin(std::string_view head);
+    // Replaces the current journal by a new one that begins with these lines, atomically. Throws InputError.
+    void begin(std::string_view lines);
 
     // Appends a line; does nothing without a journal. Write errors are not thrown: problem() returns the first.
     void note(std::string_view line);

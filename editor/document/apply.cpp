@@ -12,6 +12,7 @@
 #include "editor/geometry/sewing.h"
 #include "sim/core/error.h"
 #include "sim/pattern/fabric.h"
+#include "sim/pattern/fabric_file.h"
 #include "sim/pattern/garments.h"
 #include "sim/pattern/pattern.h"
 #include "sim/pattern/pattern_file.h"
@@ -96,11 +97,30 @@ Outcome run(sim::Pattern& pattern, const RenamePattern& command) {
     return {};
 }
 
+// A file is read when the garment is dressed.
+void check_fabric_name(const std::string& fabric) {
+    if (fabric.empty() || sim::is_fabric_file(fabric)) return;
+    as_geometry_error([&] { return sim::find_fabric(fabric); });
+}
+
 Outcome run(sim::Pattern& pattern, const SetFabric& command) {
-    if (!command.fabric.empty() && !command.fabric.ends_with(".json")) {
-        as_geometry_error([&] { return sim::find_fabric(command.fabric); });
-    }
+    check_fabric_name(command.fabric);
     (command.panel.empty() ? pattern.fabric : panel_of(pattern, command.panel).fabric) = command.fabric;
+    return {};
+}
+
+Outcome run(sim::Pattern& pattern, const ReplaceFabric& command) {
+    if (command.from.empty() || command.to.empty()) throw GeometryError("A fabric to replace has a name");
+    check_fabric_name(command.to);
+    const auto replace = [&](std::string& fabric) {
+        if (fabric == command.from) fabric = command.to;
+    };
+    if (pattern.fabric.empty() && command.from == sim::Fabric().name) pattern.fabric = command.to;
+    replace(pattern.fabric);
+    for (sim::Panel& panel : pattern.panels) {
+        replace(panel.fabric);
+        std::ranges::for_each(panel.interlinings, replace);
+    }
     return {};
 }
 

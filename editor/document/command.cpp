@@ -28,6 +28,9 @@ std::string label(const RenamePattern&) {
 std::string label(const SetFabric&) {
     return "Change fabric";
 }
+std::string label(const ReplaceFabric&) {
+    return "Replace fabric";
+}
 std::string label(const SetTartan&) {
     return "Change tartan";
 }

@@ -437,6 +437,19 @@ struct SetFabric {
     }
 };
 
+// Whatever is made of one fabric is made of another: the pattern, panels and their interlinings.
+struct ReplaceFabric {
+    static constexpr const char* name = "replace_fabric";
+    std::string from{};
+    std::string to{};
+
+    template <class Visitor>
+    void fields(Visitor&& visit) {
+        visit("from", from);
+        visit("to", to);
+    }
+};
+
 // `tartan`: a name or a threadcount; empty: the default. `size` and `position`: see sett_size and sett_position of
 // Pattern.
 struct SetTartan {

@@ -7,6 +7,7 @@
 #include "editor/document/document.h"
 #include "editor/geometry/draft.h"
 #include "sim/core/error.h"
+#include "sim/pattern/fabric_file.h"
 
 namespace selvedge::editor {
 namespace {
@@ -45,9 +46,7 @@ std::optional<std::string_view> take_line(std::string_view& rest) {
 }
 
 // Replays one line. Throws InputError or GeometryError if that is not possible.
-void play(Document& document, std::string_view line) {
-    const sim::Json json = sim::parse_json(line, kFile);
-    const sim::JsonView view(json, kFile);
+void play(Document& document, const sim::JsonView& view) {
     if (view.has("do")) return document.run(parse_command(view.at("do")));
     if (view.has("try")) return document.preview(parse_command(view.at("try")));
     if (view.has("keep")) return document.commit();
@@ -55,6 +54,18 @@ void play(Document& document, std::string_view line) {
     if (view.has("undo")) return document.undo();
     if (view.has("redo")) return document.redo();
     view.fail("no line of a journal");
+}
+
+// Whether the line is about a draft, which is then taken. Throws InputError.
+bool take_draft(std::map<std::string, sim::Fabric>& drafts, const sim::JsonView& view) {
+    if (view.has("no_draft")) {
+        drafts.erase(view.at("no_draft").string());
+        return true;
+    }
+    if (!view.has("draft")) return false;
+    const sim::JsonView draft = view.at("draft");
+    drafts[draft.at("fabric").string()] = sim::parse_fabric(draft.at("text").string(), "");
+    return true;
 }
 
 }  // namespace
@@ -69,6 +80,17 @@ sim::Json journal_preview(const Command& command) {
 
 sim::Json journal_action(JournalAction action) {
     return one_member(name(action), sim::Json(true));
+}
+
+// The text is that of a fabric file without a place, so that it names a picture by its whole path.
+sim::Json journal_draft(const std::string& fabric, const sim::Fabric& draft) {
+    sim::Json content = one_member("fabric", sim::Json(fabric));
+    content["text"] = write_fabric(draft, "");
+    return one_member("draft", std::move(content));
+}
+
+sim::Json journal_no_draft(const std::string& fabric) {
+    return one_member("no_draft", sim::Json(fabric));
 }
 
 std::string journal_head(std::string_view file, std::string_view text) {
@@ -86,10 +108,13 @@ std::optional<Recovery> recover(std::string_view journal) {
         const sim::JsonView view(head, kFile);
         if (view.at(kHead).integer() != kVersion) return std::nullopt;
         Recovery recovery{.file = view.at("file").string()};
-        Document document(sim::parse_pattern(view.at("text").string(), recovery.file));
+        Document document(sim::parse_begun_pattern(view.at("text").string(), recovery.file));
         try {
             while (const auto line = take_line(journal)) {
-                play(document, *line);
+                const sim::Json json = sim::parse_json(*line, kFile);
+                const sim::JsonView change(json, kFile);
+                if (take_draft(recovery.drafts, change)) continue;
+                play(document, change);
                 ++recovery.changes;
             }
         } catch (const std::runtime_error&) {  // invalid line: keep the changes before it

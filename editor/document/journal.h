@@ -6,6 +6,10 @@
 //   {"do": {"move_vertices": {...}}}                                 a command
 //   {"try": {...}}, then {"keep": true} or {"drop": true}            a drag: one line per preview
 //   {"undo": true}, {"redo": true}
+//   {"draft": {"fabric": "silk", "text": "..."}}    values of a fabric that are edited and not saved; the last one
+//   counts
+//   {"no_draft": "silk"}                            they were saved or dropped
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +18,7 @@
 
 #include "editor/document/command.h"
 #include "sim/core/json.h"
+#include "sim/pattern/fabric.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::editor {
@@ -26,6 +31,10 @@ sim::Json journal_line(const Command& command);
 sim::Json journal_preview(const Command& command);
 sim::Json journal_action(JournalAction action);
 
+// fabric: its name or file. Throws InputError if a value of the draft is out of range.
+sim::Json journal_draft(const std::string& fabric, const sim::Fabric& draft);
+sim::Json journal_no_draft(const std::string& fabric);
+
 // The first line. `file`: the document's file; empty: not saved yet. `text`: the document at the start of the journal.
 std::string journal_head(std::string_view file, std::string_view text);
 
@@ -33,7 +42,8 @@ std::string journal_head(std::string_view file, std::string_view text);
 struct Recovery {
     std::string file;
     std::string text = {};  // the document at the end of the journal, with an unfinished drag committed
-    int changes = 0;        // number of lines applied
+    int changes = 0;        // number of lines applied to the document
+    std::map<std::string, sim::Fabric> drafts = {};  // by the fabric's name or file
 };
 
 // None: the first line is missing or invalid.

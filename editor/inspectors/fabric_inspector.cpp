@@ -146,11 +146,13 @@ std::string users_of(const sim::Pattern& pattern, const std::string& fabric) {
     std::string names;
     std::size_t count = 0;
     for (const sim::Panel& panel : pattern.panels) {
-        if (fabric_of(pattern, panel) != fabric) continue;
-        names += (names.empty() ? "" : ", ") + panel.name;
-        ++count;
+        const bool is_made_of = fabric_of(pattern, panel) == fabric;
+        const bool is_interlined = std::ranges::find(panel.interlinings, fabric) != panel.interlinings.end();
+        if (!is_made_of && !is_interlined) continue;
+        names += (names.empty() ? "" : ", ") + panel.name + (is_made_of ? "" : " (interlining)");
+        if (is_made_of) ++count;
     }
-    if (count == 0) return "no panel";
+    if (names.empty()) return "no panel";
     return count == pattern.panels.size() ? "all panels" : names;
 }
 
@@ -243,10 +245,11 @@ void draw_draft_buttons(InspectorContext& context, const std::string& name, cons
                                                   .title = "Save",
                                                   .tip = "Writes " + name + ". The garment takes the values at once.",
                                                   .is_enabled = has_changes && bool(context.save_fabric)});
-    const bool saves_as = row.button({.name = "material.fabric.save_as",
-                                      .title = "Save as...",
-                                      .tip = "Writes another file. What is made of this fabric is then made of that.",
-                                      .is_enabled = bool(context.save_fabric_as)});
+    const bool saves_as = row.button(
+        {.name = "material.fabric.save_as",
+         .title = "Save as...",
+         .tip = "Writes another file. What is made of this fabric, or interlined with it, is then made of that.",
+         .is_enabled = bool(context.save_fabric_as)});
     const bool cancels = row.button({.name = "material.fabric.cancel",
                                      .title = "Cancel",
                                      .tip = has_changes ? "Drops the changes." : "Ends the editing."});
@@ -311,7 +314,7 @@ void draw_fabric(InspectorContext& context) {
         draw_file_buttons(context, shown, entry);
     }
     const std::string users = users_of(context.pattern(), shown);
-    fact(context, "Used by", users, "The panels that are made of it: " + users + ".");
+    fact(context, "Used by", users, "The panels that are made of it, or interlined with it: " + users + ".");
     draw_use_buttons(context, shown);
 }
 

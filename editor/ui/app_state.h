@@ -76,6 +76,7 @@ struct AppState {
     UnderlayPictures underlays;
     WidgetMap widgets;
     ShownViewport viewport;
+    ExportThickness export_thickness;  // of the next export from the menu
     TimelineDrag timeline;
     InspectorState inspectors;
     bool shows_start_page = true;

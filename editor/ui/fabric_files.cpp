@@ -13,18 +13,12 @@
 namespace selvedge::editor {
 namespace {
 
-std::string stem_of(const std::string& file) {
-    std::string name = file.substr(file.find_last_of('/') + 1);
-    if (name.ends_with(".json")) name.resize(name.size() - 5);
-    return name;
-}
-
 // Writes the draft of `name` to `file`, and ends it. Throws InputError.
 void write_draft(AppState& state, const std::string& name, const std::string& file) {
     FabricLibrary& fabrics = state.workspace.fabrics;
     const FabricLibrary::Entry& entry = fabrics.find(name);
     sim::Fabric fabric = entry.draft.value_or(entry.file.fabric);
-    if (file != name) fabric.name = stem_of(file);
+    if (file != name) fabric.name = sim::fabric_title(file);
     sim::FabricFile written{.text = write_fabric(fabric, file, entry.file.text)};
     written.fabric = sim::parse_fabric(written.text, file);
     state.services.save(file, written.text);
@@ -33,19 +27,6 @@ void write_draft(AppState& state, const std::string& name, const std::string& fi
     fabrics.drop_draft(file);  // it was to be replaced
     fabrics.show(file);
     state.workspace.drape.reread_fabrics();
-}
-
-// What is made of one fabric is made of the other. Returns whether anything was.
-bool replace_fabric(Workspace& workspace, const std::string& before, const std::string& after) {
-    const sim::Pattern pattern = workspace.document->pattern();  // a copy: commands change it
-    bool is_used = (pattern.fabric.empty() ? sim::Fabric().name : pattern.fabric) == before;
-    if (is_used) workspace.run(SetFabric{.fabric = after});
-    for (const sim::Panel& panel : pattern.panels) {
-        if (panel.fabric != before) continue;
-        workspace.run(SetFabric{.panel = panel.name, .fabric = after});
-        is_used = true;
-    }
-    return is_used;
 }
 
 // Whether the file holds something else than what was read of it.
@@ -92,9 +73,12 @@ void save_fabric_as(AppState& state, const std::string& name, const std::string&
         current.workspace.document->commit();
         try_to(current, [&] {
             write_draft(current, name, target);
-            const bool is_used = replace_fabric(current.workspace, name, target);
-            current.workspace.messages.note(
-                "Saved as " + target + (is_used ? "" : ". Nothing is made of it yet: the Cloth tab puts it to use"));
+            Workspace& workspace = current.workspace;
+            const std::size_t before = workspace.document->position();
+            workspace.run(ReplaceFabric{.from = name, .to = target});
+            const bool is_used = workspace.document->position() != before;
+            workspace.messages.note("Saved as " + target +
+                                    (is_used ? "" : ". Nothing is made of it yet: the Cloth tab puts it to use"));
         });
     };
     if (!state.services.exists(target)) return write(state);
@@ -115,7 +99,7 @@ void browse_to_save_fabric(AppState& state, const std::string& name) {
          .verb = "Save",
          .endings = {".json"},
          .is_saving = true,
-         .name = (sim::is_shipped_fabric(name) ? "my_" + name : stem_of(name)) + ".json",
+         .name = (sim::is_shipped_fabric(name) ? "my_" + name : sim::fabric_title(name)) + ".json",
          .choose = [name](AppState& current, const std::string& file) { save_fabric_as(current, name, file); }},
         state.services);
 }

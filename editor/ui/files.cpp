@@ -5,15 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "editor/frame/item.h"
 #include "editor/geometry/outline_edit.h"
+#include "editor/inspectors/material_inspector.h"
 #include "editor/tools/tool_host.h"
 #include "editor/tools/underlay_tool.h"
 #include "editor/ui/app_state.h"
+#include "editor/ui/export_thickness.h"
 #include "editor/ui/fabric_files.h"
 #include "editor/ui/widgets.h"
 #include "sim/core/error.h"
@@ -189,17 +192,42 @@ void open_example(AppState& state, const Example& example) {
     });
 }
 
+namespace {
+
+// Without changes of the garment, its file is what was saved last.
+sim::PatternDocument recovered_document(const AppState& state, const Recovery& recovery) {
+    if (recovery.changes == 0 && !recovery.file.empty() && state.services.exists(recovery.file))
+        return state.services.load(recovery.file);
+    return sim::parse_begun_pattern(recovery.text, recovery.file);
+}
+
+void recover_drafts(Workspace& workspace, const std::map<std::string, sim::Fabric>& drafts) {
+    for (const auto& [name, draft] : drafts) {
+        if (!workspace.fabrics.recover_draft(name, draft)) {
+            workspace.messages.warn("The fabric '" + readable_name(name) + "' was not recovered: it is being edited");
+            continue;
+        }
+        workspace.fabrics.show(name);
+        workspace.messages.note("Recovered what was edited of the fabric '" + readable_name(name) +
+                                "': the Cloth tab shows it");
+    }
+}
+
+}  // namespace
+
 void recover_journal(AppState& state, const OrphanedJournal& journal) {
     const auto go_on = [journal](AppState& current) {
-        const bool is_open = try_to(current, [&] {
-            show_document(current, sim::parse_pattern(journal.recovery.text, journal.recovery.file),
-                          journal.recovery.file);
-        });
+        const Recovery& recovery = journal.recovery;
+        const bool is_open =
+            try_to(current, [&] { show_document(current, recovered_document(current, recovery), recovery.file); });
         if (!is_open) return;
-        current.workspace.document->mark_changed();
+        if (recovery.changes > 0) {
+            current.workspace.document->mark_changed();
+            current.workspace.messages.note("Recovered '" + document_name(current) + "': save it to keep it");
+        }
+        recover_drafts(current.workspace, recovery.drafts);
         begin_journal(current);  // so that it can be recovered again
         current.services.discard_journal(journal.id);
-        current.workspace.messages.note("Recovered '" + document_name(current) + "': save it to keep it");
     };
     after_asking(state, go_on);
 }
@@ -229,12 +257,14 @@ void save_as(AppState& state, const std::string& file) {
     ask_to_replace(state, target, write);
 }
 
-void export_to(AppState& state, const std::string& file) {
+void export_to(AppState& state, const std::string& file, const ExportThickness& thickness) {
     const ExportRequest request{.file = file,
                                 .scene = state.viewport.scene,
                                 .camera = state.viewport.camera,
                                 .light = state.viewport.light,
-                                .garment = state.workspace.drape.frame()->mesh};
+                                .garment = state.workspace.drape.frame()->mesh,
+                                .thickness = thickness,
+                                .pattern = state.workspace.document->pattern()};
     if (!request.scene || request.garment.triangles.empty()) {
         return state.workspace.messages.warn("There is nothing to export yet");
     }
@@ -314,8 +344,11 @@ void browse_to_export(AppState& state, const std::string& ending) {
                         .endings = {ending},
                         .is_saving = true,
                         .name = name + ending,
-                        .choose = [ending](AppState& current,
-                                           const std::string& file) { export_to(current, with_ending(file, ending)); }},
+                        .show_options = ending == ".png" ? nullptr : show_export_thickness,
+                        .choose =
+                            [ending](AppState& current, const std::string& file) {
+                                export_to(current, with_ending(file, ending), current.export_thickness);
+                            }},
                        state.services);
 }
 
@@ -402,13 +435,26 @@ void browse_to_save_pose(AppState& state) {
                        state.services);
 }
 
+namespace {
+
+// "'shirt.json' (3 changes) and the fabric 'Silk'"
+std::string unsaved_text(const Recovery& recovery) {
+    std::string text;
+    if (recovery.changes > 0) {
+        text = recovery.file.empty() ? "an unsaved garment" : "'" + name_in_folder(recovery.file) + "'";
+        text += " (" + std::to_string(recovery.changes) + (recovery.changes == 1 ? " change)" : " changes)");
+    }
+    for (const auto& [name, draft] : recovery.drafts)
+        text += (text.empty() ? "the fabric '" : " and the fabric '") + readable_name(name) + "'";
+    return text;
+}
+
+}  // namespace
+
 void offer_recovery(AppState& state) {
     for (const OrphanedJournal& journal : state.services.orphaned_journals()) {
-        const std::string name =
-            journal.recovery.file.empty() ? "an unsaved garment" : "'" + name_in_folder(journal.recovery.file) + "'";
         state.questions.push_back(
-            {"The editor ended " + journal.age + " without saving " + name + " (" +
-                 std::to_string(journal.recovery.changes) + " changes).",
+            {"The editor ended " + journal.age + " without saving " + unsaved_text(journal.recovery) + ".",
              {{"Recover", [journal](AppState& current) { recover_journal(current, journal); }},
               {"Discard", [journal](AppState& current) { current.services.discard_journal(journal.id); }},
               {"Later", [](AppState&) {}}}});
@@ -416,9 +462,15 @@ void offer_recovery(AppState& state) {
 }
 
 void begin_journal(AppState& state) {
-    Document& document = *state.workspace.document;
-    state.services.begin_journal(journal_head(state.workspace.file, document.text(state.workspace.file)));
-    document.set_journal([&state](std::string_view line) { state.services.note_in_journal(line); });
+    Workspace& workspace = state.workspace;
+    // The whole path: the next editor may start in another folder.
+    const std::string file = workspace.file.empty() ? "" : state.services.full_path(workspace.file);
+    std::string text = journal_head(file, workspace.document->text(file));
+    for (const std::string& line : workspace.fabrics.journal_lines()) text += "\n" + line;
+    state.services.begin_journal(text);
+    const auto note = [&state](std::string_view line) { state.services.note_in_journal(line); };
+    workspace.document->set_journal(note);
+    workspace.fabrics.set_journal(note);
 }
 
 namespace {
@@ -491,9 +543,11 @@ void FileBrowser::show(AppState& state) {
         const std::string shown = elided(folder_, ImGui::GetContentRegionAvail().x, Elide::Middle);
         ImGui::TextDisabled("%s", shown.c_str());
         tip_of_whole(folder_, shown);
-        ImGui::BeginChild("##entries", {0, -2 * ImGui::GetFrameHeightWithSpacing()}, true);
+        const float rows = request_.show_options ? 3 : 2;  // below the list
+        ImGui::BeginChild("##entries", {0, -rows * ImGui::GetFrameHeightWithSpacing()}, true);
         show_entries(state);
         ImGui::EndChild();
+        if (request_.show_options) request_.show_options(state);
         if (takes_focus_) ImGui::SetKeyboardFocusHere();
         takes_focus_ = false;
         ImGui::SetNextItemWidth(-1);

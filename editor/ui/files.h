@@ -27,7 +27,7 @@ void take_dropped_file(AppState& state, const std::string& file);
 
 bool save(AppState& state);  // asks for a name if there is none; false: not saved (yet)
 void save_as(AppState& state, const std::string& file);
-void export_to(AppState& state, const std::string& file);
+void export_to(AppState& state, const std::string& file, const ExportThickness& thickness = {});
 void print_to(AppState& state, const std::string& file);   // the pattern, at true size
 void save_pose(AppState& state, const std::string& file);  // the body's, which is then the file's
 void close(AppState& state);
@@ -60,10 +60,11 @@ std::string document_name(const AppState& state);
 
 struct BrowseRequest {
     std::string title;
-    std::string verb;                  // label of the confirm button
-    std::vector<std::string> endings;  // extensions of the files to list: ".json"
-    bool is_saving = false;            // a new name may be typed
-    std::string name{};                // proposed file name
+    std::string verb;                               // label of the confirm button
+    std::vector<std::string> endings;               // extensions of the files to list: ".json"
+    bool is_saving = false;                         // a new name may be typed
+    std::string name{};                             // proposed file name
+    std::function<void(AppState&)> show_options{};  // draws a row of controls above the name; unset: none
     std::function<void(AppState&, const std::string& file)> choose;
 };
 

@@ -9,6 +9,7 @@
 #include "editor/geometry/draft.h"
 #include "editor/geometry/panel_edit.h"
 #include "editor/ui/actions.h"
+#include "editor/ui/export_thickness.h"
 #include "editor/ui/files.h"
 #include "editor/viewport3d/viewport_overlay.h"
 #include "sim/core/error.h"
@@ -151,7 +152,10 @@ void ScriptPlayer::play_document(const ScriptStep& step) {
     if (step.verb == "import") import_file(state, word(step, 0));
     if (step.verb == "print") print_to(state, word(step, 0));
     if (step.verb == "save") save_as(state, word(step, 0));
-    if (step.verb == "export") export_to(state, word(step, 0));
+    if (step.verb == "export") {
+        const bool is_thick = step.arguments.size() > 1 && word(step, 1) == "thickness";
+        export_to(state, word(step, 0), is_thick ? parse_export_thickness(word(step, 2)) : ExportThickness{});
+    }
     if (step.verb == "wear") state.workspace.drape.show_body(step.rest);
     if (step.verb == "do") {
         const sim::Json json = sim::parse_json(step.rest, file_);

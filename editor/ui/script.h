@@ -4,7 +4,7 @@
 //   open FILE | new | save FILE | do COMMAND-AS-JSON | action file.undo | key ctrl+z | type TEXT
 //   move PLACE | press PLACE | release PLACE | click PLACE | double PLACE | drag PLACE to PLACE | wheel PLACE NOTCHES
 //   where PLACE (prints its px) | wear BODY | frames COUNT | settle SECONDS | expect WORDS | screenshot FILE
-//   export FILE | import FILE (a drawing of another program) | print FILE (.pdf, .svg, .dxf)
+//   export FILE [thickness MM|fabric] | import FILE (a drawing of another program) | print FILE (.pdf, .svg, .dxf)
 //
 // A PLACE is `sheet X Y` (cm on the sheet), `panel NAME X Y` (cm in the panel's frame), `vertex NAME INDEX` (of a
 // panel), `widget NAME`, `point NAME` (an arrangement point), `room X Y Z` (m, a 3D point) or `px X Y`, followed by any

@@ -41,6 +41,13 @@ struct OrphanedJournal {
     std::string age;  // for example "3 minutes ago"
 };
 
+// How thick the cloth of an exported mesh is: not at all, as the fabric of each panel, or as given.
+struct ExportThickness {
+    enum class Kind { None, Fabric, Given };
+    Kind kind = Kind::None;
+    double metres = 0.001;  // of Given, 0.00001 to 0.05
+};
+
 // An export; the extension of `file` selects the format: .png, .obj, .glb, .ply or .stl.
 struct ExportRequest {
     std::string file;
@@ -48,6 +55,8 @@ struct ExportRequest {
     render::Camera camera{};
     render::Light light{};
     sim::DrawMesh garment{};
+    ExportThickness thickness{};  // of a mesh
+    sim::Pattern pattern{};       // says what the garment's panels are made of
 };
 
 // What became of a drawing of another program.
@@ -82,9 +91,9 @@ struct Services {
     std::function<void(const std::string& file)> remember_file;
     std::vector<Example> examples{};
 
-    // begin_journal starts a new journal for the open document with its first line; note_in_journal appends one line
-    // per change.
-    std::function<void(const std::string& head)> begin_journal;
+    // begin_journal starts a new journal for the open document with its first line, and those of the drafts of fabrics;
+    // note_in_journal appends one line per change.
+    std::function<void(const std::string& text)> begin_journal;
     std::function<void(std::string_view line)> note_in_journal;
     std::function<void()> end_journal;  // deletes the journal: nothing to recover
     std::function<std::vector<OrphanedJournal>()> orphaned_journals;

@@ -6,6 +6,8 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sim/pattern/fabric_file.h"
@@ -40,6 +42,17 @@ class FabricLibrary {
     // Shows a fabric file, read again unless it has a draft with changes. Throws InputError; then nothing changes.
     void open(const std::string& file);
 
+    // Receives one line per change of a draft (editor/document/journal.h). Must not throw.
+    using Journal = std::function<void(std::string_view line)>;
+    void set_journal(Journal journal) { journal_ = std::move(journal); }
+
+    // The lines of all drafts with changes, for the start of a journal.
+    std::vector<std::string> journal_lines() const;
+
+    // Takes up a draft of an earlier run, also of a fabric that cannot be read any more. False: the fabric has a draft
+    // with changes, which stays.
+    bool recover_draft(const std::string& name, const sim::Fabric& draft);
+
     void begin_draft(const std::string& name);                          // of one that was read; keeps a draft
     void set_draft(const std::string& name, const sim::Fabric& draft);  // Pre: it has one
     void drop_draft(const std::string& name);
@@ -55,11 +68,13 @@ class FabricLibrary {
 
  private:
     Entry read(const std::string& name) const;
+    void note(const std::string& name) const;
 
     FabricReader reader_;
     std::map<std::string, Entry> entries_;
     std::string shown_;
     std::uint64_t version_ = 0;
+    Journal journal_;
 };
 
 }  // namespace selvedge::editor

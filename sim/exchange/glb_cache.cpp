@@ -126,7 +126,7 @@ class GlbCache final : public MeshCache {
              const DrawMesh* body)
         : path_(path), options_(options) {
         meshes_.push_back({"garment", garment, split_by_panel(garment)});
-        pack_panels(meshes_.back().parts, {});
+        pack_panels(meshes_.back().parts, options.atlas);
         if (body != nullptr) meshes_.push_back({"body", *body, split_by_panel(*body)});
         if (options.frames > kMostFrames)
             throw InputError(path.string(), "",
@@ -166,7 +166,9 @@ class GlbCache final : public MeshCache {
             times = add_times();
             weights = add_weights();
         }
-        std::string json = document_.finish(root(meshes_, frames_, times, weights));
+        Json content = root(meshes_, frames_, times, weights, document_);
+        flush();
+        std::string json = document_.finish(std::move(content));
         SELVEDGE_ASSERT(json.size() <= json_bytes_);
         json.resize(json_bytes_, ' ');
         std::string head;
@@ -193,6 +195,8 @@ class GlbCache final : public MeshCache {
             bytes += animated.mesh.triangles.size() * 3 * sizeof(std::uint32_t);
             if (!animated.mesh.u.empty()) bytes += vertices * 2 * sizeof(Vec2f);  // packed and metric
         }
+        for (const std::string* png : {&options_.textures.base_colour, &options_.textures.normal})
+            bytes += (png->size() + 3) / 4 * 4;
         return bytes;
     }
 
@@ -218,13 +222,15 @@ class GlbCache final : public MeshCache {
             times = plan.plan_numbers(options_.frames);
             weights = plan.plan_numbers(options_.frames * (options_.frames - 1));
         }
+        Json content = root(meshes, options_.frames, times, weights, plan);
         SELVEDGE_ASSERT(plan.size() == binary_bytes());
-        const std::size_t bytes = plan.finish(root(meshes, options_.frames, times, weights)).size();
+        const std::size_t bytes = plan.finish(std::move(content)).size();
         return (bytes + 3) / 4 * 4;
     }
 
-    // Moves what the meshes hold in JSON.
-    Json root(std::vector<Animated>& meshes, std::size_t frames, std::size_t times, std::size_t weights) const {
+    // Moves what the meshes hold in JSON, and adds the textures to the document.
+    Json root(std::vector<Animated>& meshes, std::size_t frames, std::size_t times, std::size_t weights,
+              Document& document) const {
         Json json = root_object();
         std::vector<Json> scene_nodes;
         Json nodes = Json::array(), all = Json::array(), materials = Json::array();
@@ -235,6 +241,7 @@ class GlbCache final : public MeshCache {
             nodes.push_back(std::move(node));
             scene_nodes.emplace_back(i);
             add_panel_materials(meshes[i].parts, materials);
+            if (i == 0) add_textures(options_.textures, materials, json, document);  // not of the body
             all.push_back(mesh_json(meshes[i], frames, options_.first_frame));
         }
         json["scenes"] = scene_of(std::move(scene_nodes));

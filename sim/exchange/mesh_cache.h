@@ -15,6 +15,7 @@
 
 #include "sim/body/body.h"
 #include "sim/core/math.h"
+#include "sim/exchange/garment_export.h"
 #include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::sim {
@@ -29,6 +30,8 @@ struct CacheOptions {
     // Of .glb only:
     CacheInterpolation interpolation = CacheInterpolation::Linear;
     bool has_normals = true;  // also the normals of every frame: twice the size; Blender computes its own
+    AtlasOptions atlas{};     // where the garment's panels are in the first set of texture coordinates
+    GarmentTextures textures{};
 };
 
 class MeshCache {

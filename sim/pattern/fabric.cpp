@@ -9,6 +9,7 @@
 #include "sim/core/json.h"
 #include "sim/pattern/fabric_file.h"
 #include "sim/pattern/fault.h"
+#include "sim/pattern/named_file.h"
 
 namespace selvedge::sim {
 
@@ -24,10 +25,7 @@ SurfaceDesign read_surface(const JsonView& view) {
     reader.units_in_meter = 1;
     SurfaceDesign design = read_design(reader, {&view.value(), view.path()});
     for (const Fault& fault : reader.take_faults()) throw InputError(fault.file, fault.place, fault.problem);
-    if (design.kind == DesignKind::Picture) {
-        const std::filesystem::path folder = std::filesystem::absolute(view.file()).parent_path();
-        design.source = (folder / design.source).lexically_normal().string();
-    }
+    if (design.kind == DesignKind::Picture) design.source = resolve_named_file(design.source, view.file());
     return design;
 }
 

@@ -14,6 +14,7 @@
 #include "sim/core/file.h"
 #include "sim/core/json.h"
 #include "sim/pattern/enum_names.h"
+#include "sim/pattern/named_file.h"
 
 namespace selvedge::sim {
 namespace {
@@ -75,19 +76,6 @@ double degrees_read_as(double radians) {
     return nearest;
 }
 
-std::filesystem::path folder_of(const std::string& file) {
-    return std::filesystem::absolute(file).parent_path();
-}
-
-// Relative to the fabric's file if the picture lies in its folder or below.
-void set_picture(Json& place, const std::string& picture, const std::string& file) {
-    const std::filesystem::path folder = folder_of(file).lexically_normal();
-    const Json* named = place.find("file");
-    if (named && named->is_string() && (folder / named->string()).lexically_normal() == picture) return;
-    const std::string relative = std::filesystem::path(picture).lexically_relative(folder).string();
-    place["file"] = relative.empty() || relative.starts_with("..") ? picture : relative;
-}
-
 void set_surface(Json& root, const std::optional<SurfaceDesign>& surface, const std::string& file) {
     if (!surface) return root.erase("surface");
     Json& place = root["surface"];
@@ -95,7 +83,7 @@ void set_surface(Json& root, const std::optional<SurfaceDesign>& surface, const 
     place["kind"] = std::string(name_of_value(surface->kind));
     set_text(place, "tartan", surface->kind == DesignKind::Tartan ? surface->source : "");
     set_text(place, "colour", surface->kind == DesignKind::Colour ? surface->source : "");
-    if (surface->kind == DesignKind::Picture) set_picture(place, surface->source, file);
+    if (surface->kind == DesignKind::Picture) set_named_file(place["file"], surface->source, file);
     if (surface->kind != DesignKind::Picture) place.erase("file");
     if (!surface->size) place.erase("size");
     if (surface->size) set_number(place["size"], *surface->size);
@@ -126,11 +114,20 @@ bool is_shipped_fabric(std::string_view name) {
     return shipped_fabric(name) != nullptr;
 }
 
+bool is_fabric_file(std::string_view name) {
+    return name.ends_with(".json");
+}
+
+std::string fabric_title(std::string_view name_or_file) {
+    if (!is_fabric_file(name_or_file)) return std::string(name_or_file);
+    return std::filesystem::path(name_or_file).stem().string();
+}
+
 FabricFile read_fabric_file(std::string_view name_or_file) {
     const std::string name(name_or_file.empty() ? Fabric().name : name_or_file);
     if (const EmbeddedFile* shipped = shipped_fabric(name))
         return {parse_fabric(shipped->text, std::string(shipped->name)), std::string(shipped->text)};
-    if (!name.ends_with(".json")) {
+    if (!is_fabric_file(name)) {
         throw InputError("", "",
                          "no fabric '" + name + "': known are " + joined(fabric_names()) + ", or name a .json file");
     }

@@ -35,6 +35,12 @@ FabricFile read_fabric_file(std::string_view name_or_file);
 
 bool is_shipped_fabric(std::string_view name);
 
+// Whether the text names a file and not a shipped fabric.
+bool is_fabric_file(std::string_view name);
+
+// What a reader calls the fabric: the name of a shipped one; of a file its name without folder and ending.
+std::string fabric_title(std::string_view name_or_file);
+
 // The text of a fabric file at `file`, to which the path of a picture is relative. parse_fabric reads the same values
 // back, to the bit. The other keys of `before`, the text of a fabric file or nothing, are kept, as are the order of all
 // keys and the digits of unchanged numbers; a value that `before` does not have is left out if it is the default and

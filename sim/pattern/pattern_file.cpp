@@ -12,6 +12,8 @@
 #include "sim/core/file.h"
 #include "sim/core/json.h"
 #include "sim/pattern/enum_names.h"
+#include "sim/pattern/fabric_file.h"
+#include "sim/pattern/named_file.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_read.h"
 
@@ -26,49 +28,16 @@ std::string garment_name(const std::string& file) {
     return name;
 }
 
-// The canonical path of a file that a garment file names; as it is named if the garment has no file.
-std::string resolve_file(const std::string& named, const std::filesystem::path& file) {
-    if (file.empty()) return named;
-    std::error_code error;
-    const std::filesystem::path path =
-        std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path() / named, error);
-    return error ? named : path.string();
-}
-
-// Relative to the garment file if the named file lies in its folder or below.
-std::string name_file(const std::string& path, const std::filesystem::path& file) {
-    if (file.empty()) return path;
-    std::error_code error;
-    const std::filesystem::path folder =
-        std::filesystem::weakly_canonical(std::filesystem::absolute(file), error).parent_path();
-    const std::string name = std::filesystem::path(path).lexically_relative(folder).string();
-    return error || name.empty() || name.starts_with("..") ? path : name;
-}
-
-std::string resolve_body(const std::string& body, const std::filesystem::path& file) {
-    return is_body_file(body) ? resolve_file(body, file) : body;
-}
-
-std::string name_body(const std::string& body, const std::filesystem::path& file) {
-    return is_body_file(body) ? name_file(body, file) : body;
-}
-
-PatternReading examine(const Json& json, const std::string& file) {
-    PatternReading reading = read_pattern(json, file);
+PatternReading examine(const Json& json, const std::string& file, NoPanels no_panels = NoPanels::Fault) {
+    PatternReading reading = read_pattern(json, file, no_panels);
     check_shapes(reading, file, units_in_meter(json));
     reading.pattern.name = garment_name(file);
-    reading.pattern.body = resolve_body(reading.pattern.body, file);
-    for (Underlay& underlay : reading.pattern.underlays) underlay.file = resolve_file(underlay.file, file);
-    const auto resolve = [&](std::optional<SurfaceDesign>& surface) {
-        if (surface && surface->kind == DesignKind::Picture) surface->source = resolve_file(surface->source, file);
-    };
-    resolve(reading.pattern.surface);
-    for (Panel& panel : reading.pattern.panels) resolve(panel.surface);
+    resolve_named_files(reading.pattern, file);
     return reading;
 }
 
-PatternDocument accept(Json json, const std::string& file) {
-    PatternReading reading = examine(json, file);
+PatternDocument accept(Json json, const std::string& file, NoPanels no_panels = NoPanels::Fault) {
+    PatternReading reading = examine(json, file, no_panels);
     for (const Fault& fault : reading.faults) {
         if (fault.severity == Severity::Error) throw InputError(fault.file, fault.place, fault.problem);
     }
@@ -92,6 +61,10 @@ PatternDocument load_pattern(const std::filesystem::path& path) {
 
 PatternDocument parse_pattern(std::string_view text, const std::string& file) {
     return accept(parse_json(text, file), file);
+}
+
+PatternDocument parse_begun_pattern(std::string_view text, const std::string& file) {
+    return accept(parse_json(text, file), file, NoPanels::Allowed);
 }
 
 std::vector<Fault> check_pattern_file(const std::filesystem::path& path) {
@@ -398,11 +371,8 @@ class Writer {
         if (own.find("sett_offset") || !panel.sett_offset.isZero(0)) {
             set_numbers(own["sett_offset"], {units_ * panel.sett_offset.x(), units_ * panel.sett_offset.y()});
         }
-        set_unless_default(own, "fabric", panel.fabric, std::string());
-        if (own.find("interlinings") || !panel.interlinings.empty()) {
-            own["interlinings"] = Json::array();
-            for (const std::string& fabric : panel.interlinings) own["interlinings"].push_back(fabric);
-        }
+        write_fabric(own, panel.fabric);
+        if (own.find("interlinings") || !panel.interlinings.empty()) write_interlinings(own["interlinings"], panel);
         write_surface(own, panel.surface);
         set_number_unless_zero(own, "layer", panel.layer);
         set_unless_default(own, "garment", panel.garment, std::string());
@@ -519,7 +489,7 @@ class Writer {
     void write_additions() {
         const Json* found = root_.find("selvedge");
         Json own = found ? *found : Json::object();
-        set_unless_default(own, "fabric", pattern_.fabric, std::string());
+        write_fabric(own, pattern_.fabric);
         set_unless_default(own, "tartan", pattern_.tartan, std::string());
         write_sett_place(own);
         write_surface(own, pattern_.surface);
@@ -539,11 +509,25 @@ class Writer {
         if (found || !own.members().empty()) root_["selvedge"] = std::move(own);
     }
 
-    // Keeps a name that still leads to the same file.
     void write_body(Json& own) const {
-        const Json* found = own.find("body");
-        if (found && found->is_string() && resolve_body(found->string(), file_) == pattern_.body) return;
-        set_unless_default(own, "body", name_body(pattern_.body, file_), std::string());
+        if (is_body_file(pattern_.body)) return set_named_file(own["body"], pattern_.body, file_);
+        set_unless_default(own, "body", pattern_.body, std::string());
+    }
+
+    void write_fabric(Json& own, const std::string& fabric) const {
+        if (is_fabric_file(fabric)) return set_named_file(own["fabric"], fabric, file_);
+        set_unless_default(own, "fabric", fabric, std::string());
+    }
+
+    void write_interlinings(Json& json, const Panel& panel) const {
+        if (!json.is_array()) json = Json::array();
+        json.elements().resize(panel.interlinings.size());
+        for (std::size_t i = 0; i < panel.interlinings.size(); ++i) {
+            const std::string& fabric = panel.interlinings[i];
+            Json& name = json.elements()[i];
+            if (is_fabric_file(fabric)) set_named_file(name, fabric, file_);
+            if (!is_fabric_file(fabric)) name = fabric;
+        }
     }
 
     void write_underlays(Json& own) const {
@@ -555,9 +539,7 @@ class Writer {
             const Underlay& underlay = pattern_.underlays[i];
             Json& place = list.elements()[i];
             if (!place.is_object()) place = Json::object();
-            const Json* named = place.find("file");
-            const bool is_same = named && named->is_string() && resolve_file(named->string(), file_) == underlay.file;
-            if (!is_same) place["file"] = name_file(underlay.file, file_);
+            set_named_file(place["file"], underlay.file, file_);
             set_numbers(place["position"], {units_ * underlay.position.x(), units_ * underlay.position.y()});
             set_number(place["pixel_size"], units_ * underlay.pixel_size);
             set_number_unless_zero(place, "rotation", underlay.rotation / kDegree);
@@ -576,9 +558,8 @@ class Writer {
         };
         keep("tartan", DesignKind::Tartan, surface->source);
         keep("colour", DesignKind::Colour, surface->source);
-        const Json* file = place.find("file");
-        const bool is_same = file && file->is_string() && resolve_file(file->string(), file_) == surface->source;
-        if (!is_same) keep("file", DesignKind::Picture, name_file(surface->source, file_));
+        if (surface->kind == DesignKind::Picture) set_named_file(place["file"], surface->source, file_);
+        if (surface->kind != DesignKind::Picture) place.erase("file");
         if (!surface->size) place.erase("size");
         if (surface->size) set_number(place["size"], units_ * *surface->size);
         const Vec2d position = units_ * surface->position;

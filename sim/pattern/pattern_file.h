@@ -22,6 +22,9 @@ struct PatternDocument {
 PatternDocument load_pattern(const std::filesystem::path& path);
 PatternDocument parse_pattern(std::string_view text, const std::string& file);
 
+// The same for a garment that may have no panels yet.
+PatternDocument parse_begun_pattern(std::string_view text, const std::string& file);
+
 // All faults of a file: first those found while reading it, then those of outlines and seams as shapes. A file that
 // cannot be read or is not JSON gives one fault. Do not throw InputError.
 std::vector<Fault> check_pattern_file(const std::filesystem::path& path);

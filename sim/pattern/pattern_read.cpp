@@ -8,6 +8,7 @@
 
 #include "sim/pattern/enum_names.h"
 #include "sim/pattern/fabric.h"
+#include "sim/pattern/fabric_file.h"
 #include "sim/pattern/fault.h"
 #include "sim/pattern/outline.h"
 
@@ -35,7 +36,8 @@ using Node = JsonNode;
 
 class Reader : private FaultReader {
  public:
-    Reader(const Json& root, const std::string& file) : FaultReader(file), root_{&root, ""} {}
+    Reader(const Json& root, const std::string& file, NoPanels no_panels)
+        : FaultReader(file), root_{&root, ""}, no_panels_(no_panels) {}
 
     PatternReading read() {
         if (expect(root_, Json::Kind::Object)) read_root();
@@ -80,7 +82,8 @@ class Reader : private FaultReader {
         if (!expect(panels, Json::Kind::Object)) return;
         // A garment of which there is only a photo to trace so far can be saved and opened.
         const Json* own = root_.value->find("selvedge");
-        if (panels.value->members().empty() && !(own && own->find("underlays"))) error(panels, "no panels");
+        const bool may_be_empty = no_panels_ == NoPanels::Allowed || (own && own->find("underlays"));
+        if (panels.value->members().empty() && !may_be_empty) error(panels, "no panels");
         for (const Json::Member& member : panels.value->members()) {
             const Node node{&member.value, json_path(panels.path, member.key)};
             panel_index_[member.key] = static_cast<int>(out_.pattern.panels.size());
@@ -453,7 +456,7 @@ class Reader : private FaultReader {
 
     std::string read_fabric_name(const Node& node) {
         const auto name = text(node);
-        if (!name || name->empty() || name->ends_with(".json")) return name.value_or("");
+        if (!name || name->empty() || is_fabric_file(*name)) return name.value_or("");
         const std::vector<std::string> known = fabric_names();
         if (std::find(known.begin(), known.end(), *name) == known.end()) {
             warn(node, "no fabric '" + *name + "' ships with the program");
@@ -468,6 +471,7 @@ class Reader : private FaultReader {
     };
 
     Node root_;
+    NoPanels no_panels_;
     PatternReading out_;
     bool is_relative_ = true;
     std::map<std::string, int> panel_index_;
@@ -491,8 +495,8 @@ Eigen::Matrix3d rotation_from_degrees(const Vec3d& angles_deg) {
         .toRotationMatrix();
 }
 
-PatternReading read_pattern(const Json& root, const std::string& file) {
-    return Reader(root, file).read();
+PatternReading read_pattern(const Json& root, const std::string& file, NoPanels no_panels) {
+    return Reader(root, file, no_panels).read();
 }
 
 namespace {

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "sim/pattern/enum_names.h"
+#include "sim/pattern/fabric_file.h"
 #include "sim/pattern/outline.h"
 #include "sim/print/paper_piece.h"
 
@@ -243,7 +244,7 @@ class DxfWriter {
         if (!pattern_.size.empty()) line("Size: " + pattern_.size);
         line("Quantity: " + std::to_string(panel.pieces));
         const std::string& fabric = panel.fabric.empty() ? pattern_.fabric : panel.fabric;
-        if (!fabric.empty()) line("Material: " + fabric);
+        if (!fabric.empty()) line("Material: " + fabric_title(fabric));
     }
 
     // ---- What the standards have no entity for.

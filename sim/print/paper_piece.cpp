@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/pattern/fabric_file.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
 
@@ -149,8 +150,8 @@ std::vector<std::string> label_of(const Pattern& pattern, const Panel& panel, co
     lines.push_back(cut_text(panel, piece.cut_from_fabric, are_pairs));
     if (piece.is_on_fold) lines.back() += " on fold";
     const std::string& fabric = panel.fabric.empty() ? pattern.fabric : panel.fabric;
-    if (!fabric.empty()) lines.back() += " of " + fabric;
-    for (const std::string& interlining : panel.interlinings) lines.push_back("fuse with " + interlining);
+    if (!fabric.empty()) lines.back() += " of " + fabric_title(fabric);
+    for (const std::string& interlining : panel.interlinings) lines.push_back("fuse with " + fabric_title(interlining));
     const bool has_fold =
         std::ranges::any_of(panel.internal_lines, [](const InternalLine& line) { return line.use == LineUse::Fold; });
     if (has_fold && !piece.is_on_fold) lines.emplace_back("fold along the marked line");

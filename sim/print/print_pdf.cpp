@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/pattern/fabric_file.h"
 #include "sim/print/pdf_canvas.h"
 
 namespace selvedge::sim {
@@ -374,7 +375,7 @@ std::string describe_layout(const PaperSheet& layout) {
                   layout.is_folded ? ", folded" : "", all > 0 ? 100 * used / all : 0);
     std::array<char, 32> length{};
     std::snprintf(length.data(), length.size(), "%.2f m of ", layout.size.y());
-    return length.data() + (layout.fabric.empty() ? std::string("fabric") : layout.fabric) + text.data();
+    return length.data() + (layout.fabric.empty() ? std::string("fabric") : fabric_title(layout.fabric)) + text.data();
 }
 
 }  // namespace selvedge::sim

@@ -27,7 +27,7 @@ TEST(AnimateCommand, writes_a_film_caches_and_a_report) {
     const ProgramResult run =
         run_selvedge("animate " + shipped("tshirt.json") + kQuick + "--motion walk --seconds 0.4 --film '" +
                      folder / "walk.frames" + "' --export '" + folder / "walk.pc2" + "' --export '" +
-                     folder / "walk.glb" + "' --report '" + folder / "walk.json" + "'");
+                     folder / "walk.glb" + "' --texture-size 128 --report '" + folder / "walk.json" + "'");
     ASSERT_TRUE(run.exit_code == 0 || run.exit_code == 3) << run.err;
     EXPECT_EQ(files_in(folder / "walk.frames"), 7U) << "0.6 s at 10 frames per second, and the first";
     EXPECT_EQ(render::read_png(folder / "walk.frames/frame_0007.png").height_px, 128);
@@ -43,6 +43,7 @@ TEST(AnimateCommand, writes_a_film_caches_and_a_report) {
     EXPECT_EQ(content_of(folder / "walk.pc2").substr(0, 11), "POINTCACHE2");
     EXPECT_TRUE(std::filesystem::exists(folder / "walk.obj")) << "the mesh of the cache";
     EXPECT_EQ(content_of(folder / "walk.glb").substr(0, 4), "glTF");
+    EXPECT_NE(content_of(folder / "walk.glb").find("baseColorTexture"), std::string::npos);
 }
 
 TEST(AnimateCommand, gives_the_same_frames_for_any_number_of_threads) {

@@ -6,8 +6,10 @@
 #include "app/editor_services.h"
 #include "editor/ui/app_state.h"
 #include "editor/ui/editor.h"
+#include "editor/ui/files.h"
 #include "render/image/image.h"
 #include "sim/core/error.h"
+#include "sim/core/file.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/pattern/fabric_file.h"
 #include "tests/app/run_program.h"
@@ -90,6 +92,26 @@ TEST_F(EditorServices, garments_are_exported_as_meshes_and_pictures_as_png) {
     EXPECT_EQ(picture.at(2, 1), (render::Rgba8{9, 8, 7, 255}));
 }
 
+TEST_F(EditorServices, meshes_are_exported_as_thick_as_asked_for) {
+    editor::ExportRequest request = triangle_to(folder_ / "a.stl");
+    request.thickness = {.kind = editor::ExportThickness::Kind::Given, .metres = 0.002};
+    services_.write_export(request);
+    EXPECT_EQ(content_of(folder_ / "a.stl").size(), 84U + 8 * 50U) << "two sides, and two triangles per border edge";
+    sim::Panel panel;
+    panel.name = "front";
+    panel.fabric = "denim";
+    request.pattern.panels = {panel};
+    request.thickness.kind = editor::ExportThickness::Kind::Fabric;
+    request.file = folder_ / "a.obj";
+    services_.write_export(request);
+    const sim::DrawMesh thick = sim::read_garment(folder_ / "a.obj");
+    ASSERT_EQ(thick.triangles.size(), 8U);
+    const auto [low, high] = std::ranges::minmax_element(thick.x, {}, [](const Vec3f& x) { return x.z(); });
+    EXPECT_NEAR(high->z() - low->z(), sim::find_fabric("denim").thickness, 1e-6);
+    request.pattern.panels[0].fabric = "no/such.json";
+    EXPECT_THROW(services_.write_export(request), sim::InputError);
+}
+
 TEST_F(EditorServices, an_export_that_cannot_be_written_is_an_input_error) {
     for (const char* name : {"no/such/a.obj", "no/such/a.glb", "no/such/a.png"}) {
         EXPECT_THROW(services_.write_export(triangle_to(folder_ / name)), sim::InputError) << name;
@@ -101,6 +123,99 @@ TEST_F(EditorServices, examples_are_garments) {
     for (const editor::Example& example : services_.examples) {
         EXPECT_FALSE(sim::parse_pattern(example.text, example.title).pattern.panels.empty()) << example.title;
     }
+}
+
+// Editors over the same journals. One that is destroyed without being closed leaves what a crash leaves.
+class CrashedEditor : public EditorServices {
+ protected:
+    void start(std::unique_ptr<editor::Editor>& editor) const {
+        editor.reset();
+        editor = std::make_unique<editor::Editor>(
+            make_editor_services({.state = folder_.path() / "state", .render_full_quality = {}}),
+            editor::EditorOptions{.drive = sim::SessionDrive::Caller, .is_steady = true});
+    }
+    static void make_silk_heavier(editor::AppState& state) {
+        editor::FabricLibrary& fabrics = state.workspace.fabrics;
+        fabrics.begin_draft("silk");
+        sim::Fabric draft = *fabrics.find("silk").draft;
+        draft.area_density = 0.25;
+        fabrics.set_draft("silk", draft);
+    }
+    // Answers the only question.
+    static void recover(editor::AppState& state) {
+        ASSERT_EQ(state.questions.size(), 1U);
+        const auto run = state.questions[0].answers.at(0).run;
+        state.questions.clear();
+        run(state);
+    }
+};
+
+TEST_F(CrashedEditor, gives_back_a_new_garment_and_what_was_edited_of_a_fabric) {
+    std::unique_ptr<editor::Editor> editor;
+    start(editor);
+    new_document(editor->state());
+    editor->state().workspace.run(editor::SetBody{.body = "mannequin:sex=male"});
+    make_silk_heavier(editor->state());
+    for (int crash = 0; crash < 2; ++crash) {  // what was recovered can be recovered again
+        start(editor);
+        ASSERT_EQ(editor->state().questions.size(), 1U);
+        const std::string question = editor->state().questions[0].text;
+        if (crash == 0) {
+            EXPECT_NE(question.find("without saving an unsaved garment (1 change) and the fabric 'Silk'."),
+                      std::string::npos)
+                << question;
+        }
+        recover(editor->state());
+        const editor::Workspace& workspace = editor->state().workspace;
+        EXPECT_EQ(workspace.file, "");
+        EXPECT_EQ(workspace.document->pattern().body, "mannequin:sex=male");
+        EXPECT_TRUE(workspace.document->has_unsaved_changes());
+        EXPECT_EQ(workspace.fabrics.shown(), "silk");
+        EXPECT_EQ(workspace.fabrics.changed(), std::vector<std::string>{"silk"});
+        EXPECT_EQ(editor->state().workspace.fabrics.find("silk").draft->area_density, 0.25);
+        editor->state().workspace.run(editor::SetEdgeLength{.length = 0.03 + 0.01 * crash});
+    }
+}
+
+TEST_F(CrashedEditor, gives_back_a_fabric_that_was_edited_beside_a_saved_garment) {
+    const std::string file = folder_ / "skirt.json";
+    sim::write_file_atomically(file, services_.examples[1].text);
+    std::unique_ptr<editor::Editor> editor;
+    start(editor);
+    open_file(editor->state(), file);
+    editor->state().workspace.run(editor::SetEdgeLength{.length = 0.03});
+    make_silk_heavier(editor->state());
+    save(editor->state());
+    start(editor);
+    recover(editor->state());
+    const editor::Workspace& workspace = editor->state().workspace;
+    EXPECT_EQ(workspace.file, file);
+    EXPECT_FALSE(workspace.document->has_unsaved_changes());
+    EXPECT_EQ(workspace.fabrics.changed(), std::vector<std::string>{"silk"});
+    editor->state().workspace.fabrics.drop_draft("silk");
+    start(editor);
+    EXPECT_TRUE(editor->state().questions.empty()) << "it was dropped";
+}
+
+TEST_F(CrashedEditor, gives_back_a_garment_with_its_fabric_when_the_next_one_starts_elsewhere) {
+    const std::string file = folder_ / "skirt.json", fabric = folder_ / "mine.json";
+    sim::write_file_atomically(file, services_.examples[1].text);
+    sim::write_file_atomically(fabric, sim::read_fabric_file("silk").text);
+    const fs::path before = fs::current_path();
+    fs::current_path(folder_.path());
+    std::unique_ptr<editor::Editor> editor;
+    start(editor);
+    open_file(editor->state(), "skirt.json");
+    editor->state().workspace.run(editor::SetFabric{.fabric = fabric});
+    save(editor->state());
+    editor->state().workspace.run(editor::SetEdgeLength{.length = 0.03});
+    fs::current_path(before);
+    start(editor);
+    recover(editor->state());
+    EXPECT_EQ(editor->state().workspace.file, fs::canonical(file));
+    EXPECT_EQ(editor->state().workspace.document->pattern().fabric, fs::canonical(fabric));
+    save(editor->state());
+    EXPECT_NE(content_of(file).find("\"fabric\": \"mine.json\""), std::string::npos);
 }
 
 TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_has_none) {

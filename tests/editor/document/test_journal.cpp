@@ -63,6 +63,39 @@ TEST(Journal, of_a_document_that_was_never_saved_can_be_opened_with_the_body_fil
     EXPECT_EQ(sim::parse_pattern(recovery->text, recovery->file).pattern.body, "/scans/anna.obj");
 }
 
+TEST(Journal, gives_back_a_garment_that_was_just_begun) {
+    Journaled journaled(sim::PatternDocument{}, "");
+    const auto begun = recover(journaled.text);
+    ASSERT_TRUE(begun);
+    EXPECT_EQ(begun->changes, 0);
+    journaled.document.run(SetBody{.body = "mannequin:sex=male"});
+    const auto recovery = recover(journaled.text);
+    ASSERT_TRUE(recovery);
+    EXPECT_EQ(recovery->changes, 1);
+    EXPECT_EQ(sim::parse_begun_pattern(recovery->text, "").pattern.body, "mannequin:sex=male");
+}
+
+TEST(Journal, gives_back_what_was_edited_of_fabrics_and_not_saved) {
+    Journaled journaled("two_squares.json");
+    const auto add = [&](const sim::Json& line) { journaled.text += write_json(line, -1) + "\n"; };
+    sim::Fabric silk = sim::find_fabric("silk"), mine = sim::find_fabric("denim");
+    silk.area_density = 0.1234567890123;
+    add(journal_draft("silk", silk));
+    journaled.document.run(SetEdgeLength{.length = 0.03});
+    mine.surface = sim::SurfaceDesign{.kind = sim::DesignKind::Picture, .source = "/pictures/roses.png"};
+    add(journal_draft("/f/mine.json", mine));
+    silk.name = "of me";
+    add(journal_draft("silk", silk));
+    add(journal_draft("linen", mine));
+    add(journal_no_draft("linen"));
+    add(journal_no_draft("jersey"));
+    const auto recovery = recover(journaled.text + "{\"draft\": {\"fabric\": \"wool\", \"te");
+    ASSERT_TRUE(recovery);
+    EXPECT_EQ(recovery->changes, 1) << "of the document";
+    EXPECT_EQ(recovery->text, journaled.document.text());
+    EXPECT_EQ(recovery->drafts, (std::map<std::string, sim::Fabric>{{"/f/mine.json", mine}, {"silk", silk}}));
+}
+
 TEST(Journal, gives_back_a_drag_that_was_under_way) {
     Journaled journaled("tshirt.json");
     journaled.document.preview(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.01, 0)});
@@ -121,6 +154,7 @@ TEST(CommandJson, every_command_survives) {
         SetBody{.body = "mannequin:bust=92", .shifts = {Vec3d(0, 0.01, 0)}},
         TransformPanels{.panels = {"a", "b"}, .map = {.x_axis = {0, 1}, .y_axis = {-1, 0}}, .what = "Rotate"},
         SetEdgeLength{},
+        ReplaceFabric{.from = "silk", .to = "/f/mine.json"},
         SetAllowance{.panel = "a", .edge = 2, .width = 0.01, .corner = sim::AllowanceCorner::Squared},
         SetSurface{.panel = "a", .surface = sim::SurfaceDesign{.kind = sim::DesignKind::Colour, .source = "#102030"}},
         SetUnderlays{.underlays = {{.file = "a.png", .position = Vec2d(1, 2), .pixel_size = 0.002, .opacity = 0.5}}},

@@ -90,6 +90,23 @@ TEST_F(FabricsInEditor, that_only_a_panel_is_made_of_are_replaced_there) {
     EXPECT_EQ(pattern().panels[1].fabric, "");
 }
 
+TEST_F(FabricsInEditor, are_replaced_in_all_panels_and_interlinings_in_one_step) {
+    sim::Panel pocket = pattern().panels[0];
+    pocket.name = "pocket";
+    pocket.interlinings = {"linen", "silk", "silk"};
+    state().workspace.run(AddPanels{.panels = {pocket}});
+    state().workspace.run(SetFabric{.fabric = "denim"});
+    for (const char* panel : {"front", "back"}) state().workspace.run(SetFabric{.panel = panel, .fabric = "silk"});
+    const sim::Pattern before = pattern();
+    fabrics().show("silk");
+    save_my_silk();
+    for (const std::size_t p : {0U, 1U}) EXPECT_EQ(pattern().panels[p].fabric, file_);
+    EXPECT_EQ(pattern().panels[2].interlinings, (std::vector<std::string>{"linen", file_, file_}));
+    EXPECT_EQ(pattern().fabric, "denim");
+    state().workspace.document->undo();
+    EXPECT_EQ(pattern(), before);
+}
+
 TEST_F(FabricsInEditor, are_taken_by_a_garment_that_hangs_when_they_are_saved) {
     save_my_silk();
     play("key space\nsettle 12\nexpect Settled\n");

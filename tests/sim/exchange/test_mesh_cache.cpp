@@ -289,6 +289,28 @@ TEST(MeshCache, glb_takes_a_body_that_moves_along) {
     }
 }
 
+TEST(MeshCache, glb_carries_textures_of_the_garment_and_not_of_its_body) {
+    const TemporaryFolder folder;
+    const DrawMesh surface = body_mesh(shapes::box({-0.2, 0, -0.1}, {0.2, 1.7, 0.1}, 3));
+    const GarmentTextures textures{.base_colour = std::string("\x89PNG\r\n\x1A\n12345", 13), .normal = "normal"};
+    for (const std::size_t frames : {std::size_t{1}, std::size_t{4}}) {  // of four that are planned
+        const auto cache =
+            open_mesh_cache(folder / "cache.glb", two_panels(), {.frames = 4, .textures = textures}, &surface);
+        for (std::size_t i = 0; i < frames; ++i) cache->add(frame_of(two_panels(), i), frame_of(surface, i));
+        cache->finish();
+        const Container file = open(read_file(folder / "cache.glb", kLimit));
+        expect_sound_accessors(file);
+        const auto& images = file.root.find("images")->elements();
+        ASSERT_EQ(images.size(), 2U);
+        const Json& view = file.root.find("bufferViews")->elements()[index_of(images[0], "bufferView")];
+        EXPECT_EQ(file.buffer.substr(index_of(view, "byteOffset"), index_of(view, "byteLength")), textures.base_colour);
+        const auto& materials = file.root.find("materials")->elements();
+        ASSERT_EQ(materials.size(), 3U);
+        for (const std::size_t panel : {0U, 1U}) EXPECT_TRUE(materials[panel].find("normalTexture"));
+        EXPECT_FALSE(materials[2].find("normalTexture"));
+    }
+}
+
 TEST(MeshCache, of_obj_frames_is_one_garment_per_file) {
     const TemporaryFolder folder;
     write_frames(folder / "made/here/*.obj", two_panels(), 3, {.frames = 3, .first_frame = 9});

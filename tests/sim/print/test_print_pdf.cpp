@@ -29,6 +29,18 @@ TEST(PaperPiece, label_and_grain_line_lie_in_the_panel) {
     }
 }
 
+TEST(PaperPiece, names_the_file_of_a_fabric_without_its_folder) {
+    Pattern pattern = load_pattern(source_folder() + "/patterns/skirt.json").pattern;
+    pattern.fabric = "/fabrics/my_silk.json";
+    pattern.panels[0].interlinings = {"/fabrics/canvas.json"};
+    const PaperPiece piece = paper_pieces(pattern)[0];
+    const auto has = [&](const std::string& end) {
+        return std::ranges::any_of(piece.label.lines, [&](const std::string& line) { return line.ends_with(end); });
+    };
+    EXPECT_TRUE(has(" of my_silk"));
+    EXPECT_TRUE(has("fuse with canvas"));
+}
+
 TEST(PaperPiece, mirror_images_become_pairs_of_one_piece) {
     const Pattern tshirt = load_pattern(source_folder() + "/patterns/tshirt.json").pattern;
     const std::size_t images = static_cast<std::size_t>(

@@ -1,0 +1,24 @@
+#pragma once
+// The files that a garment file or a fabric file names: fabrics, pictures, photos under the sheet, bodies. In memory
+// each is held by its canonical path. A file that is stored names it relative to its own folder if it lies there or
+// below, so that both can be moved or sent together; otherwise by its canonical path.
+#include <filesystem>
+#include <string>
+
+#include "sim/core/json.h"
+#include "sim/pattern/pattern.h"
+
+namespace selvedge::sim {
+
+// The canonical path of what `file` names. The file that is named need not exist. As it is named if `file`
+// or the name is empty.
+std::string resolve_named_file(const std::string& name, const std::filesystem::path& file);
+
+// The same for all files that the pattern names.
+void resolve_named_files(Pattern& pattern, const std::filesystem::path& file);
+
+// Names the file at `path` in JSON that will be stored as `file`. A path that is not absolute is relative to the
+// working directory. A name that leads there already is kept. If `file` is empty, the name is the path.
+void set_named_file(Json& name, const std::string& path, const std::filesystem::path& file);
+
+}  // namespace selvedge::sim
