@@ -168,7 +168,7 @@ std::vector<PaperLine> open_right_of(const PaperLine& line, double x) {
     std::vector<PaperLine> parts;
     std::vector<Vec2d> part;
     const auto end_part = [&] {
-        if (part.size() > 1) parts.push_back({line.layer, part});
+        if (part.size() > 1) parts.push_back({line.layer, part, line.is_dart_fold});
         part.clear();
     };
     for (std::size_t i = 0; i < line.points.size(); ++i) {
@@ -189,7 +189,8 @@ void halve(PaperPiece& piece, double axis) {
     constexpr double kOnAxis = 1e-4;  // m
     piece.cut = right_of(piece.cut, axis);
     piece.sew = right_of(piece.sew, axis);
-    std::erase_if(piece.notches, [&](const NotchLine& notch) { return notch.on_outline.x() < axis - kOnAxis; });
+    for (std::vector<NotchLine>* notches : {&piece.notches, &piece.leg_notches})
+        std::erase_if(*notches, [&](const NotchLine& notch) { return notch.on_outline.x() < axis - kOnAxis; });
     std::erase_if(piece.drill_points, [&](const Vec2d& point) { return point.x() < axis - kOnAxis; });
     std::vector<PaperLine> lines;
     for (const PaperLine& line : piece.lines) {
@@ -210,15 +211,35 @@ void halve(PaperPiece& piece, double axis) {
     piece.is_on_fold = true;
 }
 
+void add_darts(PaperPiece& piece, const CutLine& cut) {
+    for (const DartLines& dart : cut.darts) {
+        piece.leg_notches.insert(piece.leg_notches.end(), {dart.begin, dart.end});
+        piece.lines.push_back({PaperLayer::Fold, {dart.fold[0], dart.fold[1]}, true});
+    }
+}
+
+// Which way the folded cloth of darts is pressed, one line of the label; empty: there are none.
+std::string pressing_text(const std::vector<Dart>& darts) {
+    const auto level = std::ranges::count_if(darts, &Dart::is_level);
+    const auto upright = static_cast<std::ptrdiff_t>(darts.size()) - level;
+    if (level > 0 && upright > 0) return "press level darts down, upright darts to the centre";
+    if (level > 0) return level == 1 ? "press the dart down" : "press darts down";
+    if (upright > 0) return upright == 1 ? "press the dart to the centre" : "press darts to the centre";
+    return {};
+}
+
 PaperPiece piece_of(const Pattern& pattern, std::size_t index, bool are_pairs, const PaperPieceOptions& options) {
     const Panel& panel = pattern.panels[index];
     PaperPiece piece{.panel = static_cast<int>(index), .cut_from_fabric = panel.pieces * (are_pairs ? 2 : 1)};
-    const CutLine cut = cut_line(panel, {.pattern_allowance = pattern.allowance, .chord_error = options.chord_error});
+    const std::vector<Dart> darts = find_darts(panel, piece.panel, pattern.seams);
+    const CutLine cut =
+        cut_line(panel, {.pattern_allowance = pattern.allowance, .chord_error = options.chord_error, .darts = darts});
     piece.sew = sewing_line(panel, options.chord_error);
     piece.has_allowance = std::ranges::any_of(
         panel.edges, [&](const OutlineEdge& edge) { return allowance_of(panel, edge, pattern.allowance) > 0; });
     piece.cut = piece.has_allowance ? cut.outline : piece.sew;
     piece.notches = cut.notches;
+    if (piece.has_allowance) add_darts(piece, cut);
     piece.drill_points = panel.drill_points;
     for (const InternalLine& line : panel.internal_lines) {
         if (line.points.size() < 2) continue;
@@ -228,6 +249,7 @@ PaperPiece piece_of(const Pattern& pattern, std::size_t index, bool are_pairs, c
         options.are_halved && has_upright_grain(panel) ? fold_axis(piece.cut) : std::nullopt;
     if (axis) halve(piece, *axis);
     piece.label.lines = label_of(pattern, panel, piece, are_pairs);
+    if (const std::string pressing = pressing_text(darts); !pressing.empty()) piece.label.lines.push_back(pressing);
     const std::vector<Vec2d> spots = spots_in(piece.sew);
     place_label(piece.label, piece.sew, spots);
     PaperLine grain = grain_line(panel, piece, spots);

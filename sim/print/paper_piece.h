@@ -20,6 +20,7 @@ std::optional<PaperLayer> find_layer(std::string_view name);
 struct PaperLine {
     PaperLayer layer = PaperLayer::Internal;
     std::vector<Vec2d> points;
+    bool is_dart_fold = false;  // from a dart's tip to its cap
 };
 
 // Upright lines of text round a point.
@@ -35,9 +36,10 @@ struct PaperPiece {
     std::vector<Vec2d> cut = {};  // closed; along the sewing line where there is no allowance
     std::vector<Vec2d> sew = {};  // closed
     bool has_allowance = false;
-    bool is_on_fold = false;  // half of it is drawn; the other lies beyond its fold line
-    std::vector<NotchLine> notches = {};
-    std::vector<PaperLine> lines = {};  // grain line, folds, internal lines
+    bool is_on_fold = false;                  // half of it is drawn; the other lies beyond its fold line
+    std::vector<NotchLine> notches = {};      // as Panel::notches, if it is whole
+    std::vector<NotchLine> leg_notches = {};  // where the legs of darts, carried on, meet the cut line
+    std::vector<PaperLine> lines = {};        // grain line, folds, internal lines
     std::vector<Vec2d> drill_points = {};
     PaperLabel label = {};
 

@@ -203,6 +203,7 @@ std::vector<PaperStroke> strokes_of(const PaperPiece& piece, const LayerChoice& 
     }
     if (is_chosen(layers, PaperLayer::Notches)) {
         for (const NotchLine& notch : piece.notches) add_notch(notch, strokes);
+        for (const NotchLine& notch : piece.leg_notches) add_notch(notch, strokes);
     }
     if (is_chosen(layers, PaperLayer::Drill)) {
         for (const Vec2d& at : piece.drill_points) add_drill_point(at, strokes);

@@ -247,6 +247,9 @@ class SvgWriter {
             if (line.use != use || line.points.size() < 2) continue;
             lines += path(line.points, false, look.line, line.name);
         }
+        for (const PaperLine& line : piece.lines) {
+            if (line.is_dart_fold && line.layer == look.layer) lines += path(placed(line.points, place), false, "", "");
+        }
         return lines;
     }
 
@@ -254,15 +257,7 @@ class SvgWriter {
         std::string lines;
         for (std::size_t i = 0; i < piece.notches.size(); ++i) {
             const NotchLine& notch = piece.notches[i];
-            PaperPiece single;
-            single.notches = {notch};
-            LayerChoice only{};
-            only[static_cast<std::size_t>(PaperLayer::Notches)] = true;
-            std::string d;
-            for (const PaperStroke& stroke : strokes_of(single, only)) {
-                d += d.empty() ? "M" : " M";
-                for (const Vec2d& p : placed(stroke.points, place)) d += " " + point(p);
-            }
+            const std::string d = sign_of(notch, place);
             const OutlineEdge& edge = panel.edges[static_cast<std::size_t>(panel.notches[i].edge)];
             lines += "<path" + attribute("data-selvedge-mark", "notch") +
                      attribute("data-selvedge-kind", name_of_value(notch.kind)) +
@@ -270,7 +265,22 @@ class SvgWriter {
                      attribute("data-selvedge-at", point(outline_point(panel, edge, panel.notches[i].t))) +
                      attribute("d", d) + "/>\n";
         }
+        for (const NotchLine& notch : piece.leg_notches)
+            lines += "<path" + attribute("d", sign_of(notch, place)) + "/>\n";
         return lines;
+    }
+
+    std::string sign_of(const NotchLine& notch, const NestPlace& place) const {
+        PaperPiece single;
+        single.notches = {notch};
+        LayerChoice only{};
+        only[static_cast<std::size_t>(PaperLayer::Notches)] = true;
+        std::string d;
+        for (const PaperStroke& stroke : strokes_of(single, only)) {
+            d += d.empty() ? "M" : " M";
+            for (const Vec2d& p : placed(stroke.points, place)) d += " " + point(p);
+        }
+        return d;
     }
 
     std::string drill_points(const PaperPiece& piece, const NestPlace& place) const {

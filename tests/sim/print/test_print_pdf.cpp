@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "sim/core/error.h"
+#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
 #include "sim/print/print_pdf.h"
 #include "tests/sim/print/sample_pattern.h"
+#include "tests/support/darted_panel.h"
 
 namespace selvedge::sim {
 namespace {
@@ -27,6 +29,33 @@ TEST(PaperPiece, label_and_grain_line_lie_in_the_panel) {
             EXPECT_NEAR(along.y(), std::cos(panel.grain_angle), 1e-9);
         }
     }
+}
+
+TEST(PaperPiece, darts_have_notches_at_their_legs_a_fold_and_a_word_on_how_they_are_pressed) {
+    Pattern pattern = darted_pattern();
+    pattern.allowance = 0.01;
+    const PaperPiece piece = paper_pieces(pattern).front();
+    ASSERT_EQ(piece.leg_notches.size(), 4U);
+    for (const NotchLine& notch : piece.leg_notches) EXPECT_LT(distance_to_outline(notch.on_cut, piece.cut), 1e-6);
+    EXPECT_EQ(std::ranges::count_if(piece.lines, &PaperLine::is_dart_fold), 2);
+    EXPECT_EQ(piece.label.lines.back(), "press level darts down, upright darts to the centre");
+    pattern.seams.pop_back();
+    EXPECT_EQ(paper_pieces(pattern).front().label.lines.back(), "press the dart to the centre");
+    // Without an allowance it is cut along the sewing line, into the darts.
+    pattern.allowance = 0;
+    EXPECT_TRUE(paper_pieces(pattern).front().leg_notches.empty());
+}
+
+TEST(PaperPiece, halves_on_a_fold_have_the_darts_of_one_side) {
+    Pattern pattern = darted_pattern();
+    pattern.allowance = 0.01;
+    pattern.panels[0] = unfolded(pattern.panels[0], 9);
+    pattern.seams = {{{0, 1}, {0, 2}}, {{0, 5}, {0, 6}}, {{0, 11}, {0, 12}}, {{0, 15}, {0, 16}}};
+    EXPECT_EQ(paper_pieces(pattern).front().leg_notches.size(), 8U);
+    const PaperPiece half = paper_pieces(pattern, {.are_halved = true}).front();
+    EXPECT_TRUE(half.is_on_fold);
+    EXPECT_EQ(half.leg_notches.size(), 4U);
+    EXPECT_EQ(std::ranges::count_if(half.lines, &PaperLine::is_dart_fold), 2);
 }
 
 TEST(PaperPiece, mirror_images_become_pairs_of_one_piece) {

@@ -11,6 +11,7 @@
 #include "sim/print/dxf_file.h"
 #include "sim/print/svg_file.h"
 #include "tests/sim/print/sample_pattern.h"
+#include "tests/support/darted_panel.h"
 
 namespace selvedge::sim {
 namespace {
@@ -94,6 +95,19 @@ TEST(RoundTrip, shipped_patterns_come_back_from_svg_and_dxf) {
         pattern.allowance = 0.012;
         expect_same(svg_of(pattern), pattern);
         expect_same(dxf_of(pattern), pattern);
+    }
+}
+
+TEST(RoundTrip, darts_with_caps_come_back_from_svg_and_dxf) {
+    Pattern pattern = darted_pattern();
+    pattern.allowance = 0.01;
+    pattern.panels[0].notches = {{.edge = 5, .t = 0.3}, {.edge = 9, .t = 0.5}};
+    for (const std::string& text : {svg_of(pattern), dxf_of(pattern)}) {
+        expect_same(text, pattern);
+        const Panel panel = make_panels(parse_drawing(text, "written"), "written").pattern.panels[0];
+        ASSERT_TRUE(panel.allowance);
+        EXPECT_NEAR(*panel.allowance, 0.01, 1e-4);
+        for (const OutlineEdge& edge : panel.edges) EXPECT_FALSE(edge.allowance);
     }
 }
 
