@@ -13,6 +13,7 @@
 #include "sim/paper/polyline_crossing.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
+#include "sim/pattern/segment_distance.h"
 
 namespace selvedge::sim {
 namespace {
@@ -91,6 +92,10 @@ Polyline corner_points(const MovedEdge& a, const MovedEdge& b, const Vec2d& corn
     }
     const std::optional<Vec2d> tip = mitre(a, b);
     if (!tip) return {};
+    // Where allowances differ, the lines of edges that go on nearly straight meet far off, on the wrong side of the
+    // corner: they are joined by a step.
+    constexpr double kOff = 1e-9;  // m
+    if ((*tip - a.line.back()).dot(a.at_end) < -kOff || (*tip - b.line.front()).dot(b.at_start) > kOff) return {};
     const double reach = longest_mitre * std::max(a.width, b.width);
     if ((*tip - corner).norm() <= reach) return {*tip};
     // Cut off square to the middle of the corner, at the longest mitre.
@@ -244,7 +249,7 @@ class CutLineMaker {
 
     NotchLine carried_out(const Notch& notch) const {
         const std::size_t e = as_size(notch.edge);
-        NotchLine line = is_leg_[e] ? on_leg(notch) : on_edge(notch);
+        NotchLine line = is_leg_[e] ? on_leg(notch) : up_to_cut(on_edge(notch));
         line.kind = notch.kind;
         line.count = notch.count;
         return line;
@@ -258,6 +263,23 @@ class CutLineMaker {
             (outline_point(panel_, edge, t + kStep) - outline_point(panel_, edge, t - kStep)).normalized();
         NotchLine line{.on_outline = outline_point(panel_, edge, notch.t), .outward = to_the_right(along)};
         line.on_cut = line.on_outline + widths_[as_size(notch.edge)] * line.outward;
+        return line;
+    }
+
+    // Near a corner the cut line may lie nearer to the outline, or farther, than the allowance.
+    NotchLine up_to_cut(NotchLine line) const {
+        constexpr double kOn = 1e-4;       // m
+        constexpr double kFarthest = 0.6;  // m, more than any allowance
+        if (distance_to_outline(line.on_cut, cut_.outline) < kOn) return line;
+        const double width = (line.on_cut - line.on_outline).norm();
+        const Polyline out{line.on_outline, line.on_outline + kFarthest * line.outward};
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < cut_.outline.size(); ++i) {
+            const auto at = find_crossing(out, {cut_.outline[i], cut_.outline[(i + 1) % cut_.outline.size()]});
+            if (!at || std::abs((at->place - line.on_outline).norm() - width) >= least) continue;
+            least = std::abs((at->place - line.on_outline).norm() - width);
+            line.on_cut = at->place;
+        }
         return line;
     }
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <map>
 #include <numbers>
 
 #include "sim/core/error.h"
 #include "sim/paper/cut_line.h"
+#include "sim/paper/drawn_allowances.h"
 #include "sim/paper/path_builder.h"
 #include "sim/paper/polyline_outline.h"
 #include "sim/pattern/edge_shape.h"
@@ -253,47 +253,12 @@ class PartReader {
         return sewn;
     }
 
-    // The allowance of each edge is its distance from the cut line, where that is even. The panel's is the one that
-    // most of its outline has.
     void add_allowances(Panel& panel) const {
         std::vector<Panel> cuts;
         for (const DrawnPath& path : part_.paths) {
             if (path.kind == LineKind::Cut && !path.edges.empty()) cuts.push_back(as_panel(scaled(path, scale_)));
         }
-        if (cuts.empty()) return;
-        constexpr double kGrid = 1e-4;   // m
-        std::map<long, double> lengths;  // of outline, by allowance
-        std::vector<std::optional<long>> widths;
-        for (const OutlineEdge& edge : panel.edges) {
-            widths.push_back(even_distance(panel, edge, cuts, kGrid));
-            if (widths.back()) lengths[*widths.back()] += outline_length(panel, edge);
-        }
-        if (lengths.empty()) return;
-        const auto usual = std::ranges::max_element(lengths, {}, [](const auto& one) { return one.second; });
-        panel.allowance = kGrid * static_cast<double>(usual->first);
-        for (std::size_t e = 0; e < widths.size(); ++e) {
-            if (widths[e] && *widths[e] != usual->first)
-                panel.edges[e].allowance = kGrid * static_cast<double>(*widths[e]);
-        }
-    }
-
-    // In steps of the grid; none if it is not even, or wider than an allowance is.
-    static std::optional<long> even_distance(const Panel& panel, const OutlineEdge& edge,
-                                             const std::vector<Panel>& cuts, double grid) {
-        constexpr double kUneven = 0.5e-3, kWidest = 0.12;  // m
-        std::array<double, 3> distances{};
-        for (std::size_t i = 0; i < distances.size(); ++i) {
-            const Vec2d p = outline_point(panel, edge, 0.35 + 0.15 * static_cast<double>(i));
-            distances[i] = std::numeric_limits<double>::infinity();
-            for (const Panel& cut : cuts) distances[i] = std::min(distances[i], nearest_place(cut, p).distance);
-        }
-        const auto [low, high] = std::ranges::minmax(distances);
-        if (!(high - low <= kUneven && high <= kWidest)) return std::nullopt;
-        // Drafts are drawn in halves of a millimetre, and rounded.
-        constexpr long kHalf = 5;  // in steps of the grid
-        const double steps = (low + high) / 2 / grid;
-        const long half = kHalf * std::lround(steps / kHalf);
-        return std::abs(steps - static_cast<double>(half)) < 2 ? half : std::lround(steps);
+        measure_allowances(panel, cuts);
     }
 
     // The median distance of a line from another, m.
