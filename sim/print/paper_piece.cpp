@@ -25,6 +25,37 @@ std::vector<Vec2d> sewing_line(const Panel& panel, double chord_error) {
 
 // ---- Where a label and a grain line have room.
 
+// What is drawn inside a piece: open lines.
+using Drawn = std::vector<std::vector<Vec2d>>;
+
+Drawn drawn_inside(const PaperPiece& piece) {
+    Drawn drawn;
+    for (const PaperLine& line : piece.lines) drawn.push_back(line.points);
+    constexpr double kRadius = 0.003;  // m, of a drill point's sign
+    for (const Vec2d& at : piece.drill_points) {
+        for (const Vec2d& arm : {Vec2d(kRadius, 0), Vec2d(0, kRadius)}) drawn.push_back({at - arm, at + arm});
+    }
+    return drawn;
+}
+
+double distance_to_drawn(const Vec2d& point, const Drawn& drawn) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::vector<Vec2d>& line : drawn) {
+        for (std::size_t i = 0; i + 1 < line.size(); ++i)
+            least = std::min(least, distance_to_segment(point, line[i], line[i + 1]));
+    }
+    return least;
+}
+
+bool meets_box(const Drawn& drawn, const Eigen::AlignedBox2d& box) {
+    return std::ranges::any_of(drawn, [&](const std::vector<Vec2d>& line) {
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+            if (segment_meets_box(line[i], line[i + 1], box)) return true;
+        }
+        return false;
+    });
+}
+
 bool is_rectangle_inside(const Eigen::AlignedBox2d& box, const std::vector<Vec2d>& outline) {
     if (!is_inside(box.center(), outline)) return false;
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -49,36 +80,38 @@ std::vector<Vec2d> spots_in(const std::vector<Vec2d>& outline) {
     return spots;
 }
 
-// Width of a line of text over its height: a mean of sans-serif faces.
-constexpr double kCharacterWidth = 0.56;
-
 Eigen::AlignedBox2d label_box(const PaperLabel& label) {
-    std::size_t longest = 1;
-    for (const std::string& line : label.lines) {
-        const auto characters = static_cast<std::size_t>(
-            std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-        longest = std::max(longest, characters);
-    }
-    const Vec2d half(kCharacterWidth * label.height * static_cast<double>(longest) / 2,
-                     label.height * static_cast<double>(label.lines.size()) / 2);
+    double longest = 0;
+    for (const std::string& line : label.lines) longest = std::max(longest, text_width(line));
+    const Vec2d half(label.height * longest / 2, label.height * static_cast<double>(label.lines.size()) / 2);
     return {label.at - half, label.at + half};
 }
 
-// The largest text of which the label fits, and of its places the one farthest from the outline.
-void place_label(PaperLabel& label, const std::vector<Vec2d>& outline, const std::vector<Vec2d>& spots) {
+// Of the places where the label fits, the one farthest from the outline and from what is drawn inside.
+bool fit_label(PaperLabel& label, const std::vector<Vec2d>& outline, const Drawn& drawn,
+               const std::vector<Vec2d>& spots) {
+    double farthest = -1;
+    Vec2d best = Vec2d::Zero();
+    for (const Vec2d& spot : spots) {
+        label.at = spot;
+        const Eigen::AlignedBox2d box = label_box(label);
+        if (!is_rectangle_inside(box, outline) || meets_box(drawn, box)) continue;
+        const double distance = std::min(distance_to_outline(spot, outline), distance_to_drawn(spot, drawn));
+        if (distance > farthest) farthest = distance, best = spot;
+    }
+    label.at = best;
+    return farthest >= 0;
+}
+
+// The largest text of which the label fits; rather small than over lines that are drawn inside.
+void place_label(PaperLabel& label, const PaperPiece& piece, const std::vector<Vec2d>& spots) {
     constexpr std::array kHeights{0.008, 0.006, 0.0045, 0.0035, 0.0025};  // m
-    for (const double height : kHeights) {
-        label.height = height;
-        double farthest = -1;
-        Vec2d best = Vec2d::Zero();
-        for (const Vec2d& spot : spots) {
-            label.at = spot;
-            if (!is_rectangle_inside(label_box(label), outline)) continue;
-            const double distance = distance_to_outline(spot, outline);
-            if (distance > farthest) farthest = distance, best = spot;
+    const std::vector<Vec2d>& outline = piece.sew;
+    for (const Drawn& drawn : {drawn_inside(piece), Drawn()}) {
+        for (const double height : kHeights) {
+            label.height = height;
+            if (fit_label(label, outline, drawn, spots)) return;
         }
-        label.at = best;
-        if (farthest >= 0) return;
     }
     // Nowhere: beside the panel's middle, over its outline.
     Eigen::AlignedBox2d box;
@@ -106,12 +139,15 @@ Stretch stretch_inside(const Vec2d& spot, const Vec2d& along, const std::vector<
     return stretch;
 }
 
-// A line along the warp, 60 % of what is inside, beside the label where there is room.
+// A line along the warp, 60 % of what is inside, beside the label and other lines where there is room.
 PaperLine grain_line(const Panel& panel, const PaperPiece& piece, const std::vector<Vec2d>& spots) {
     const Vec2d along(-std::sin(panel.grain_angle), std::cos(panel.grain_angle));
     const Eigen::AlignedBox2d label = label_box(piece.label);
-    constexpr double kShare = 0.6, kMost = 0.5;         // of the stretch inside; m
-    constexpr double kBeside = 0.5, kOverLabel = 0.25;  // weights of a stretch near the outline and over the label
+    const Drawn drawn = drawn_inside(piece);
+    constexpr double kShare = 0.6, kMost = 0.5;  // of the stretch inside; m
+    // Weights of a stretch near the outline, over the label, and on another line.
+    constexpr double kBeside = 0.5, kOverLabel = 0.25, kOnLine = 0.6;
+    constexpr double kNear = 0.004;  // m
     PaperLine line{PaperLayer::Grain, {}};
     double best = 0;
     for (const Vec2d& spot : spots) {
@@ -122,7 +158,15 @@ PaperLine grain_line(const Panel& panel, const PaperPiece& piece, const std::vec
         double merit = length;
         Eigen::AlignedBox2d box(from.cwiseMin(to), from.cwiseMax(to));
         if (box.intersects(label)) merit *= kOverLabel;
-        if (distance_to_outline(middle, piece.sew) < piece.label.height) merit *= kBeside;
+        const std::array points{from, Vec2d((from + middle) / 2), middle, Vec2d((middle + to) / 2), to};
+        const auto nearest = [&](const auto& distance) {
+            double least = std::numeric_limits<double>::infinity();
+            for (const Vec2d& p : points) least = std::min(least, distance(p));
+            return least;
+        };
+        const double clearance = std::max(kNear, std::min(piece.label.height, length / 8));
+        if (nearest([&](const Vec2d& p) { return distance_to_outline(p, piece.sew); }) < clearance) merit *= kBeside;
+        if (nearest([&](const Vec2d& p) { return distance_to_drawn(p, drawn); }) < kNear) merit *= kOnLine;
         if (merit > best * (1 + 1e-9)) best = merit, line.points = {from, to};
     }
     return line;
@@ -251,7 +295,7 @@ PaperPiece piece_of(const Pattern& pattern, std::size_t index, bool are_pairs, c
     piece.label.lines = label_of(pattern, panel, piece, are_pairs);
     if (const std::string pressing = pressing_text(darts); !pressing.empty()) piece.label.lines.push_back(pressing);
     const std::vector<Vec2d> spots = spots_in(piece.sew);
-    place_label(piece.label, piece.sew, spots);
+    place_label(piece.label, piece, spots);
     PaperLine grain = grain_line(panel, piece, spots);
     if (!grain.points.empty()) piece.lines.push_back(std::move(grain));
     return piece;
@@ -278,6 +322,13 @@ std::optional<double> fold_axis(const std::vector<Vec2d>& line) {
         return distance_to_outline({2 * x - p.x(), p.y()}, line) <= kOff;
     });
     return is_symmetric ? std::optional(x) : std::nullopt;
+}
+
+double text_width(std::string_view line) {
+    constexpr double kCharacterWidth = 0.56;  // over the height
+    const auto characters =
+        std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+    return kCharacterWidth * static_cast<double>(std::max<std::ptrdiff_t>(1, characters));
 }
 
 std::string_view layer_name(PaperLayer layer) {

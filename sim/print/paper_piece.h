@@ -3,6 +3,7 @@
 // lines, the grain line, notches, drill points, internal lines and the label. All files for paper are made of it.
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/paper/cut_line.h"
@@ -29,6 +30,9 @@ struct PaperLabel {
     Vec2d at = Vec2d::Zero();  // m, the middle
     double height = 0;         // m, from one line to the next
 };
+
+// About the width of a line of text over its height: that of a mean of sans-serif faces.
+double text_width(std::string_view line);
 
 struct PaperPiece {
     int panel = 0;                // index into Pattern::panels

@@ -50,11 +50,13 @@ struct SheetView {
     }
 };
 
-// On a plan that is much smaller than the cloth only the name is left, at a size that can be read.
-void draw_label(PdfCanvas& canvas, const PaperLabel& label, const Vec2d& at, double scale) {
-    constexpr double kReadable = 2.5e-3;  // m
+// On a plan that is much smaller than the cloth only the name is left, at a size that can be read, but as wide as the
+// piece at most: `room`, m on the page.
+void draw_label(PdfCanvas& canvas, const PaperLabel& label, const Vec2d& at, double scale, double room) {
+    constexpr double kReadable = 2.5e-3, kSmallest = 1.2e-3;  // m
     const bool is_plan = scale * label.height < kReadable;
-    const double height = is_plan ? kReadable : scale * label.height;
+    const double fitting = room / std::max(1e-6, text_width(label.lines.front()));
+    const double height = is_plan ? std::clamp(fitting, kSmallest, kReadable) : scale * label.height;
     const std::size_t count = is_plan ? 1 : label.lines.size();
     double y = at.y() - height * static_cast<double>(count) / 2;
     for (std::size_t i = 0; i < count; ++i) {
@@ -75,9 +77,12 @@ void draw_sheet(PdfCanvas& canvas, const PaperSheet& sheet, const SheetView& vie
         canvas.draw_line(points, stroke.is_closed, style);
     }
     if (!has(layers, PaperLayer::Labels)) return;
-    for (std::size_t i = 0; i < sheet.pieces.size(); ++i)
-        draw_label(canvas, sheet.pieces[i].label, view.to_page(sheet.places[i].at(sheet.pieces[i].label.at)),
-                   view.scale);
+    for (std::size_t i = 0; i < sheet.pieces.size(); ++i) {
+        const PaperLabel& label = sheet.pieces[i].label;
+        Box box;
+        for (const Vec2d& p : sheet.pieces[i].cut) box.extend(sheet.places[i].at(p));
+        draw_label(canvas, label, view.to_page(sheet.places[i].at(label.at)), view.scale, view.scale * box.sizes().x());
+    }
 }
 
 // ---- The cover.
@@ -279,9 +284,9 @@ PrintedPdf one_page(const Pattern& pattern, const std::vector<PaperPiece>& piece
     PdfCanvas canvas(pattern.name);
     canvas.begin_page(sheet.size + Vec2d(2 * kBorder, 2 * kBorder + head));
     Cover::draw_test_square(canvas, Vec2d::Constant(kBorder));
-    canvas.draw_text(pattern.name + (pattern.size.empty() ? "" : "\nSize " + pattern.size),
-                     {2 * kBorder + kTestSquare, kBorder},
-                     {.height = 0.012, .is_bold = true, .most_width = std::max(0.05, width - kTestSquare - kBorder)});
+    canvas.draw_text(
+        pattern.name + (pattern.size.empty() ? "" : "\nSize " + pattern.size), {2 * kBorder + kTestSquare, kBorder},
+        {.height = 0.012, .is_bold = true, .most_width = std::max(0.05, sheet.size.x() - kTestSquare - kBorder)});
     draw_sheet(canvas, sheet, {{0, sheet.size.y()}, {kBorder, kBorder + head}, 1}, options.layers);
     return {.bytes = canvas.finish(), .covers = 0, .pages = 1};
 }

@@ -31,6 +31,51 @@ TEST(PaperPiece, label_and_grain_line_lie_in_the_panel) {
     }
 }
 
+// The box of a label, m, with letters that are half as wide as high: narrower than they are.
+Eigen::AlignedBox2d text_box(const PaperLabel& label) {
+    std::size_t longest = 0;
+    for (const std::string& line : label.lines) longest = std::max(longest, line.size());
+    const Vec2d half(0.5 * label.height * static_cast<double>(longest) / 2,
+                     label.height * static_cast<double>(label.lines.size()) / 2);
+    return {label.at - half, label.at + half};
+}
+
+TEST(PaperPiece, label_and_grain_line_keep_clear_of_lines_inside) {
+    Pattern pattern = sample_pattern();
+    Panel& strip = pattern.panels[1];
+    strip.internal_lines = {{"fold", {{0, 0.03}, {0.5, 0.03}}, LineUse::Fold},
+                            {"button", {{0.25, 0}, {0.25, 0.06}}, LineUse::Mark}};
+    strip.drill_points = {{0.12, 0.015}, {0.38, 0.045}};
+    strip.grain_angle = 0;
+    for (const double width : {0.06, 0.05, 0.04}) {
+        for (int v : {2, 3}) strip.vertices[static_cast<std::size_t>(v)].y() = width;
+        const PaperPiece piece = paper_pieces(pattern)[1];
+        const Eigen::AlignedBox2d box = text_box(piece.label);
+        for (const PaperLine& line : piece.lines)
+            EXPECT_FALSE(segment_meets_box(line.points[0], line.points[1], box))
+                << width << " " << layer_name(line.layer);
+        for (const Vec2d& at : piece.drill_points) EXPECT_FALSE(box.contains(at)) << width;
+    }
+}
+
+TEST(PaperPiece, grain_line_does_not_run_along_the_outline) {
+    // A collar stand: its lower edge bulges up to where the longest line along it would touch.
+    Pattern pattern;
+    Panel stand;
+    stand.name = "stand";
+    stand.vertices = {{0, 0}, {0.2, 0.017}, {0.4, 0}, {0.4, 0.05}, {0.2, 0.067}, {0, 0.05}};
+    for (int e = 0; e < 6; ++e) stand.edges.push_back({.start = e, .end = (e + 1) % 6});
+    stand.grain_angle = 1.5707963267948966;
+    pattern.panels = {stand};
+    const PaperPiece piece = paper_pieces(pattern).front();
+    const auto grain = std::ranges::find(piece.lines, PaperLayer::Grain, &PaperLine::layer);
+    ASSERT_NE(grain, piece.lines.end());
+    for (int k = 0; k <= 20; ++k) {
+        const Vec2d p = grain->points[0] + (grain->points[1] - grain->points[0]) * k / 20.0;
+        EXPECT_GT(distance_to_outline(p, piece.sew), 0.0035) << k;
+    }
+}
+
 TEST(PaperPiece, darts_have_notches_at_their_legs_a_fold_and_a_word_on_how_they_are_pressed) {
     Pattern pattern = darted_pattern();
     pattern.allowance = 0.01;
