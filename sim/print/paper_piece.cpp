@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
@@ -83,7 +85,8 @@ std::vector<Vec2d> spots_in(const std::vector<Vec2d>& outline) {
 Eigen::AlignedBox2d label_box(const PaperLabel& label) {
     double longest = 0;
     for (const std::string& line : label.lines) longest = std::max(longest, text_width(line));
-    const Vec2d half(label.height * longest / 2, label.height * static_cast<double>(label.lines.size()) / 2);
+    Vec2d half(label.height * longest / 2, label.height * static_cast<double>(label.lines.size()) / 2);
+    if (label.runs_up) std::swap(half.x(), half.y());
     return {label.at - half, label.at + half};
 }
 
@@ -103,16 +106,32 @@ bool fit_label(PaperLabel& label, const std::vector<Vec2d>& outline, const Drawn
     return farthest >= 0;
 }
 
-// The largest text of which the label fits; rather small than over lines that are drawn inside.
+constexpr std::array kLabelHeights{0.008, 0.006, 0.0045, 0.0035, 0.0025};  // m
+
+// The largest text of which the label fits; none if it does not.
+std::optional<PaperLabel> largest_label(PaperLabel label, const std::vector<Vec2d>& outline, const Drawn& drawn,
+                                        const std::vector<Vec2d>& spots) {
+    for (const double height : kLabelHeights) {
+        label.height = height;
+        if (fit_label(label, outline, drawn, spots)) return label;
+    }
+    return std::nullopt;
+}
+
+// Rather small than over lines that are drawn inside; up the panel if the text is much larger then.
 void place_label(PaperLabel& label, const PaperPiece& piece, const std::vector<Vec2d>& spots) {
-    constexpr std::array kHeights{0.008, 0.006, 0.0045, 0.0035, 0.0025};  // m
+    constexpr double kMuch = 1.7;  // times
     const std::vector<Vec2d>& outline = piece.sew;
     for (const Drawn& drawn : {drawn_inside(piece), Drawn()}) {
-        for (const double height : kHeights) {
-            label.height = height;
-            if (fit_label(label, outline, drawn, spots)) return;
-        }
+        PaperLabel turned = label;
+        turned.runs_up = true;
+        const std::optional<PaperLabel> level = largest_label(label, outline, drawn, spots);
+        if (level && kMuch * level->height > kLabelHeights.front()) return void(label = *level);
+        const std::optional<PaperLabel> upright = largest_label(turned, outline, drawn, spots);
+        if (level && (!upright || upright->height < kMuch * level->height)) return void(label = *level);
+        if (upright) return void(label = *upright);
     }
+    label.height = kLabelHeights.back();
     // Nowhere: beside the panel's middle, over its outline.
     Eigen::AlignedBox2d box;
     for (const Vec2d& p : outline) box.extend(p);
@@ -146,7 +165,7 @@ PaperLine grain_line(const Panel& panel, const PaperPiece& piece, const std::vec
     const Drawn drawn = drawn_inside(piece);
     constexpr double kShare = 0.6, kMost = 0.5;  // of the stretch inside; m
     // Weights of a stretch near the outline, over the label, and on another line.
-    constexpr double kBeside = 0.5, kOverLabel = 0.25, kOnLine = 0.6;
+    constexpr double kBeside = 0.5, kOverLabel = 0.25, kOnLine = 0.5;
     constexpr double kNear = 0.004;  // m
     PaperLine line{PaperLayer::Grain, {}};
     double best = 0;
@@ -158,15 +177,15 @@ PaperLine grain_line(const Panel& panel, const PaperPiece& piece, const std::vec
         double merit = length;
         Eigen::AlignedBox2d box(from.cwiseMin(to), from.cwiseMax(to));
         if (box.intersects(label)) merit *= kOverLabel;
-        const std::array points{from, Vec2d((from + middle) / 2), middle, Vec2d((middle + to) / 2), to};
-        const auto nearest = [&](const auto& distance) {
-            double least = std::numeric_limits<double>::infinity();
-            for (const Vec2d& p : points) least = std::min(least, distance(p));
-            return least;
-        };
-        const double clearance = std::max(kNear, std::min(piece.label.height, length / 8));
-        if (nearest([&](const Vec2d& p) { return distance_to_outline(p, piece.sew); }) < clearance) merit *= kBeside;
-        if (nearest([&](const Vec2d& p) { return distance_to_drawn(p, drawn); }) < kNear) merit *= kOnLine;
+        double clear = std::numeric_limits<double>::infinity(), over = 0;
+        constexpr int kSteps = 8;
+        for (int k = 0; k <= kSteps; ++k) {
+            const Vec2d p = from + (to - from) * k / kSteps;
+            clear = std::min(clear, distance_to_outline(p, piece.sew));
+            over += distance_to_drawn(p, drawn) < kNear ? 1.0 / (kSteps + 1) : 0;
+        }
+        if (clear < std::max(kNear, std::min(piece.label.height, length / 8))) merit *= kBeside;
+        merit *= 1 - kOnLine * over;
         if (merit > best * (1 + 1e-9)) best = merit, line.points = {from, to};
     }
     return line;
@@ -329,6 +348,14 @@ double text_width(std::string_view line) {
     const auto characters =
         std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
     return kCharacterWidth * static_cast<double>(std::max<std::ptrdiff_t>(1, characters));
+}
+
+double PaperLabel::angle(double turn) const {
+    constexpr double kHalf = std::numbers::pi / 2, kEven = 1e-6;  // rad
+    const double angle = std::remainder(turn + (runs_up ? kHalf : 0), 2 * std::numbers::pi);
+    if (angle > kHalf + kEven) return angle - std::numbers::pi;
+    if (angle <= -kHalf + kEven) return angle + std::numbers::pi;
+    return angle;
 }
 
 std::string_view layer_name(PaperLayer layer) {

@@ -24,11 +24,16 @@ struct PaperLine {
     bool is_dart_fold = false;  // from a dart's tip to its cap
 };
 
-// Upright lines of text round a point.
+// Lines of text round a point.
 struct PaperLabel {
     std::vector<std::string> lines = {};
     Vec2d at = Vec2d::Zero();  // m, the middle
     double height = 0;         // m, from one line to the next
+    bool runs_up = false;      // the text runs up the panel, as on a narrow strip
+
+    // The angle of its text, rad, counter-clockwise, on a sheet on which the panel is turned: read from below or from
+    // the right.
+    double angle(double turn = 0) const;
 };
 
 // About the width of a line of text over its height: that of a mean of sans-serif faces.

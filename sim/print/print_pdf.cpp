@@ -50,19 +50,29 @@ struct SheetView {
     }
 };
 
-// On a plan that is much smaller than the cloth only the name is left, at a size that can be read, but as wide as the
-// piece at most: `room`, m on the page.
-void draw_label(PdfCanvas& canvas, const PaperLabel& label, const Vec2d& at, double scale, double room) {
+// Where a label is drawn.
+struct LabelPlace {
+    Vec2d at = Vec2d::Zero();  // m, of the page: its middle
+    double angle = 0;          // rad, of its text, counter-clockwise
+    double scale = 1;
+    double room = 0;  // m, of the page: how far its piece reaches along the text
+};
+
+// On a plan that is much smaller than the cloth only the name is left, at a size that can be read, but as long as the
+// piece at most.
+void draw_label(PdfCanvas& canvas, const PaperLabel& label, const LabelPlace& place) {
     constexpr double kReadable = 2.5e-3, kSmallest = 1.2e-3;  // m
-    const bool is_plan = scale * label.height < kReadable;
-    const double fitting = room / std::max(1e-6, text_width(label.lines.front()));
-    const double height = is_plan ? std::clamp(fitting, kSmallest, kReadable) : scale * label.height;
+    const bool is_plan = place.scale * label.height < kReadable;
+    const double fitting = place.room / std::max(1e-6, text_width(label.lines.front()));
+    const double height = is_plan ? std::clamp(fitting, kSmallest, kReadable) : place.scale * label.height;
     const std::size_t count = is_plan ? 1 : label.lines.size();
-    double y = at.y() - height * static_cast<double>(count) / 2;
+    const Vec2d down(std::sin(place.angle), std::cos(place.angle));  // from one line to the next, on the page
+    Vec2d at = place.at - height * static_cast<double>(count) / 2 * down;
     for (std::size_t i = 0; i < count; ++i) {
-        canvas.draw_text(label.lines[i], {at.x(), y},
-                         {.height = height, .is_bold = i == 0 && !is_plan, .align = TextAlign::Centre});
-        y += height;
+        canvas.draw_text(
+            label.lines[i], at,
+            {.height = height, .is_bold = i == 0 && !is_plan, .align = TextAlign::Centre, .angle = place.angle});
+        at += height * down;
     }
 }
 
@@ -81,7 +91,13 @@ void draw_sheet(PdfCanvas& canvas, const PaperSheet& sheet, const SheetView& vie
         const PaperLabel& label = sheet.pieces[i].label;
         Box box;
         for (const Vec2d& p : sheet.pieces[i].cut) box.extend(sheet.places[i].at(p));
-        draw_label(canvas, label, view.to_page(sheet.places[i].at(label.at)), view.scale, view.scale * box.sizes().x());
+        const double angle = label.angle(sheet.places[i].turn);
+        const double reach = std::abs(std::cos(angle)) > std::abs(std::sin(angle)) ? box.sizes().x() : box.sizes().y();
+        draw_label(canvas, label,
+                   {.at = view.to_page(sheet.places[i].at(label.at)),
+                    .angle = angle,
+                    .scale = view.scale,
+                    .room = view.scale * reach});
     }
 }
 

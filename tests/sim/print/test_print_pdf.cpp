@@ -8,6 +8,7 @@
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
 #include "sim/print/print_pdf.h"
+#include "sim/print/svg_file.h"
 #include "tests/sim/print/sample_pattern.h"
 #include "tests/support/darted_panel.h"
 
@@ -37,7 +38,9 @@ Eigen::AlignedBox2d text_box(const PaperLabel& label) {
     for (const std::string& line : label.lines) longest = std::max(longest, line.size());
     const Vec2d half(0.5 * label.height * static_cast<double>(longest) / 2,
                      label.height * static_cast<double>(label.lines.size()) / 2);
-    return {label.at - half, label.at + half};
+    const Vec2d turned(half.y(), half.x());
+    return label.runs_up ? Eigen::AlignedBox2d(label.at - turned, label.at + turned)
+                         : Eigen::AlignedBox2d(label.at - half, label.at + half);
 }
 
 TEST(PaperPiece, label_and_grain_line_keep_clear_of_lines_inside) {
@@ -55,6 +58,31 @@ TEST(PaperPiece, label_and_grain_line_keep_clear_of_lines_inside) {
             EXPECT_FALSE(segment_meets_box(line.points[0], line.points[1], box))
                 << width << " " << layer_name(line.layer);
         for (const Vec2d& at : piece.drill_points) EXPECT_FALSE(box.contains(at)) << width;
+    }
+}
+
+TEST(PaperPiece, label_of_a_narrow_upright_strip_runs_up) {
+    Pattern pattern = sample_pattern();
+    Panel& strip = pattern.panels[1];
+    strip.vertices = {{0, 0}, {0.06, 0}, {0.06, 0.5}, {0, 0.5}};
+    strip.grain_angle = 0;
+    strip.internal_lines = {{"fold", {{0.03, 0}, {0.03, 0.5}}, LineUse::Fold}};
+    const PaperPiece piece = paper_pieces(pattern)[1];
+    EXPECT_TRUE(piece.label.runs_up);
+    EXPECT_GE(piece.label.height, 0.0045);
+    const Eigen::AlignedBox2d box = text_box(piece.label);
+    EXPECT_TRUE(outline_box(strip).contains(box));
+    EXPECT_FALSE(segment_meets_box({0.03, 0}, {0.03, 0.5}, box));
+    EXPECT_FALSE(paper_pieces(pattern)[0].label.runs_up);
+    const std::string svg = svg_of(pattern, paper_sheet(pattern, paper_pieces(pattern), 1.5));
+    EXPECT_NE(svg.find("transform=\"rotate(-90 "), std::string::npos);
+}
+
+TEST(PaperPiece, labels_are_read_from_below_or_from_the_right_however_the_panel_is_turned) {
+    constexpr double kQuarter = 1.5707963267948966;
+    for (int k = -4; k <= 4; ++k) {
+        EXPECT_NEAR(PaperLabel{}.angle(k * kQuarter), k % 2 == 0 ? 0 : kQuarter, 1e-9) << k;
+        EXPECT_NEAR(PaperLabel{.runs_up = true}.angle(k * kQuarter), k % 2 == 0 ? kQuarter : 0, 1e-9) << k;
     }
 }
 
