@@ -171,21 +171,26 @@ struct OutlinePlace {
     double distance = std::numeric_limits<double>::infinity();  // m
 };
 
+OutlinePlace nearest_on_edge(const Panel& panel, std::size_t edge, const Vec2d& p) {
+    const std::vector<Vec2d> line = outline_polyline(panel, panel.edges[edge], kChordError);
+    OutlinePlace best{.edge = static_cast<int>(edge)};
+    double total = 0, at = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const Vec2d along = line[i + 1] - line[i];
+        const double length = along.norm(), s = nearest_fraction(p, line[i], line[i + 1]);
+        const double distance = (line[i] + s * along - p).norm();
+        if (distance < best.distance) best.distance = distance, at = total + s * length;
+        total += length;
+    }
+    best.t = total > 0 ? std::clamp(at / total, 0.0, 1.0) : 0;
+    return best;
+}
+
 OutlinePlace nearest_place(const Panel& panel, const Vec2d& p) {
     OutlinePlace best;
     for (std::size_t e = 0; e < panel.edges.size(); ++e) {
-        const std::vector<Vec2d> line = outline_polyline(panel, panel.edges[e], kChordError);
-        double total = 0, at = 0;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-            const Vec2d along = line[i + 1] - line[i];
-            const double length = along.norm(), s = nearest_fraction(p, line[i], line[i + 1]);
-            const double distance = (line[i] + s * along - p).norm();
-            if (distance < least) least = distance, at = total + s * length;
-            total += length;
-        }
-        if (least < best.distance)
-            best = {static_cast<int>(e), total > 0 ? std::clamp(at / total, 0.0, 1.0) : 0, least};
+        const OutlinePlace place = nearest_on_edge(panel, e, p);
+        if (place.distance < best.distance) best = place;
     }
     return best;
 }
@@ -289,12 +294,17 @@ class PartReader {
 
     void add_marks() {
         constexpr double kReach = 0.03;  // m, from the sewing line to a notch at the cut line
+        constexpr double kSame = 1e-5;   // m: at a corner a notch belongs to the edge that the file names
         for (const DrawnMark& mark : part_.marks) {
             const Vec2d at = scale_ * mark.at;
             if (mark.kind == MarkKind::Drill || mark.kind == MarkKind::Button) panel_.drill_points.push_back(at);
             if (mark.kind != MarkKind::Notch) continue;
-            const OutlinePlace place = nearest_place(panel_, at);
+            OutlinePlace place = nearest_place(panel_, at);
             if (place.distance > kReach) continue;
+            if (mark.edge && as_size(*mark.edge) < panel_.edges.size()) {
+                const OutlinePlace named = nearest_on_edge(panel_, as_size(*mark.edge), at);
+                if (named.distance < place.distance + kSame) place = named;
+            }
             panel_.notches.push_back({place.edge, place.t, mark.notch, mark.count});
         }
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/enum_names.h"
@@ -262,6 +263,7 @@ class SvgWriter {
             lines += "<path" + attribute("data-selvedge-mark", "notch") +
                      attribute("data-selvedge-kind", name_of_value(notch.kind)) +
                      attribute("data-selvedge-count", std::to_string(notch.count)) +
+                     attribute("data-selvedge-edge", std::to_string(panel.notches[i].edge)) +
                      attribute("data-selvedge-at", point(outline_point(panel, edge, panel.notches[i].t))) +
                      attribute("d", d) + "/>\n";
         }
@@ -298,10 +300,15 @@ class SvgWriter {
         std::string lines;
         const Vec2d middle = to_page(place.at(piece.label.at));
         const double height = 1000 * piece.label.height;
+        const double angle_deg = piece.label.angle(place.turn) * 180 / std::numbers::pi;
+        const std::string turn = std::abs(angle_deg) < 1e-6
+                                     ? ""
+                                     : attribute("transform", "rotate(" + number(-angle_deg) + " " +
+                                                                  number(middle.x()) + " " + number(middle.y()) + ")");
         double y = middle.y() - height * (static_cast<double>(piece.label.lines.size()) / 2 - 0.8);
         for (const std::string& line : piece.label.lines) {
             lines +=
-                "<text" + attribute("x", number(middle.x())) + attribute("y", number(y)) +
+                "<text" + attribute("x", number(middle.x())) + attribute("y", number(y)) + turn +
                 attribute("style",
                           "font-family:Inter,sans-serif;text-anchor:middle;font-size:" + number(0.8 * height) + "px") +
                 ">" + escaped(line) + "</text>\n";
