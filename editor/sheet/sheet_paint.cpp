@@ -153,17 +153,18 @@ bool is_in_view(const SheetLook& look, const PanelShape& shape) {
 }
 
 void draw_cut_line(const SheetLook& look, const PanelShape& shape) {
-    const sim::CutLine* cut = look.cut_lines != nullptr && look.shows.allowances
-                                  ? look.cut_lines->find(shape.panel, look.pattern.allowance)
-                                  : nullptr;
+    const sim::CutLine* cut =
+        look.cut_lines != nullptr && look.shows.allowances ? look.cut_lines->find(shape.panel, look.pattern) : nullptr;
     if (cut == nullptr || cut->outline.empty()) return;
     std::vector<Vec2d> line = on_sheet(shape, cut->outline);
     line.push_back(line.front());
     look.pen.line(line, look.pen.colours.cut, 1.2);
-    for (const sim::NotchLine& notch : cut->notches) {
+    const auto draw_notch = [&](const sim::NotchLine& notch) {
         const std::array<Vec2d, 2> out{shape.on_sheet(notch.on_outline), shape.on_sheet(notch.on_cut)};
         look.pen.line(out, look.pen.colours.cut, 1.2);
-    }
+    };
+    for (const sim::NotchLine& notch : cut->notches) draw_notch(notch);
+    for (const sim::DartLines& dart : cut->darts) draw_notch(dart.begin), draw_notch(dart.end);
 }
 
 void draw_cloth(const SheetLook& look, const PanelShape& shape) {

@@ -8,9 +8,12 @@
 #include <polyclipping/clipper.hpp>
 
 #include "sim/core/error.h"
+#include "sim/paper/dart_cap.h"
 #include "sim/paper/fit_curve.h"
+#include "sim/paper/polyline_crossing.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
+#include "sim/pattern/segment_distance.h"
 
 namespace selvedge::sim {
 namespace {
@@ -55,33 +58,10 @@ MovedEdge moved(const Panel& panel, const OutlineEdge& edge, double width, doubl
     return out;
 }
 
-struct Crossing {
-    std::size_t before = 0;  // segment of the first line
-    std::size_t after = 0;   // segment of the second line
-    Vec2d place = Vec2d::Zero();
-};
-
-// Where the end of one line meets the beginning of the next: the meeting nearest to the corner.
-std::optional<Crossing> find_crossing(const Polyline& a, const Polyline& b) {
-    for (std::size_t j = 0; j + 1 < b.size(); ++j) {
-        for (std::size_t k = a.size() - 1; k-- > 0;) {
-            const Vec2d d = a[k + 1] - a[k], e = b[j + 1] - b[j], off = b[j] - a[k];
-            const double area = cross2(d, e);
-            if (std::abs(area) < 1e-18) continue;
-            const double s = cross2(off, e) / area, t = cross2(off, d) / area;
-            if (s >= -1e-9 && s <= 1 + 1e-9 && t >= -1e-9 && t <= 1 + 1e-9)
-                return Crossing{k, j, a[k] + std::clamp(s, 0.0, 1.0) * d};
-        }
-    }
-    return std::nullopt;
-}
-
 // Lets both end at the crossing.
-void trim(MovedEdge& a, MovedEdge& b, const Crossing& at) {
-    a.line.resize(at.before + 1);
-    a.line.push_back(at.place);
-    b.line.erase(b.line.begin(), b.line.begin() + static_cast<std::ptrdiff_t>(at.after) + 1);
-    b.line.insert(b.line.begin(), at.place);
+void trim(MovedEdge& a, MovedEdge& b, const PolylineCrossing& at) {
+    a.line = part_before(a.line, at);
+    b.line = part_after(b.line, at);
 }
 
 // The place where the tangents at a corner meet; none if they are nearly parallel.
@@ -112,6 +92,10 @@ Polyline corner_points(const MovedEdge& a, const MovedEdge& b, const Vec2d& corn
     }
     const std::optional<Vec2d> tip = mitre(a, b);
     if (!tip) return {};
+    // Where allowances differ, the lines of edges that go on nearly straight meet far off, on the wrong side of the
+    // corner: they are joined by a step.
+    constexpr double kOff = 1e-9;  // m
+    if ((*tip - a.line.back()).dot(a.at_end) < -kOff || (*tip - b.line.front()).dot(b.at_start) > kOff) return {};
     const double reach = longest_mitre * std::max(a.width, b.width);
     if ((*tip - corner).norm() <= reach) return {*tip};
     // Cut off square to the middle of the corner, at the longest mitre.
@@ -181,6 +165,151 @@ void append_corner(Polyline& line, const Panel& panel, const MovedEdge& a, const
     line.insert(line.end(), between.begin(), between.end());
 }
 
+// Makes the cut line of a panel, edge by edge.
+class CutLineMaker {
+ public:
+    CutLineMaker(const Panel& panel, const CutLineOptions& options)
+        : panel_(panel), options_(options), count_(panel.edges.size()), is_leg_(count_), caps_(count_) {
+        for (const OutlineEdge& edge : panel.edges)
+            widths_.push_back(allowance_of(panel, edge, options.pattern_allowance));
+        edges_ = moved_edges(panel, widths_, options.chord_error);
+    }
+
+    CutLine make() {
+        for (const Dart& dart : options_.darts) cover(dart);
+        trim_corners();
+        for (std::size_t e = 0; e < count_; ++e) {
+            if (!is_leg_[e]) append(e);
+        }
+        cut_.outline = outer_boundary(cut_.outline);
+        for (const Notch& notch : panel_.notches) cut_.notches.push_back(carried_out(notch));
+        return std::move(cut_);
+    }
+
+ private:
+    std::size_t after(std::size_t e) const { return (e + 1) % count_; }
+    std::size_t before(std::size_t e) const { return (e + count_ - 1) % count_; }
+
+    // Lays a cap over the mouth of a dart.
+    void cover(const Dart& dart) {
+        const std::size_t first = as_size(dart.first_leg) % count_, legs = 2 * as_size(dart.leg_edges);
+        if (legs + 2 > count_) return;
+        const std::size_t from = before(first), last = (first + legs - 1) % count_, to = after(last);
+        for (std::size_t k = 0; k < legs; ++k) {
+            if (panel_.edges[(first + k) % count_].allowance) return;
+        }
+        const DartMouth mouth{.begin = panel_.vertices[as_size(panel_.edges[first].start)],
+                              .end = panel_.vertices[as_size(panel_.edges[last].end)],
+                              .begin_outward = -edges_[first].at_start,
+                              .end_outward = edges_[last].at_end,
+                              .pressed_to = dart.pressed_to,
+                              .mitre = options_.longest_mitre * std::max(widths_[from], widths_[to])};
+        std::optional<DartCap> cap = cap_dart(mouth, edges_[from].line, edges_[to].line);
+        if (!cap) return;
+        for (std::size_t k = 0; k < legs; ++k) is_leg_[(first + k) % count_] = true;
+        const std::size_t tip = (first + legs / 2) % count_;
+        cut_.darts.push_back(
+            {.begin = {.on_outline = mouth.begin, .on_cut = cap->before.back(), .outward = mouth.begin_outward},
+             .end = {.on_outline = mouth.end, .on_cut = cap->after.front(), .outward = mouth.end_outward},
+             .fold = {panel_.vertices[as_size(panel_.edges[tip].start)], cap->fold}});
+        legs_.push_back({first, last});
+        edges_[from].line = std::move(cap->before);
+        edges_[to].line = std::move(cap->after);
+        caps_[from] = std::move(cap->cap);
+    }
+
+    bool is_between_edges(std::size_t e) const { return !is_leg_[e] && !is_leg_[after(e)]; }
+
+    bool is_hem_corner(std::size_t e) const {
+        return is_between_edges(e) && is_hem(panel_.edges[e]) != is_hem(panel_.edges[after(e)]);
+    }
+
+    void trim_corners() {
+        for (std::size_t e = 0; e < count_; ++e) {
+            if (!is_between_edges(e) || is_hem_corner(e) || count_ <= 2) continue;
+            MovedEdge& next = edges_[after(e)];
+            if (const auto crossing = find_crossing(edges_[e].line, next.line)) trim(edges_[e], next, *crossing);
+        }
+    }
+
+    // The cut line of an edge, and what lies between it and the next.
+    void append(std::size_t e) {
+        Polyline own = edges_[e].line;
+        // A hem's own ends give way to the mirrored corners.
+        if (is_hem(panel_.edges[e]) && is_hem_corner(before(e)) && own.size() > 1) own.erase(own.begin());
+        if (is_hem(panel_.edges[e]) && is_hem_corner(e) && own.size() > 1) own.pop_back();
+        cut_.outline.insert(cut_.outline.end(), own.begin(), own.end());
+        if (is_between_edges(e)) {
+            append_corner(cut_.outline, panel_, edges_[e], edges_[after(e)], panel_.edges[e], panel_.edges[after(e)],
+                          options_);
+        } else {
+            cut_.outline.insert(cut_.outline.end(), caps_[e].begin(), caps_[e].end());
+        }
+    }
+
+    NotchLine carried_out(const Notch& notch) const {
+        const std::size_t e = as_size(notch.edge);
+        NotchLine line = is_leg_[e] ? on_leg(notch) : up_to_cut(on_edge(notch));
+        line.kind = notch.kind;
+        line.count = notch.count;
+        return line;
+    }
+
+    NotchLine on_edge(const Notch& notch) const {
+        const OutlineEdge& edge = panel_.edges[as_size(notch.edge)];
+        constexpr double kStep = 1e-4;
+        const double t = std::clamp(notch.t, kStep, 1 - kStep);
+        const Vec2d along =
+            (outline_point(panel_, edge, t + kStep) - outline_point(panel_, edge, t - kStep)).normalized();
+        NotchLine line{.on_outline = outline_point(panel_, edge, notch.t), .outward = to_the_right(along)};
+        line.on_cut = line.on_outline + widths_[as_size(notch.edge)] * line.outward;
+        return line;
+    }
+
+    // Near a corner the cut line may lie nearer to the outline, or farther, than the allowance.
+    NotchLine up_to_cut(NotchLine line) const {
+        constexpr double kOn = 1e-4;       // m
+        constexpr double kFarthest = 0.6;  // m, more than any allowance
+        if (distance_to_outline(line.on_cut, cut_.outline) < kOn) return line;
+        const double width = (line.on_cut - line.on_outline).norm();
+        const Polyline out{line.on_outline, line.on_outline + kFarthest * line.outward};
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < cut_.outline.size(); ++i) {
+            const auto at = find_crossing(out, {cut_.outline[i], cut_.outline[(i + 1) % cut_.outline.size()]});
+            if (!at || std::abs((at->place - line.on_outline).norm() - width) >= least) continue;
+            least = std::abs((at->place - line.on_outline).norm() - width);
+            line.on_cut = at->place;
+        }
+        return line;
+    }
+
+    // At the mouth it is carried out along the leg. Inside there is no edge to cut it into.
+    NotchLine on_leg(const Notch& notch) const {
+        constexpr double kAtMouth = 0.01;  // of the edge's length
+        for (std::size_t d = 0; d < legs_.size(); ++d) {
+            if (legs_[d].first == as_size(notch.edge) && notch.t < kAtMouth) return cut_.darts[d].begin;
+            if (legs_[d].last == as_size(notch.edge) && notch.t > 1 - kAtMouth) return cut_.darts[d].end;
+        }
+        NotchLine line = on_edge(notch);
+        line.on_cut = line.on_outline;
+        return line;
+    }
+
+    struct Legs {
+        std::size_t first = 0, last = 0;  // edges at the mouth
+    };
+
+    const Panel& panel_;
+    const CutLineOptions& options_;
+    std::size_t count_;
+    std::vector<bool> is_leg_;      // per edge: of a dart that has a cap
+    std::vector<Polyline> caps_;    // per edge before a dart's mouth
+    std::vector<double> widths_;    // per edge, m
+    std::vector<MovedEdge> edges_;  // per edge
+    std::vector<Legs> legs_;        // as cut_.darts
+    CutLine cut_;
+};
+
 }  // namespace
 
 double allowance_of(const Panel& panel, const OutlineEdge& edge, double pattern_allowance) {
@@ -188,44 +317,7 @@ double allowance_of(const Panel& panel, const OutlineEdge& edge, double pattern_
 }
 
 CutLine cut_line(const Panel& panel, const CutLineOptions& options) {
-    std::vector<double> widths;
-    for (const OutlineEdge& edge : panel.edges) widths.push_back(allowance_of(panel, edge, options.pattern_allowance));
-    std::vector<MovedEdge> edges = moved_edges(panel, widths, options.chord_error);
-    const std::size_t count = edges.size();
-    CutLine cut;
-    for (std::size_t e = 0; e < count; ++e) {
-        const std::size_t next = (e + 1) % count;
-        const bool is_hem_corner = is_hem(panel.edges[e]) != is_hem(panel.edges[next]);
-        if (!is_hem_corner) {
-            if (const auto crossing = find_crossing(edges[e].line, edges[next].line); crossing && count > 2)
-                trim(edges[e], edges[next], *crossing);
-        }
-    }
-    for (std::size_t e = 0; e < count; ++e) {
-        const std::size_t next = (e + 1) % count;
-        Polyline own = edges[e].line;
-        const OutlineEdge& before = panel.edges[(e + count - 1) % count];
-        // A hem's own ends give way to the mirrored corners.
-        if (is_hem(panel.edges[e]) && !is_hem(before) && own.size() > 1) own.erase(own.begin());
-        if (is_hem(panel.edges[e]) && !is_hem(panel.edges[next]) && own.size() > 1) own.pop_back();
-        cut.outline.insert(cut.outline.end(), own.begin(), own.end());
-        append_corner(cut.outline, panel, edges[e], edges[next], panel.edges[e], panel.edges[next], options);
-    }
-    cut.outline = outer_boundary(cut.outline);
-    for (const Notch& notch : panel.notches) {
-        const OutlineEdge& edge = panel.edges[as_size(notch.edge)];
-        constexpr double kStep = 1e-4;
-        const double t = std::clamp(notch.t, kStep, 1 - kStep);
-        const Vec2d along =
-            (outline_point(panel, edge, t + kStep) - outline_point(panel, edge, t - kStep)).normalized();
-        NotchLine line{.on_outline = outline_point(panel, edge, notch.t)};
-        line.outward = to_the_right(along);
-        line.on_cut = line.on_outline + widths[as_size(notch.edge)] * line.outward;
-        line.kind = notch.kind;
-        line.count = notch.count;
-        cut.notches.push_back(line);
-    }
-    return cut;
+    return CutLineMaker(panel, options).make();
 }
 
 // ---- Inward.

@@ -39,6 +39,7 @@ struct DrawnMark {
     Vec2d at = Vec2d::Zero();
     NotchKind notch = NotchKind::Slit;  // of a notch
     int count = 1;                      // notches side by side: 2 for FreeSewing's back notch
+    std::optional<int> edge = {};       // that it belongs to, as DrawnSeam counts edges; none: the file does not say
 
     bool operator==(const DrawnMark&) const = default;
 };

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "sim/core/error.h"
+#include "sim/paper/cut_text.h"
 #include "sim/paper/dxf_records.h"
 #include "sim/paper/dxf_text.h"
 #include "sim/paper/path_builder.h"
@@ -428,7 +429,8 @@ class DxfReader {
         for (const Notch& notch : records.notches) {
             if (notch.edge >= static_cast<int>(outline.edges.size())) continue;
             const OutlineEdge& edge = outline.edges[static_cast<std::size_t>(notch.edge)];
-            part.marks.push_back({MarkKind::Notch, outline_point(outline, edge, notch.t), notch.kind, notch.count});
+            part.marks.push_back(
+                {MarkKind::Notch, outline_point(outline, edge, notch.t), notch.kind, notch.count, notch.edge});
         }
         std::size_t next = 0;
         for (DrawnPath& path : part.paths) {
@@ -466,7 +468,8 @@ class DxfReader {
             } else if (is_notch_layer(line.layer)) {
                 add_notch(part, line.layer, line.points.front(), line.points.back(), sewn ? sewn : boundary);
             } else if (line.layer < 84 || line.layer > 87) {
-                part.paths.push_back(path_of(piece, line, kind));
+                const bool is_ours = !piece.records.outline.edges.empty() && &line != sewn;
+                part.paths.push_back(is_ours ? as_drawn(line, kind) : path_of(piece, line, kind));
             }
         }
         for (const auto& [layer, at] : piece.points) {
@@ -502,6 +505,23 @@ class DxfReader {
         for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
             least = std::min(least, distance_to_segment(p, line.points[i], line.points[i + 1]));
         return least;
+    }
+
+    // Files of Selvedge have the curves of outlines as records. Their other lines are polylines, and stay so.
+    static DrawnPath as_drawn(const DxfLine& line, LineKind kind) {
+        DrawnPath path;
+        path.kind = kind;
+        path.is_closed = line.is_closed;
+        path.place = "line " + std::to_string(line.line);
+        for (const Vec2d& p : line.points) {
+            if (path.vertices.empty() || p != path.vertices.back()) path.vertices.push_back(p);
+        }
+        if (line.is_closed && path.vertices.size() > 1 && path.vertices.front() == path.vertices.back())
+            path.vertices.pop_back();
+        const int count = static_cast<int>(path.vertices.size());
+        for (int i = 0; i + (line.is_closed ? 0 : 1) < count; ++i)
+            path.edges.push_back({.start = i, .end = line.is_closed ? (i + 1) % count : i + 1});
+        return path;
     }
 
     // Corners are the turn points of layer 2, if the piece has them.
@@ -556,27 +576,11 @@ class DxfReader {
                 part.name = *name;
             } else if (const auto size = value_after(text, "size")) {
                 part.size = *size;
-            } else if (const auto quantity = value_after(text, "quantity")) {
-                read_quantity(*quantity, part.cut);
-            } else if (const auto material = value_after(text, "material")) {
-                part.cut.material = *material;
+            } else {
+                read_cut_text(text, part.cut);
             }
             part.texts.push_back({Vec2d::Zero(), text});
         }
-    }
-
-    // "2", or "1,1": as drawn, and mirrored.
-    static void read_quantity(const std::string& text, CutInstructions& cut) {
-        int first = 0;
-        const char* end = text.data() + text.size();
-        const auto [stop, error] = std::from_chars(text.data(), end, first);
-        if (error != std::errc() || first < 0 || first > kMostPieces) return;
-        cut.pieces = std::max(1, first);
-        int second = 0;
-        if (stop == end || *stop != ',') return;
-        if (std::from_chars(stop + 1, end, second).ec != std::errc() || second < 0 || second > kMostPieces) return;
-        cut.pieces = std::max(1, first + second);
-        cut.are_mirrored = second > 0;
     }
 
     // ---- Seams of our own files, and names.

@@ -53,27 +53,6 @@ LineKind kind_of(const FreesewingLine& line) {
     return line.is_closed && !has(classes, "note") ? LineKind::Sew : LineKind::Help;
 }
 
-void read_cut_instructions(std::string_view text, CutInstructions& cut) {
-    const std::vector<std::string> words = words_of(text);
-    const auto at = std::ranges::find(words, "cut");
-    if (at == words.end() || at + 1 == words.end() || cut.pieces) return;
-    const std::string& count = *(at + 1);
-    const bool is_number = count.size() <= 3 && std::ranges::all_of(count, [](char c) {
-                               return std::isdigit(static_cast<unsigned char>(c)) != 0;
-                           });
-    if (!is_number) return;
-    cut.pieces = std::stoi(count);
-    cut.are_mirrored = has(words, "mirrored");
-    cut.is_on_fold = has(words, "onfold") || has(words, "fold");
-    const auto from = std::ranges::find(at, words.end(), "from");
-    for (auto word = from; word != words.end(); ++word) {
-        if (*word != "from" && *word != "plugin" && *word != "annotations" && *word != "main") {
-            cut.material = *word;
-            break;
-        }
-    }
-}
-
 bool read_snippet(std::string_view name, DrawnMark& mark) {
     if (name == "notch" || name == "bnotch") {
         mark.kind = MarkKind::Notch;

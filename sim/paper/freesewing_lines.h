@@ -1,6 +1,6 @@
 #pragma once
 // What FreeSewing means by a line's class and name, in its SVG as in its data: "fabric" is a sewing line, "fabric sa"
-// its cut line, and so on; and what its texts say of how a part is cut.
+// its cut line, and so on.
 #include <string>
 #include <string_view>
 
@@ -14,10 +14,6 @@ struct FreesewingLine {
     bool is_closed = false;
 };
 LineKind kind_of(const FreesewingLine& line);
-
-// From "cut,2,mirrored,from,fabric" with or without the prefix of each key, or "Cut 2 mirrored from main fabric".
-// Adds to what is known; texts about other things change nothing.
-void read_cut_instructions(std::string_view text, CutInstructions& cut);
 
 // notch, bnotch, button, buttonhole...; returns false for logos and others.
 bool read_snippet(std::string_view name, DrawnMark& mark);

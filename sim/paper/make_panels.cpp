@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <map>
 #include <numbers>
 
 #include "sim/core/error.h"
 #include "sim/paper/cut_line.h"
+#include "sim/paper/drawn_allowances.h"
 #include "sim/paper/drawn_outline.h"
 #include "sim/paper/outline_repair.h"
 #include "sim/paper/path_builder.h"
@@ -102,21 +102,26 @@ struct OutlinePlace {
     double distance = std::numeric_limits<double>::infinity();  // m
 };
 
+OutlinePlace nearest_on_edge(const Panel& panel, std::size_t edge, const Vec2d& p) {
+    const std::vector<Vec2d> line = outline_polyline(panel, panel.edges[edge], kChordError);
+    OutlinePlace best{.edge = static_cast<int>(edge)};
+    double total = 0, at = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const Vec2d along = line[i + 1] - line[i];
+        const double length = along.norm(), s = nearest_fraction(p, line[i], line[i + 1]);
+        const double distance = (line[i] + s * along - p).norm();
+        if (distance < best.distance) best.distance = distance, at = total + s * length;
+        total += length;
+    }
+    best.t = total > 0 ? std::clamp(at / total, 0.0, 1.0) : 0;
+    return best;
+}
+
 OutlinePlace nearest_place(const Panel& panel, const Vec2d& p) {
     OutlinePlace best;
     for (std::size_t e = 0; e < panel.edges.size(); ++e) {
-        const std::vector<Vec2d> line = outline_polyline(panel, panel.edges[e], kChordError);
-        double total = 0, at = 0;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-            const Vec2d along = line[i + 1] - line[i];
-            const double length = along.norm(), s = nearest_fraction(p, line[i], line[i + 1]);
-            const double distance = (line[i] + s * along - p).norm();
-            if (distance < least) least = distance, at = total + s * length;
-            total += length;
-        }
-        if (least < best.distance)
-            best = {static_cast<int>(e), total > 0 ? std::clamp(at / total, 0.0, 1.0) : 0, least};
+        const OutlinePlace place = nearest_on_edge(panel, e, p);
+        if (place.distance < best.distance) best = place;
     }
     return best;
 }
@@ -212,47 +217,12 @@ class PartReader {
         return inner;
     }
 
-    // The allowance of each edge is its distance from the cut line, where that is even. The panel's is the one that
-    // most of its outline has.
     void add_allowances(Panel& panel) const {
         std::vector<Panel> cuts;
         for (const DrawnPath& path : part_.paths) {
             if (path.kind == LineKind::Cut && !path.edges.empty()) cuts.push_back(as_panel(scaled(path, scale_)));
         }
-        if (cuts.empty()) return;
-        constexpr double kGrid = 1e-4;   // m
-        std::map<long, double> lengths;  // of outline, by allowance
-        std::vector<std::optional<long>> widths;
-        for (const OutlineEdge& edge : panel.edges) {
-            widths.push_back(even_distance(panel, edge, cuts, kGrid));
-            if (widths.back()) lengths[*widths.back()] += outline_length(panel, edge);
-        }
-        if (lengths.empty()) return;
-        const auto usual = std::ranges::max_element(lengths, {}, [](const auto& one) { return one.second; });
-        panel.allowance = kGrid * static_cast<double>(usual->first);
-        for (std::size_t e = 0; e < widths.size(); ++e) {
-            if (widths[e] && *widths[e] != usual->first)
-                panel.edges[e].allowance = kGrid * static_cast<double>(*widths[e]);
-        }
-    }
-
-    // In steps of the grid; none if it is not even, or wider than an allowance is.
-    static std::optional<long> even_distance(const Panel& panel, const OutlineEdge& edge,
-                                             const std::vector<Panel>& cuts, double grid) {
-        constexpr double kUneven = 0.5e-3, kWidest = 0.12;  // m
-        std::array<double, 3> distances{};
-        for (std::size_t i = 0; i < distances.size(); ++i) {
-            const Vec2d p = outline_point(panel, edge, 0.35 + 0.15 * static_cast<double>(i));
-            distances[i] = std::numeric_limits<double>::infinity();
-            for (const Panel& cut : cuts) distances[i] = std::min(distances[i], nearest_place(cut, p).distance);
-        }
-        const auto [low, high] = std::ranges::minmax(distances);
-        if (!(high - low <= kUneven && high <= kWidest)) return std::nullopt;
-        // Drafts are drawn in halves of a millimetre, and rounded.
-        constexpr long kHalf = 5;  // in steps of the grid
-        const double steps = (low + high) / 2 / grid;
-        const long half = kHalf * std::lround(steps / kHalf);
-        return std::abs(steps - static_cast<double>(half)) < 2 ? half : std::lround(steps);
+        measure_allowances(panel, cuts);
     }
 
     // The median distance of a line from another, m.
@@ -283,12 +253,17 @@ class PartReader {
 
     void add_marks() {
         constexpr double kReach = 0.03;  // m, from the sewing line to a notch at the cut line
+        constexpr double kSame = 1e-5;   // m: at a corner a notch belongs to the edge that the file names
         for (const DrawnMark& mark : part_.marks) {
             const Vec2d at = scale_ * mark.at;
             if (mark.kind == MarkKind::Drill || mark.kind == MarkKind::Button) panel_.drill_points.push_back(at);
             if (mark.kind != MarkKind::Notch) continue;
-            const OutlinePlace place = nearest_place(panel_, at);
+            OutlinePlace place = nearest_place(panel_, at);
             if (place.distance > kReach) continue;
+            if (mark.edge && as_size(*mark.edge) < panel_.edges.size()) {
+                const OutlinePlace named = nearest_on_edge(panel_, as_size(*mark.edge), at);
+                if (named.distance < place.distance + kSame) place = named;
+            }
             panel_.notches.push_back({place.edge, place.t, mark.notch, mark.count});
         }
     }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "sim/core/error.h"
+#include "sim/paper/cut_text.h"
 #include "sim/paper/freesewing_lines.h"
 #include "sim/paper/path_builder.h"
 #include "sim/paper/svg_path.h"
@@ -97,7 +98,7 @@ class FreesewingReader {
     void add_text(const SvgText& text) {
         DrawnPart* part = part_of(text.groups);
         if (!part || !text.along.empty()) return;
-        read_cut_instructions(text.text.text, part->cut);
+        read_cut_text(text.text.text, part->cut);
         part->texts.push_back(text.text);
     }
 
@@ -189,6 +190,8 @@ class OwnReader {
         if (name != names.end()) mark.notch = static_cast<NotchKind>(name - names.begin());
         const std::vector<double> count = parse_numbers(value(shape.data, "count"));
         if (!count.empty()) mark.count = static_cast<int>(std::clamp(count[0], 1.0, double(kMostNotchesTogether)));
+        const std::vector<double> edge = parse_numbers(value(shape.data, "edge"));
+        if (!edge.empty() && edge[0] >= 0 && edge[0] < kMaxEdges) mark.edge = static_cast<int>(edge[0]);
         // A sign of several strokes is one mark.
         if (part.marks.empty() || part.marks.back() != mark) part.marks.push_back(mark);
     }
@@ -419,7 +422,7 @@ class PlainReader {
         for (const SvgText& text : document_.texts) {
             DrawnPart* part = part_at(text.text.at);
             if (!part) continue;
-            read_cut_instructions(text.text.text, part->cut);
+            read_cut_text(text.text.text, part->cut);
             part->texts.push_back(text.text);
         }
     }

@@ -224,13 +224,16 @@ class DxfWriter {
         return 4;
     }
 
-    // Of the cut line: points at which it turns sharply, and the rest.
+    // Of the cut line: points at which it turns more than a polyline along a smooth curve does, and the rest.
     void write_points(const std::vector<Vec2d>& line) {
-        constexpr double kSharp = 0.2;  // rad
+        constexpr double kLeast = 0.02, kSharp = 0.2;  // rad
         for (std::size_t i = 0; i < line.size(); ++i) {
             const Vec2d a = line[i] - line[(i + line.size() - 1) % line.size()],
                         b = line[(i + 1) % line.size()] - line[i];
-            mark(std::abs(std::atan2(cross2(a, b), a.dot(b))) > kSharp ? 2 : 3, line[i]);
+            // A chord of length l that is off its arc by e turns by 8 e / l from the next one.
+            const double smooth = 8 * kChordError / std::max(1e-9, std::min(a.norm(), b.norm()));
+            const double turn = std::abs(std::atan2(cross2(a, b), a.dot(b)));
+            mark(turn > std::clamp(3 * smooth, kLeast, kSharp) ? 2 : 3, line[i]);
         }
     }
 

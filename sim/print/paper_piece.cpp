@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 #include "sim/pattern/fabric_file.h"
 #include "sim/pattern/outline.h"
@@ -25,6 +27,37 @@ std::vector<Vec2d> sewing_line(const Panel& panel, double chord_error) {
 }
 
 // ---- Where a label and a grain line have room.
+
+// What is drawn inside a piece: open lines.
+using Drawn = std::vector<std::vector<Vec2d>>;
+
+Drawn drawn_inside(const PaperPiece& piece) {
+    Drawn drawn;
+    for (const PaperLine& line : piece.lines) drawn.push_back(line.points);
+    constexpr double kRadius = 0.003;  // m, of a drill point's sign
+    for (const Vec2d& at : piece.drill_points) {
+        for (const Vec2d& arm : {Vec2d(kRadius, 0), Vec2d(0, kRadius)}) drawn.push_back({at - arm, at + arm});
+    }
+    return drawn;
+}
+
+double distance_to_drawn(const Vec2d& point, const Drawn& drawn) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::vector<Vec2d>& line : drawn) {
+        for (std::size_t i = 0; i + 1 < line.size(); ++i)
+            least = std::min(least, distance_to_segment(point, line[i], line[i + 1]));
+    }
+    return least;
+}
+
+bool meets_box(const Drawn& drawn, const Eigen::AlignedBox2d& box) {
+    return std::ranges::any_of(drawn, [&](const std::vector<Vec2d>& line) {
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+            if (segment_meets_box(line[i], line[i + 1], box)) return true;
+        }
+        return false;
+    });
+}
 
 bool is_rectangle_inside(const Eigen::AlignedBox2d& box, const std::vector<Vec2d>& outline) {
     if (!is_inside(box.center(), outline)) return false;
@@ -50,37 +83,56 @@ std::vector<Vec2d> spots_in(const std::vector<Vec2d>& outline) {
     return spots;
 }
 
-// Width of a line of text over its height: a mean of sans-serif faces.
-constexpr double kCharacterWidth = 0.56;
-
 Eigen::AlignedBox2d label_box(const PaperLabel& label) {
-    std::size_t longest = 1;
-    for (const std::string& line : label.lines) {
-        const auto characters = static_cast<std::size_t>(
-            std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-        longest = std::max(longest, characters);
-    }
-    const Vec2d half(kCharacterWidth * label.height * static_cast<double>(longest) / 2,
-                     label.height * static_cast<double>(label.lines.size()) / 2);
+    double longest = 0;
+    for (const std::string& line : label.lines) longest = std::max(longest, text_width(line));
+    Vec2d half(label.height * longest / 2, label.height * static_cast<double>(label.lines.size()) / 2);
+    if (label.runs_up) std::swap(half.x(), half.y());
     return {label.at - half, label.at + half};
 }
 
-// The largest text of which the label fits, and of its places the one farthest from the outline.
-void place_label(PaperLabel& label, const std::vector<Vec2d>& outline, const std::vector<Vec2d>& spots) {
-    constexpr std::array kHeights{0.008, 0.006, 0.0045, 0.0035, 0.0025};  // m
-    for (const double height : kHeights) {
-        label.height = height;
-        double farthest = -1;
-        Vec2d best = Vec2d::Zero();
-        for (const Vec2d& spot : spots) {
-            label.at = spot;
-            if (!is_rectangle_inside(label_box(label), outline)) continue;
-            const double distance = distance_to_outline(spot, outline);
-            if (distance > farthest) farthest = distance, best = spot;
-        }
-        label.at = best;
-        if (farthest >= 0) return;
+// Of the places where the label fits, the one farthest from the outline and from what is drawn inside.
+bool fit_label(PaperLabel& label, const std::vector<Vec2d>& outline, const Drawn& drawn,
+               const std::vector<Vec2d>& spots) {
+    double farthest = -1;
+    Vec2d best = Vec2d::Zero();
+    for (const Vec2d& spot : spots) {
+        label.at = spot;
+        const Eigen::AlignedBox2d box = label_box(label);
+        if (!is_rectangle_inside(box, outline) || meets_box(drawn, box)) continue;
+        const double distance = std::min(distance_to_outline(spot, outline), distance_to_drawn(spot, drawn));
+        if (distance > farthest) farthest = distance, best = spot;
     }
+    label.at = best;
+    return farthest >= 0;
+}
+
+constexpr std::array kLabelHeights{0.008, 0.006, 0.0045, 0.0035, 0.0025};  // m
+
+// The largest text of which the label fits; none if it does not.
+std::optional<PaperLabel> largest_label(PaperLabel label, const std::vector<Vec2d>& outline, const Drawn& drawn,
+                                        const std::vector<Vec2d>& spots) {
+    for (const double height : kLabelHeights) {
+        label.height = height;
+        if (fit_label(label, outline, drawn, spots)) return label;
+    }
+    return std::nullopt;
+}
+
+// Rather small than over lines that are drawn inside; up the panel if the text is much larger then.
+void place_label(PaperLabel& label, const PaperPiece& piece, const std::vector<Vec2d>& spots) {
+    constexpr double kMuch = 1.7;  // times
+    const std::vector<Vec2d>& outline = piece.sew;
+    for (const Drawn& drawn : {drawn_inside(piece), Drawn()}) {
+        PaperLabel turned = label;
+        turned.runs_up = true;
+        const std::optional<PaperLabel> level = largest_label(label, outline, drawn, spots);
+        if (level && kMuch * level->height > kLabelHeights.front()) return void(label = *level);
+        const std::optional<PaperLabel> upright = largest_label(turned, outline, drawn, spots);
+        if (level && (!upright || upright->height < kMuch * level->height)) return void(label = *level);
+        if (upright) return void(label = *upright);
+    }
+    label.height = kLabelHeights.back();
     // Nowhere: beside the panel's middle, over its outline.
     Eigen::AlignedBox2d box;
     for (const Vec2d& p : outline) box.extend(p);
@@ -107,12 +159,15 @@ Stretch stretch_inside(const Vec2d& spot, const Vec2d& along, const std::vector<
     return stretch;
 }
 
-// A line along the warp, 60 % of what is inside, beside the label where there is room.
+// A line along the warp, 60 % of what is inside, beside the label and other lines where there is room.
 PaperLine grain_line(const Panel& panel, const PaperPiece& piece, const std::vector<Vec2d>& spots) {
     const Vec2d along(-std::sin(panel.grain_angle), std::cos(panel.grain_angle));
     const Eigen::AlignedBox2d label = label_box(piece.label);
-    constexpr double kShare = 0.6, kMost = 0.5;         // of the stretch inside; m
-    constexpr double kBeside = 0.5, kOverLabel = 0.25;  // weights of a stretch near the outline and over the label
+    const Drawn drawn = drawn_inside(piece);
+    constexpr double kShare = 0.6, kMost = 0.5;  // of the stretch inside; m
+    // Weights of a stretch near the outline, over the label, and on another line.
+    constexpr double kBeside = 0.5, kOverLabel = 0.25, kOnLine = 0.5;
+    constexpr double kNear = 0.004;  // m
     PaperLine line{PaperLayer::Grain, {}};
     double best = 0;
     for (const Vec2d& spot : spots) {
@@ -123,7 +178,15 @@ PaperLine grain_line(const Panel& panel, const PaperPiece& piece, const std::vec
         double merit = length;
         Eigen::AlignedBox2d box(from.cwiseMin(to), from.cwiseMax(to));
         if (box.intersects(label)) merit *= kOverLabel;
-        if (distance_to_outline(middle, piece.sew) < piece.label.height) merit *= kBeside;
+        double clear = std::numeric_limits<double>::infinity(), over = 0;
+        constexpr int kSteps = 8;
+        for (int k = 0; k <= kSteps; ++k) {
+            const Vec2d p = from + (to - from) * k / kSteps;
+            clear = std::min(clear, distance_to_outline(p, piece.sew));
+            over += distance_to_drawn(p, drawn) < kNear ? 1.0 / (kSteps + 1) : 0;
+        }
+        if (clear < std::max(kNear, std::min(piece.label.height, length / 8))) merit *= kBeside;
+        merit *= 1 - kOnLine * over;
         if (merit > best * (1 + 1e-9)) best = merit, line.points = {from, to};
     }
     return line;
@@ -169,7 +232,7 @@ std::vector<PaperLine> open_right_of(const PaperLine& line, double x) {
     std::vector<PaperLine> parts;
     std::vector<Vec2d> part;
     const auto end_part = [&] {
-        if (part.size() > 1) parts.push_back({line.layer, part});
+        if (part.size() > 1) parts.push_back({line.layer, part, line.is_dart_fold});
         part.clear();
     };
     for (std::size_t i = 0; i < line.points.size(); ++i) {
@@ -190,7 +253,8 @@ void halve(PaperPiece& piece, double axis) {
     constexpr double kOnAxis = 1e-4;  // m
     piece.cut = right_of(piece.cut, axis);
     piece.sew = right_of(piece.sew, axis);
-    std::erase_if(piece.notches, [&](const NotchLine& notch) { return notch.on_outline.x() < axis - kOnAxis; });
+    for (std::vector<NotchLine>* notches : {&piece.notches, &piece.leg_notches})
+        std::erase_if(*notches, [&](const NotchLine& notch) { return notch.on_outline.x() < axis - kOnAxis; });
     std::erase_if(piece.drill_points, [&](const Vec2d& point) { return point.x() < axis - kOnAxis; });
     std::vector<PaperLine> lines;
     for (const PaperLine& line : piece.lines) {
@@ -211,15 +275,35 @@ void halve(PaperPiece& piece, double axis) {
     piece.is_on_fold = true;
 }
 
+void add_darts(PaperPiece& piece, const CutLine& cut) {
+    for (const DartLines& dart : cut.darts) {
+        piece.leg_notches.insert(piece.leg_notches.end(), {dart.begin, dart.end});
+        piece.lines.push_back({PaperLayer::Fold, {dart.fold[0], dart.fold[1]}, true});
+    }
+}
+
+// Which way the folded cloth of darts is pressed, one line of the label; empty: there are none.
+std::string pressing_text(const std::vector<Dart>& darts) {
+    const auto level = std::ranges::count_if(darts, &Dart::is_level);
+    const auto upright = static_cast<std::ptrdiff_t>(darts.size()) - level;
+    if (level > 0 && upright > 0) return "press level darts down, upright darts to the centre";
+    if (level > 0) return level == 1 ? "press the dart down" : "press darts down";
+    if (upright > 0) return upright == 1 ? "press the dart to the centre" : "press darts to the centre";
+    return {};
+}
+
 PaperPiece piece_of(const Pattern& pattern, std::size_t index, bool are_pairs, const PaperPieceOptions& options) {
     const Panel& panel = pattern.panels[index];
     PaperPiece piece{.panel = static_cast<int>(index), .cut_from_fabric = panel.pieces * (are_pairs ? 2 : 1)};
-    const CutLine cut = cut_line(panel, {.pattern_allowance = pattern.allowance, .chord_error = options.chord_error});
+    const std::vector<Dart> darts = find_darts(panel, piece.panel, pattern.seams);
+    const CutLine cut =
+        cut_line(panel, {.pattern_allowance = pattern.allowance, .chord_error = options.chord_error, .darts = darts});
     piece.sew = sewing_line(panel, options.chord_error);
     piece.has_allowance = std::ranges::any_of(
         panel.edges, [&](const OutlineEdge& edge) { return allowance_of(panel, edge, pattern.allowance) > 0; });
     piece.cut = piece.has_allowance ? cut.outline : piece.sew;
     piece.notches = cut.notches;
+    if (piece.has_allowance) add_darts(piece, cut);
     piece.drill_points = panel.drill_points;
     for (const InternalLine& line : panel.internal_lines) {
         if (line.points.size() < 2) continue;
@@ -229,8 +313,9 @@ PaperPiece piece_of(const Pattern& pattern, std::size_t index, bool are_pairs, c
         options.are_halved && has_upright_grain(panel) ? fold_axis(piece.cut) : std::nullopt;
     if (axis) halve(piece, *axis);
     piece.label.lines = label_of(pattern, panel, piece, are_pairs);
+    if (const std::string pressing = pressing_text(darts); !pressing.empty()) piece.label.lines.push_back(pressing);
     const std::vector<Vec2d> spots = spots_in(piece.sew);
-    place_label(piece.label, piece.sew, spots);
+    place_label(piece.label, piece, spots);
     PaperLine grain = grain_line(panel, piece, spots);
     if (!grain.points.empty()) piece.lines.push_back(std::move(grain));
     return piece;
@@ -257,6 +342,21 @@ std::optional<double> fold_axis(const std::vector<Vec2d>& line) {
         return distance_to_outline({2 * x - p.x(), p.y()}, line) <= kOff;
     });
     return is_symmetric ? std::optional(x) : std::nullopt;
+}
+
+double text_width(std::string_view line) {
+    constexpr double kCharacterWidth = 0.56;  // over the height
+    const auto characters =
+        std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+    return kCharacterWidth * static_cast<double>(std::max<std::ptrdiff_t>(1, characters));
+}
+
+double PaperLabel::angle(double turn) const {
+    constexpr double kHalf = std::numbers::pi / 2, kEven = 1e-6;  // rad
+    const double angle = std::remainder(turn + (runs_up ? kHalf : 0), 2 * std::numbers::pi);
+    if (angle > kHalf + kEven) return angle - std::numbers::pi;
+    if (angle <= -kHalf + kEven) return angle + std::numbers::pi;
+    return angle;
 }
 
 std::string_view layer_name(PaperLayer layer) {

@@ -3,6 +3,7 @@
 // lines, the grain line, notches, drill points, internal lines and the label. All files for paper are made of it.
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/paper/cut_line.h"
@@ -20,14 +21,23 @@ std::optional<PaperLayer> find_layer(std::string_view name);
 struct PaperLine {
     PaperLayer layer = PaperLayer::Internal;
     std::vector<Vec2d> points;
+    bool is_dart_fold = false;  // from a dart's tip to its cap
 };
 
-// Upright lines of text round a point.
+// Lines of text round a point.
 struct PaperLabel {
     std::vector<std::string> lines = {};
     Vec2d at = Vec2d::Zero();  // m, the middle
     double height = 0;         // m, from one line to the next
+    bool runs_up = false;      // the text runs up the panel, as on a narrow strip
+
+    // The angle of its text, rad, counter-clockwise, on a sheet on which the panel is turned: read from below or from
+    // the right.
+    double angle(double turn = 0) const;
 };
+
+// About the width of a line of text over its height: that of a mean of sans-serif faces.
+double text_width(std::string_view line);
 
 struct PaperPiece {
     int panel = 0;                // index into Pattern::panels
@@ -35,9 +45,10 @@ struct PaperPiece {
     std::vector<Vec2d> cut = {};  // closed; along the sewing line where there is no allowance
     std::vector<Vec2d> sew = {};  // closed
     bool has_allowance = false;
-    bool is_on_fold = false;  // half of it is drawn; the other lies beyond its fold line
-    std::vector<NotchLine> notches = {};
-    std::vector<PaperLine> lines = {};  // grain line, folds, internal lines
+    bool is_on_fold = false;                  // half of it is drawn; the other lies beyond its fold line
+    std::vector<NotchLine> notches = {};      // as Panel::notches, if it is whole
+    std::vector<NotchLine> leg_notches = {};  // where the legs of darts, carried on, meet the cut line
+    std::vector<PaperLine> lines = {};        // grain line, folds, internal lines
     std::vector<Vec2d> drill_points = {};
     PaperLabel label = {};
 

@@ -149,8 +149,9 @@ class LayoutMaker {
         }
         if (!options_.is_one_way && !item.repeat && !item.axis_at)
             item.turns.push_back(item.turns[0] + std::numbers::pi);
+        const PaperPiece drawn = item.axis_at ? seen_on_fold(piece, item) : piece;
         for (int k = 0; k < copies; ++k) {
-            sheet.pieces.push_back(piece);
+            sheet.pieces.push_back(drawn);
             items_[static_cast<std::size_t>(&sheet - sheets_.data())].push_back(item);
         }
     }
@@ -169,6 +170,22 @@ class LayoutMaker {
         if (axis) return panel.pieces / 2;
         sheet.notes.push_back(panel.name + ": cut from one layer; the other is left over");
         return panel.pieces;
+    }
+
+    // Of a piece on the fold the right half is seen: its grain line lies there, and its label says so.
+    static PaperPiece seen_on_fold(PaperPiece piece, const NestItem& item) {
+        for (PaperLine& line : piece.lines) {
+            if (line.layer != PaperLayer::Grain) continue;
+            std::vector<Vec2d> upright = turned(line.points, item.turns[0]);
+            for (Vec2d& p : upright) p.x() = *item.axis_at + std::abs(p.x() - *item.axis_at);
+            line.points = turned(upright, -item.turns[0]);
+        }
+        for (std::string& line : piece.label.lines) {
+            if (!line.starts_with("cut ")) continue;
+            line.insert(std::min(line.find_first_not_of("0123456789", 4), line.size()), " on fold");
+            break;
+        }
+        return piece;
     }
 
     void arrange(PaperSheet& sheet, const std::vector<NestItem>& items) const {
@@ -203,6 +220,7 @@ std::vector<PaperStroke> strokes_of(const PaperPiece& piece, const LayerChoice& 
     }
     if (is_chosen(layers, PaperLayer::Notches)) {
         for (const NotchLine& notch : piece.notches) add_notch(notch, strokes);
+        for (const NotchLine& notch : piece.leg_notches) add_notch(notch, strokes);
     }
     if (is_chosen(layers, PaperLayer::Drill)) {
         for (const Vec2d& at : piece.drill_points) add_drill_point(at, strokes);

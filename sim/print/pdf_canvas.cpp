@@ -114,8 +114,13 @@ double PdfCanvas::draw_text(const std::string& text, const Vec2d& at, const Text
     pango_layout_get_size(layout, &width, &height);
     const double wide = static_cast<double>(width) / PANGO_SCALE;
     const double shift = style.align == TextAlign::Left ? 0 : style.align == TextAlign::Centre ? wide / 2 : wide;
-    cairo_move_to(cairo, points(at.x()) - shift, points(at.y()));
+    cairo_save(cairo);
+    cairo_translate(cairo, points(at.x()), points(at.y()));
+    if (style.angle != 0) cairo_rotate(cairo, -style.angle);
+    cairo_move_to(cairo, -shift, 0);
+    pango_cairo_update_layout(cairo, layout);
     pango_cairo_show_layout(cairo, layout);
+    cairo_restore(cairo);
     g_object_unref(layout);
     return kPoint * static_cast<double>(height) / PANGO_SCALE;
 }

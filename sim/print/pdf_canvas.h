@@ -23,6 +23,7 @@ struct TextStyle {
     double grey = 0;
     bool is_bold = false;
     TextAlign align = TextAlign::Left;
+    double angle = 0;       // rad, counter-clockwise about the text's place
     double most_width = 0;  // m: longer lines are broken; 0: they are not
 };
 

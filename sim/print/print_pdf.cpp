@@ -51,17 +51,43 @@ struct SheetView {
     }
 };
 
-// On a plan that is much smaller than the cloth only the name is left, at a size that can be read.
-void draw_label(PdfCanvas& canvas, const PaperLabel& label, const Vec2d& at, double scale) {
-    constexpr double kReadable = 2.5e-3;  // m
-    const bool is_plan = scale * label.height < kReadable;
-    const double height = is_plan ? kReadable : scale * label.height;
+// Where a label is drawn.
+struct LabelPlace {
+    Vec2d at = Vec2d::Zero();  // m, of the page: its middle
+    double angle = 0;          // rad, of its text, counter-clockwise
+    double scale = 1;
+    Box piece;  // m, of the page: what is seen of it
+};
+
+// A text is moved along itself to lie over its piece: on a plan a name is longer than the label that it stands for, and
+// of a piece on the fold only a half is seen.
+Vec2d over_piece(const Vec2d& at, double length, const LabelPlace& place) {
+    const Eigen::Index axis = std::abs(std::cos(place.angle)) > std::abs(std::sin(place.angle)) ? 0 : 1;
+    const double low = place.piece.min()[axis] + length / 2, high = place.piece.max()[axis] - length / 2;
+    Vec2d moved = at;
+    moved[axis] = low < high ? std::clamp(at[axis], low, high) : (low + high) / 2;
+    return moved;
+}
+
+// On a plan that is much smaller than the cloth only the name is left, at a size that can be read, but as long as the
+// piece at most.
+void draw_label(PdfCanvas& canvas, const PaperLabel& label, const LabelPlace& place) {
+    constexpr double kReadable = 2.5e-3, kSmallest = 1.2e-3;  // m
+    const bool is_plan = place.scale * label.height < kReadable;
+    const bool is_level = std::abs(std::cos(place.angle)) > std::abs(std::sin(place.angle));
+    const double room = is_level ? place.piece.sizes().x() : place.piece.sizes().y();
+    const double fitting = room / text_width(label.lines.front());
+    const double height = is_plan ? std::clamp(fitting, kSmallest, kReadable) : place.scale * label.height;
     const std::size_t count = is_plan ? 1 : label.lines.size();
-    double y = at.y() - height * static_cast<double>(count) / 2;
+    const Vec2d down(std::sin(place.angle), std::cos(place.angle));  // from one line to the next, on the page
+    double longest = 0;
+    for (std::size_t i = 0; i < count; ++i) longest = std::max(longest, text_width(label.lines[i]));
+    Vec2d at = over_piece(place.at, height * longest, place) - height * static_cast<double>(count) / 2 * down;
     for (std::size_t i = 0; i < count; ++i) {
-        canvas.draw_text(label.lines[i], {at.x(), y},
-                         {.height = height, .is_bold = i == 0 && !is_plan, .align = TextAlign::Centre});
-        y += height;
+        canvas.draw_text(
+            label.lines[i], at,
+            {.height = height, .is_bold = i == 0 && !is_plan, .align = TextAlign::Centre, .angle = place.angle});
+        at += height * down;
     }
 }
 
@@ -76,9 +102,17 @@ void draw_sheet(PdfCanvas& canvas, const PaperSheet& sheet, const SheetView& vie
         canvas.draw_line(points, stroke.is_closed, style);
     }
     if (!has(layers, PaperLayer::Labels)) return;
-    for (std::size_t i = 0; i < sheet.pieces.size(); ++i)
-        draw_label(canvas, sheet.pieces[i].label, view.to_page(sheet.places[i].at(sheet.pieces[i].label.at)),
-                   view.scale);
+    const Box page(view.to_page({0, sheet.size.y()}), view.to_page({sheet.size.x(), 0}));
+    for (std::size_t i = 0; i < sheet.pieces.size(); ++i) {
+        const PaperLabel& label = sheet.pieces[i].label;
+        Box box;
+        for (const Vec2d& p : sheet.pieces[i].cut) box.extend(view.to_page(sheet.places[i].at(p)));
+        draw_label(canvas, label,
+                   {.at = view.to_page(sheet.places[i].at(label.at)),
+                    .angle = label.angle(sheet.places[i].turn),
+                    .scale = view.scale,
+                    .piece = box.intersection(page)});
+    }
 }
 
 // ---- The cover.
@@ -280,9 +314,9 @@ PrintedPdf one_page(const Pattern& pattern, const std::vector<PaperPiece>& piece
     PdfCanvas canvas(pattern.name);
     canvas.begin_page(sheet.size + Vec2d(2 * kBorder, 2 * kBorder + head));
     Cover::draw_test_square(canvas, Vec2d::Constant(kBorder));
-    canvas.draw_text(pattern.name + (pattern.size.empty() ? "" : "\nSize " + pattern.size),
-                     {2 * kBorder + kTestSquare, kBorder},
-                     {.height = 0.012, .is_bold = true, .most_width = std::max(0.05, width - kTestSquare - kBorder)});
+    canvas.draw_text(
+        pattern.name + (pattern.size.empty() ? "" : "\nSize " + pattern.size), {2 * kBorder + kTestSquare, kBorder},
+        {.height = 0.012, .is_bold = true, .most_width = std::max(0.05, sheet.size.x() - kTestSquare - kBorder)});
     draw_sheet(canvas, sheet, {{0, sheet.size.y()}, {kBorder, kBorder + head}, 1}, options.layers);
     return {.bytes = canvas.finish(), .covers = 0, .pages = 1};
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/enum_names.h"
@@ -247,6 +248,9 @@ class SvgWriter {
             if (line.use != use || line.points.size() < 2) continue;
             lines += path(line.points, false, look.line, line.name);
         }
+        for (const PaperLine& line : piece.lines) {
+            if (line.is_dart_fold && line.layer == look.layer) lines += path(placed(line.points, place), false, "", "");
+        }
         return lines;
     }
 
@@ -254,23 +258,31 @@ class SvgWriter {
         std::string lines;
         for (std::size_t i = 0; i < piece.notches.size(); ++i) {
             const NotchLine& notch = piece.notches[i];
-            PaperPiece single;
-            single.notches = {notch};
-            LayerChoice only{};
-            only[static_cast<std::size_t>(PaperLayer::Notches)] = true;
-            std::string d;
-            for (const PaperStroke& stroke : strokes_of(single, only)) {
-                d += d.empty() ? "M" : " M";
-                for (const Vec2d& p : placed(stroke.points, place)) d += " " + point(p);
-            }
+            const std::string d = sign_of(notch, place);
             const OutlineEdge& edge = panel.edges[static_cast<std::size_t>(panel.notches[i].edge)];
             lines += "<path" + attribute("data-selvedge-mark", "notch") +
                      attribute("data-selvedge-kind", name_of_value(notch.kind)) +
                      attribute("data-selvedge-count", std::to_string(notch.count)) +
+                     attribute("data-selvedge-edge", std::to_string(panel.notches[i].edge)) +
                      attribute("data-selvedge-at", point(outline_point(panel, edge, panel.notches[i].t))) +
                      attribute("d", d) + "/>\n";
         }
+        for (const NotchLine& notch : piece.leg_notches)
+            lines += "<path" + attribute("d", sign_of(notch, place)) + "/>\n";
         return lines;
+    }
+
+    std::string sign_of(const NotchLine& notch, const NestPlace& place) const {
+        PaperPiece single;
+        single.notches = {notch};
+        LayerChoice only{};
+        only[static_cast<std::size_t>(PaperLayer::Notches)] = true;
+        std::string d;
+        for (const PaperStroke& stroke : strokes_of(single, only)) {
+            d += d.empty() ? "M" : " M";
+            for (const Vec2d& p : placed(stroke.points, place)) d += " " + point(p);
+        }
+        return d;
     }
 
     std::string drill_points(const PaperPiece& piece, const NestPlace& place) const {
@@ -288,10 +300,15 @@ class SvgWriter {
         std::string lines;
         const Vec2d middle = to_page(place.at(piece.label.at));
         const double height = 1000 * piece.label.height;
+        const double angle_deg = piece.label.angle(place.turn) * 180 / std::numbers::pi;
+        const std::string turn = std::abs(angle_deg) < 1e-6
+                                     ? ""
+                                     : attribute("transform", "rotate(" + number(-angle_deg) + " " +
+                                                                  number(middle.x()) + " " + number(middle.y()) + ")");
         double y = middle.y() - height * (static_cast<double>(piece.label.lines.size()) / 2 - 0.8);
         for (const std::string& line : piece.label.lines) {
             lines +=
-                "<text" + attribute("x", number(middle.x())) + attribute("y", number(y)) +
+                "<text" + attribute("x", number(middle.x())) + attribute("y", number(y)) + turn +
                 attribute("style",
                           "font-family:Inter,sans-serif;text-anchor:middle;font-size:" + number(0.8 * height) + "px") +
                 ">" + escaped(line) + "</text>\n";

@@ -27,20 +27,6 @@ TEST(Freesewing, tells_sewing_cut_and_fold_lines_apart) {
     EXPECT_EQ(drawing.measurements[0], (Measurement{"chest", 0.925}));
 }
 
-TEST(Freesewing, reads_how_a_part_is_cut_from_keys_and_from_english) {
-    CutInstructions keys, english;
-    read_cut_instructions(
-        "plugin-annotations:cut,2,plugin-annotations:mirrored,plugin-annotations:from,"
-        "plugin-annotations:lining,",
-        keys);
-    read_cut_instructions("Cut 1 on the fold from main fabric", english);
-    EXPECT_EQ(keys, (CutInstructions{2, true, false, "lining"}));
-    EXPECT_EQ(english, (CutInstructions{1, false, true, "fabric"}));
-    CutInstructions none;
-    read_cut_instructions("Cut here", none);
-    EXPECT_FALSE(none.pieces);
-}
-
 TEST(Freesewing, says_which_key_is_wrong) {
     try {
         parse_drawing(R"({"parts": {"a": {"paths": {"seam": {"ops": [{"type": "jump"}]}}}}})", "a.json");

@@ -8,6 +8,7 @@
 #include "sim/paper/drawing_file.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
+#include "sim/pattern/segment_distance.h"
 #include "sim/proposals/seam_proposals.h"
 #include "tests/sim/paper/drawings.h"
 
@@ -218,6 +219,27 @@ TEST(MakePanels, turn_pieces_upright_that_lie_on_their_sides) {
     EXPECT_LT(top, hem);
 }
 
+TEST(MakePanels, measures_the_allowance_of_a_short_edge_square_to_it) {
+    // A hem of 30 mm beside a side of 10 mm, and a short edge between them, nearer to the cut line of the side.
+    const auto made =
+        make_panels(parse_drawing(svg(R"(<path id="cut" class="cut" d="M 10 10 H 210 V 240 H 10 Z"/>)"
+                                      R"(<path id="sew" class="sew" d="M 20 20 H 200 V 210 H 180 H 20 Z"/>)"),
+                                  "hem.svg"),
+                    "hem");
+    const Panel& panel = made.pattern.panels.at(0);
+    ASSERT_EQ(panel.edges.size(), 5U);
+    ASSERT_TRUE(panel.allowance);
+    EXPECT_NEAR(*panel.allowance, 0.01, 1e-6);
+    int hems = 0;
+    for (const OutlineEdge& edge : panel.edges) {
+        const Vec2d middle = outline_point(panel, edge, 0.5);
+        const bool is_hem = middle.y() < outline_box(panel).min().y() + 1e-6;
+        EXPECT_NEAR(edge.allowance.value_or(0), is_hem ? 0.03 : 0, 1e-9) << middle.transpose();
+        hems += is_hem ? 1 : 0;
+    }
+    EXPECT_EQ(hems, 2);
+}
+
 // ---- Cut lines.
 
 Panel sample_panel() {
@@ -284,6 +306,45 @@ TEST(CutLine, carries_notches_out_square_to_the_outline) {
     EXPECT_NEAR((cut.notches[0].on_cut - cut.notches[0].on_outline).norm(), 0.02, 1e-9);
     EXPECT_EQ(cut.notches[0].kind, NotchKind::T);
     EXPECT_EQ(cut.notches[0].count, 2);
+}
+
+// A rectangle whose upper edge is divided in the middle, where it turns by a slight angle.
+Panel divided_strip(double rise) {
+    Panel strip;
+    strip.vertices = {{0, 0}, {0.4, 0}, {0.4, 0.1}, {0.2, 0.1 + rise}, {0, 0.1}};
+    for (int i = 0; i < 5; ++i) strip.edges.push_back({.start = i, .end = (i + 1) % 5});
+    return strip;
+}
+
+TEST(CutLine, steps_from_one_allowance_to_the_next_where_edges_go_on_nearly_straight) {
+    for (const double rise : {-2e-4, -1e-6, 0.0, 1e-6, 2e-4}) {
+        for (const int wide : {2, 3}) {
+            Panel strip = divided_strip(rise);
+            strip.edges[static_cast<std::size_t>(wide)].allowance = 0.03;
+            const CutLine cut = cut_line(strip, {.pattern_allowance = 0.01});
+            double length = 0;
+            for (std::size_t i = 0; i < cut.outline.size(); ++i)
+                length += (cut.outline[(i + 1) % cut.outline.size()] - cut.outline[i]).norm();
+            // 0.42 m wide, 0.12 and 0.14 m high.
+            EXPECT_NEAR(length, 2 * (0.42 + 0.14), 1e-3) << rise << " wide " << wide;
+        }
+    }
+}
+
+TEST(CutLine, ends_notches_near_corners_on_the_cut_line) {
+    Panel panel = sample_panel();
+    panel.vertices.insert(panel.vertices.begin() + 1, {0.2, 0.2});  // a hollow corner in the hem
+    panel.edges.clear();
+    for (int i = 0; i < 7; ++i) {
+        panel.edges.push_back({.start = i, .end = (i + 1) % 7});
+        for (const double t : {0.0, 0.005, 0.02, 0.5, 0.98, 0.995, 1.0}) panel.notches.push_back({.edge = i, .t = t});
+    }
+    panel.edges[3].allowance = 0.03;
+    const CutLine cut = cut_line(panel, {.pattern_allowance = 0.01});
+    for (std::size_t i = 0; i < cut.notches.size(); ++i) {
+        EXPECT_LT(distance_to_outline(cut.notches[i].on_cut, cut.outline), 1e-4)
+            << "edge " << panel.notches[i].edge << " at " << panel.notches[i].t;
+    }
 }
 
 TEST(CutLine, refuses_an_allowance_that_leaves_nothing) {

@@ -145,6 +145,12 @@ TEST(CuttingLayout, folded_fabric_cuts_pairs_at_once_and_symmetric_panels_on_the
     EXPECT_DOUBLE_EQ(layout.size.x(), 0.7);
     EXPECT_NEAR(layout.places[0].shift.x(), 0, 1e-9);  // the front's axis is on the fold
     EXPECT_LT(layout.size.y(), 0.62);                  // half a front, and beside it the left
+    EXPECT_TRUE(layout.pieces[0].label.lines[1].starts_with("cut 1 on fold")) << layout.pieces[0].label.lines[1];
+    for (std::size_t i = 0; i < 2; ++i) {
+        for (const PaperLine& line : layout.pieces[i].lines) {
+            for (const Vec2d& p : line.points) EXPECT_GE(layout.places[i].at(p).x(), 0) << i;
+        }
+    }
 }
 
 TEST(CuttingLayout, a_matched_sett_is_kept_and_not_folded) {

@@ -4,10 +4,13 @@
 #include <algorithm>
 
 #include "sim/core/error.h"
+#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
 #include "sim/print/print_pdf.h"
+#include "sim/print/svg_file.h"
 #include "tests/sim/print/sample_pattern.h"
+#include "tests/support/darted_panel.h"
 
 namespace selvedge::sim {
 namespace {
@@ -39,6 +42,105 @@ TEST(PaperPiece, names_the_file_of_a_fabric_without_its_folder) {
     };
     EXPECT_TRUE(has(" of my_silk"));
     EXPECT_TRUE(has("fuse with canvas"));
+}
+
+// The box of a label, m, with letters that are half as wide as high: narrower than they are.
+Eigen::AlignedBox2d text_box(const PaperLabel& label) {
+    std::size_t longest = 0;
+    for (const std::string& line : label.lines) longest = std::max(longest, line.size());
+    const Vec2d half(0.5 * label.height * static_cast<double>(longest) / 2,
+                     label.height * static_cast<double>(label.lines.size()) / 2);
+    const Vec2d turned(half.y(), half.x());
+    return label.runs_up ? Eigen::AlignedBox2d(label.at - turned, label.at + turned)
+                         : Eigen::AlignedBox2d(label.at - half, label.at + half);
+}
+
+TEST(PaperPiece, label_and_grain_line_keep_clear_of_lines_inside) {
+    Pattern pattern = sample_pattern();
+    Panel& strip = pattern.panels[1];
+    strip.internal_lines = {{"fold", {{0, 0.03}, {0.5, 0.03}}, LineUse::Fold},
+                            {"button", {{0.25, 0}, {0.25, 0.06}}, LineUse::Mark}};
+    strip.drill_points = {{0.12, 0.015}, {0.38, 0.045}};
+    strip.grain_angle = 0;
+    for (const double width : {0.06, 0.05, 0.04}) {
+        for (int v : {2, 3}) strip.vertices[static_cast<std::size_t>(v)].y() = width;
+        const PaperPiece piece = paper_pieces(pattern)[1];
+        const Eigen::AlignedBox2d box = text_box(piece.label);
+        for (const PaperLine& line : piece.lines)
+            EXPECT_FALSE(segment_meets_box(line.points[0], line.points[1], box))
+                << width << " " << layer_name(line.layer);
+        for (const Vec2d& at : piece.drill_points) EXPECT_FALSE(box.contains(at)) << width;
+    }
+}
+
+TEST(PaperPiece, label_of_a_narrow_upright_strip_runs_up) {
+    Pattern pattern = sample_pattern();
+    Panel& strip = pattern.panels[1];
+    strip.vertices = {{0, 0}, {0.06, 0}, {0.06, 0.5}, {0, 0.5}};
+    strip.grain_angle = 0;
+    strip.internal_lines = {{"fold", {{0.03, 0}, {0.03, 0.5}}, LineUse::Fold}};
+    const PaperPiece piece = paper_pieces(pattern)[1];
+    EXPECT_TRUE(piece.label.runs_up);
+    EXPECT_GE(piece.label.height, 0.0045);
+    const Eigen::AlignedBox2d box = text_box(piece.label);
+    EXPECT_TRUE(outline_box(strip).contains(box));
+    EXPECT_FALSE(segment_meets_box({0.03, 0}, {0.03, 0.5}, box));
+    EXPECT_FALSE(paper_pieces(pattern)[0].label.runs_up);
+    const std::string svg = svg_of(pattern, paper_sheet(pattern, paper_pieces(pattern), 1.5));
+    EXPECT_NE(svg.find("transform=\"rotate(-90 "), std::string::npos);
+}
+
+TEST(PaperPiece, labels_are_read_from_below_or_from_the_right_however_the_panel_is_turned) {
+    constexpr double kQuarter = 1.5707963267948966;
+    for (int k = -4; k <= 4; ++k) {
+        EXPECT_NEAR(PaperLabel{}.angle(k * kQuarter), k % 2 == 0 ? 0 : kQuarter, 1e-9) << k;
+        EXPECT_NEAR(PaperLabel{.runs_up = true}.angle(k * kQuarter), k % 2 == 0 ? kQuarter : 0, 1e-9) << k;
+    }
+}
+
+TEST(PaperPiece, grain_line_does_not_run_along_the_outline) {
+    // A collar stand: its lower edge bulges up to where the longest line along it would touch.
+    Pattern pattern;
+    Panel stand;
+    stand.name = "stand";
+    stand.vertices = {{0, 0}, {0.2, 0.017}, {0.4, 0}, {0.4, 0.05}, {0.2, 0.067}, {0, 0.05}};
+    for (int e = 0; e < 6; ++e) stand.edges.push_back({.start = e, .end = (e + 1) % 6});
+    stand.grain_angle = 1.5707963267948966;
+    pattern.panels = {stand};
+    const PaperPiece piece = paper_pieces(pattern).front();
+    const auto grain = std::ranges::find(piece.lines, PaperLayer::Grain, &PaperLine::layer);
+    ASSERT_NE(grain, piece.lines.end());
+    for (int k = 0; k <= 20; ++k) {
+        const Vec2d p = grain->points[0] + (grain->points[1] - grain->points[0]) * k / 20.0;
+        EXPECT_GT(distance_to_outline(p, piece.sew), 0.0035) << k;
+    }
+}
+
+TEST(PaperPiece, darts_have_notches_at_their_legs_a_fold_and_a_word_on_how_they_are_pressed) {
+    Pattern pattern = darted_pattern();
+    pattern.allowance = 0.01;
+    const PaperPiece piece = paper_pieces(pattern).front();
+    ASSERT_EQ(piece.leg_notches.size(), 4U);
+    for (const NotchLine& notch : piece.leg_notches) EXPECT_LT(distance_to_outline(notch.on_cut, piece.cut), 1e-6);
+    EXPECT_EQ(std::ranges::count_if(piece.lines, &PaperLine::is_dart_fold), 2);
+    EXPECT_EQ(piece.label.lines.back(), "press level darts down, upright darts to the centre");
+    pattern.seams.pop_back();
+    EXPECT_EQ(paper_pieces(pattern).front().label.lines.back(), "press the dart to the centre");
+    // Without an allowance it is cut along the sewing line, into the darts.
+    pattern.allowance = 0;
+    EXPECT_TRUE(paper_pieces(pattern).front().leg_notches.empty());
+}
+
+TEST(PaperPiece, halves_on_a_fold_have_the_darts_of_one_side) {
+    Pattern pattern = darted_pattern();
+    pattern.allowance = 0.01;
+    pattern.panels[0] = unfolded(pattern.panels[0], 9);
+    pattern.seams = {{{0, 1}, {0, 2}}, {{0, 5}, {0, 6}}, {{0, 11}, {0, 12}}, {{0, 15}, {0, 16}}};
+    EXPECT_EQ(paper_pieces(pattern).front().leg_notches.size(), 8U);
+    const PaperPiece half = paper_pieces(pattern, {.are_halved = true}).front();
+    EXPECT_TRUE(half.is_on_fold);
+    EXPECT_EQ(half.leg_notches.size(), 4U);
+    EXPECT_EQ(std::ranges::count_if(half.lines, &PaperLine::is_dart_fold), 2);
 }
 
 TEST(PaperPiece, mirror_images_become_pairs_of_one_piece) {

@@ -11,6 +11,7 @@
 #include "sim/print/dxf_file.h"
 #include "sim/print/svg_file.h"
 #include "tests/sim/print/sample_pattern.h"
+#include "tests/support/darted_panel.h"
 
 namespace selvedge::sim {
 namespace {
@@ -94,6 +95,48 @@ TEST(RoundTrip, shipped_patterns_come_back_from_svg_and_dxf) {
         pattern.allowance = 0.012;
         expect_same(svg_of(pattern), pattern);
         expect_same(dxf_of(pattern), pattern);
+    }
+}
+
+TEST(RoundTrip, notches_at_corners_keep_their_edge) {
+    Pattern pattern = darted_pattern();
+    pattern.allowance = 0.01;
+    std::vector<Notch>& notches = pattern.panels[0].notches;
+    for (int e = 0; e < 10; ++e) {
+        notches.push_back({.edge = e, .t = 1});
+        notches.push_back({.edge = (e + 1) % 10, .t = 0});
+    }
+    expect_same(svg_of(pattern), pattern);
+    expect_same(dxf_of(pattern), pattern);
+}
+
+// Another program's curves of many points are fitted; ours are told by records, and the rest stays as it is.
+TEST(RoundTrip, dxf_keeps_the_points_of_internal_lines_and_the_width_of_allowances) {
+    Pattern pattern = darted_pattern();
+    pattern.allowance = 0.01;
+    Panel& panel = pattern.panels[0];
+    InternalLine arc{"pocket bag", {}, LineUse::Mark};
+    for (int k = 0; k <= 16; ++k) arc.points.push_back(turned_about({0.08, 0.3}, {0.12, 0.3}, 0.1 * k));
+    panel.internal_lines = {arc};
+    expect_same(dxf_of(pattern), pattern);
+    // Beside the cap of a dart the cut line turns by a slight angle only.
+    panel.vertices[1] = {0.1, 0};
+    panel.vertices[3] = turned_about(panel.vertices[2], panel.vertices[1], 0.06);
+    const Panel read = make_panels(parse_drawing(dxf_of(pattern), "written"), "written").pattern.panels[0];
+    ASSERT_TRUE(read.allowance);
+    for (const OutlineEdge& edge : read.edges) EXPECT_NEAR(edge.allowance.value_or(*read.allowance), 0.01, 1.5e-4);
+}
+
+TEST(RoundTrip, darts_with_caps_come_back_from_svg_and_dxf) {
+    Pattern pattern = darted_pattern();
+    pattern.allowance = 0.01;
+    pattern.panels[0].notches = {{.edge = 5, .t = 0.3}, {.edge = 9, .t = 0.5}};
+    for (const std::string& text : {svg_of(pattern), dxf_of(pattern)}) {
+        expect_same(text, pattern);
+        const Panel panel = make_panels(parse_drawing(text, "written"), "written").pattern.panels[0];
+        ASSERT_TRUE(panel.allowance);
+        EXPECT_NEAR(*panel.allowance, 0.01, 1e-4);
+        for (const OutlineEdge& edge : panel.edges) EXPECT_FALSE(edge.allowance);
     }
 }
 

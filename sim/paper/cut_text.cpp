@@ -1,0 +1,177 @@
+#include "sim/paper/cut_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace selvedge::sim {
+namespace {
+
+// What a word says. From comes before the material, Filler says nothing.
+enum class CutWord { Cut, Quantity, MaterialKey, Mirrored, Fold, From, Times, Length, Filler, Material };
+
+struct Meaning {
+    CutWord word;
+    std::string_view material;  // its English name; of Material only
+    std::string_view words;     // small letters, separated by blanks
+};
+
+constexpr std::array kMeanings = std::to_array<Meaning>({
+    {CutWord::Cut, "", "cut zuschneiden schneiden zuschnitt couper coupez cortar corta corte knippen knip"},
+    {CutWord::Quantity, "", "quantity anzahl menge quantité cantidad aantal"},
+    {CutWord::MaterialKey, "", "material matériau matière materiaal"},
+    {CutWord::Mirrored, "", "mirrored gespiegelt gegengleich miroir espejo reflejado gespiegeld"},
+    {CutWord::Fold, "", "fold onfold bruch stoffbruch pli pliure doblez pliegue vouw stofvouw"},
+    {CutWord::From, "", "from of aus de dans uit"},
+    {CutWord::Times, "", "x × mal fois veces keer"},
+    {CutWord::Length, "", "mm cm inch inches"},
+    {CutWord::Filler, "", "plugin annotations main the each these"},
+    {CutWord::Material, "fabric", "fabric stoff oberstoff hauptstoff tissu tela stof hoofdstof"},
+    {CutWord::Material, "lining", "lining futter futterstoff doublure forro voering"},
+    {CutWord::Material, "interfacing",
+     "interfacing einlage vlieseline entoilage thermocollant entretela tussenvoering"},
+    {CutWord::Material, "interlining", "interlining"},
+    {CutWord::Material, "canvas", "canvas"},
+    {CutWord::Material, "ribbing", "ribbing bündchen boordstof"},
+});
+
+bool has_word(std::string_view words, std::string_view word) {
+    while (!words.empty()) {
+        const std::size_t stop = std::min(words.find(' '), words.size());
+        if (words.substr(0, stop) == word) return true;
+        words.remove_prefix(std::min(stop + 1, words.size()));
+    }
+    return false;
+}
+
+std::vector<std::string> words_of(std::string_view text) {
+    std::vector<std::string> words;
+    bool is_inside = false;
+    for (const char c : text) {
+        const bool is_letter = std::isalnum(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80;
+        if (is_letter && !is_inside) words.emplace_back();
+        if (is_letter) words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        is_inside = is_letter;
+    }
+    return words;
+}
+
+class CutText {
+ public:
+    explicit CutText(std::string_view text) : text_(text), words_(words_of(text)) {}
+
+    bool read(CutInstructions& cut) const {
+        const std::optional<std::size_t> key = find(CutWord::Quantity);
+        if (key == 0U) return read_quantity(cut);
+        if (find(CutWord::MaterialKey) == 0U && has_colon()) return read_material(cut);
+        const std::optional<std::size_t> at = find(CutWord::Cut);
+        const std::optional<int> count = at ? count_beside(*at) : std::nullopt;
+        const bool is_on_fold = find(CutWord::Fold).has_value();
+        // "Cut on fold" says nothing of the number; "cut here" nothing at all.
+        if (!count && !(at && is_on_fold)) return false;
+        if (!count) {
+            if (!cut.is_on_fold) cut.is_on_fold = true;
+            return true;
+        }
+        const std::string material = material_after(*at);
+        const bool is_main = material == "fabric" && !cut.material.empty() && cut.material != "fabric";
+        if (cut.pieces && !is_main) return true;
+        cut.pieces = count;
+        cut.is_on_fold = is_on_fold || (!is_main && cut.is_on_fold.value_or(false));
+        // Only FreeSewing, which says "cut 2 from", always says whether pieces are mirrored.
+        const bool is_mirrored = find(CutWord::Mirrored).has_value();
+        if (is_mirrored || find(CutWord::From)) cut.are_mirrored = is_mirrored;
+        if (is_main || cut.material.empty()) cut.material = material;
+        return true;
+    }
+
+ private:
+    static const Meaning* meaning_of(const std::string& word) {
+        const auto found =
+            std::ranges::find_if(kMeanings, [&](const Meaning& one) { return has_word(one.words, word); });
+        return found == kMeanings.end() ? nullptr : &*found;
+    }
+
+    bool is(std::size_t at, CutWord word) const {
+        const Meaning* meaning = at < words_.size() ? meaning_of(words_[at]) : nullptr;
+        return meaning != nullptr && meaning->word == word;
+    }
+
+    std::optional<std::size_t> find(CutWord word) const {
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (is(i, word)) return i;
+        }
+        return std::nullopt;
+    }
+
+    bool has_colon() const { return text_.find(':') != std::string_view::npos; }
+
+    // "2", "2x": no length, as in "cut 1 cm away".
+    std::optional<int> number_at(std::size_t at) const {
+        if (at >= words_.size() || is(at + 1, CutWord::Length)) return std::nullopt;
+        const std::string& word = words_[at];
+        int value = 0;
+        const char* end = word.data() + word.size();
+        const auto [stop, error] = std::from_chars(word.data(), end, value);
+        const std::string_view rest(stop, static_cast<std::size_t>(end - stop));
+        const bool is_count = error == std::errc() && value >= 0 && value <= kMostPieces;
+        return is_count && (rest.empty() || rest == "x" || rest == "×") ? std::optional(value) : std::nullopt;
+    }
+
+    // Behind the word for cutting, or before it: "cut 2", "2 x zuschneiden".
+    std::optional<int> count_beside(std::size_t at) const {
+        if (const auto count = number_at(at + 1)) return count;
+        if (at > 0 && is(at - 1, CutWord::Times)) --at;
+        return at > 0 ? number_at(at - 1) : std::nullopt;
+    }
+
+    // A known material; else the word behind "from".
+    std::string material_after(std::size_t at) const {
+        for (const std::string& word : words_) {
+            const Meaning* meaning = meaning_of(word);
+            if (meaning != nullptr && meaning->word == CutWord::Material) return std::string(meaning->material);
+        }
+        bool is_after = false;
+        for (std::size_t i = at; i < words_.size(); ++i) {
+            if (is_after && meaning_of(words_[i]) == nullptr) return words_[i];
+            is_after = is_after || is(i, CutWord::From);
+        }
+        return {};
+    }
+
+    // "2", or "1,1": as drawn, and mirrored.
+    bool read_quantity(CutInstructions& cut) const {
+        const std::optional<int> first = number_at(1);
+        const std::optional<int> second = text_.find(',') != std::string_view::npos ? number_at(2) : std::nullopt;
+        if (!first) return false;
+        cut.pieces = std::clamp(*first + second.value_or(0), 1, kMostPieces);
+        if (second) cut.are_mirrored = *second > 0;
+        return true;
+    }
+
+    bool read_material(CutInstructions& cut) const {
+        std::string_view name = text_.substr(text_.find(':') + 1);
+        while (!name.empty() && name.front() == ' ') name.remove_prefix(1);
+        while (!name.empty() && name.back() == ' ') name.remove_suffix(1);
+        const std::vector<std::string> words = words_of(name);
+        const Meaning* meaning = words.size() == 1 ? meaning_of(words[0]) : nullptr;
+        const bool is_known = meaning != nullptr && meaning->word == CutWord::Material;
+        cut.material = is_known ? std::string(meaning->material) : std::string(name);
+        return true;
+    }
+
+    std::string_view text_;
+    std::vector<std::string> words_;
+};
+
+}  // namespace
+
+bool read_cut_text(std::string_view text, CutInstructions& cut) {
+    return CutText(text).read(cut);
+}
+
+}  // namespace selvedge::sim

@@ -1,0 +1,16 @@
+#pragma once
+// What the texts on a pattern say of how a part is cut: how often, mirrored, on the fold, of what. In English, German,
+// French, Spanish and Dutch, as FreeSewing and Valentina write them and as labels of DXF do.
+#include <string_view>
+
+#include "sim/paper/drawing.h"
+
+namespace selvedge::sim {
+
+// From "Fabric, Cut 2", "cut 2 mirrored from main fabric", "2x zuschneiden im Stoffbruch", "Quantity: 1,1" (as drawn,
+// and mirrored), "Material: lining", and "cut,2,mirrored,from,fabric" with or without the prefix of each key. Materials
+// get their English names where they are known. Adds to what is known, of which main fabric goes before other
+// materials; returns false for texts about other things, which change nothing.
+bool read_cut_text(std::string_view text, CutInstructions& cut);
+
+}  // namespace selvedge::sim
