@@ -74,7 +74,7 @@ std::vector<editor::OrphanedJournal> orphaned_journals(const JournalStore& store
     std::vector<editor::OrphanedJournal> left;
     for (const StoredJournal& stored : store.left()) {
         const auto recovery = editor::recover(stored.text);
-        if (recovery && (recovery->changes > 0 || !recovery->drafts.empty())) {
+        if (recovery && (recovery->has_changes() || !recovery->drafts.empty())) {
             left.push_back({stored.path.string(), *recovery, age_text(stored.age_seconds)});
         } else {
             JournalStore::discard(stored.path);  // contains no changes

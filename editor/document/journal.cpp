@@ -93,10 +93,11 @@ sim::Json journal_no_draft(const std::string& fabric) {
     return one_member("no_draft", sim::Json(fabric));
 }
 
-std::string journal_head(std::string_view file, std::string_view text) {
+std::string journal_head(std::string_view file, std::string_view text, bool is_unsaved) {
     sim::Json head = one_member(kHead, sim::Json(kVersion));
     head["file"] = file;
     head["text"] = text;
+    if (is_unsaved) head["unsaved"] = true;
     return write_json(head, -1);
 }
 
@@ -108,6 +109,7 @@ std::optional<Recovery> recover(std::string_view journal) {
         const sim::JsonView view(head, kFile);
         if (view.at(kHead).integer() != kVersion) return std::nullopt;
         Recovery recovery{.file = view.at("file").string()};
+        recovery.was_unsaved = view.has("unsaved");
         Document document(sim::parse_begun_pattern(view.at("text").string(), recovery.file));
         try {
             while (const auto line = take_line(journal)) {

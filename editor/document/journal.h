@@ -2,7 +2,8 @@
 // The journal of a document: one line of JSON per change, from which the document can be recovered after a crash. The
 // caller stores the lines. Also PatternPatch, the difference of two pattern states for undo.
 //
-//   {"selvedge_journal": 1, "file": "shirt.json", "text": "..."}    first line: the opened file and its text
+//   {"selvedge_journal": 1, "file": "shirt.json", "text": "..."}    first line: the opened file and its text; with
+//   "unsaved": true if that text is in no file, as after a recovery
 //   {"do": {"move_vertices": {...}}}                                 a command
 //   {"try": {...}}, then {"keep": true} or {"drop": true}            a drag: one line per preview
 //   {"undo": true}, {"redo": true}
@@ -36,14 +37,18 @@ sim::Json journal_draft(const std::string& fabric, const sim::Fabric& draft);
 sim::Json journal_no_draft(const std::string& fabric);
 
 // The first line. `file`: the document's file; empty: not saved yet. `text`: the document at the start of the journal.
-std::string journal_head(std::string_view file, std::string_view text);
+// is_unsaved: it has changes that are in no file.
+std::string journal_head(std::string_view file, std::string_view text, bool is_unsaved = false);
 
 // The result of a recovery. It stops at the first incomplete or invalid line and keeps the changes before it.
 struct Recovery {
     std::string file;
-    std::string text = {};  // the document at the end of the journal, with an unfinished drag committed
-    int changes = 0;        // number of lines applied to the document
+    std::string text = {};     // the document at the end of the journal, with an unfinished drag committed
+    int changes = 0;           // number of lines applied to the document
+    bool was_unsaved = false;  // the journal began with changes that are in no file
     std::map<std::string, sim::Fabric> drafts = {};  // by the fabric's name or file
+
+    bool has_changes() const { return changes > 0 || was_unsaved; }  // of the garment
 };
 
 // None: the first line is missing or invalid.

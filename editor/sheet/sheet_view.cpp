@@ -154,7 +154,9 @@ void SheetView::forward_mouse(SheetContext& context, const Mouse& mouse) {
 }
 
 void SheetView::forward_keys(SheetContext& context, const Mouse& mouse, SheetResult& answer) {
-    const bool is_here = mouse.is_over || has_left_ || ImGui::IsWindowFocused();
+    // Where nothing has the focus, as after a choice in a menu, keys are the sheet's.
+    const bool is_here =
+        mouse.is_over || has_left_ || ImGui::IsWindowFocused() || !ImGui::IsWindowFocused(ImGuiFocusedFlags_AnyWindow);
     if (!context.takes_keys || !is_here || ImGui::GetIO().WantTextInput) return;
     const bool was_typing = !context.tools.typed().is_empty() || context.tools.is_asking();
     const bool takes_text = context.takes_text && !mouse.modifiers.ctrl && !mouse.modifiers.alt;

@@ -129,6 +129,7 @@ void import_file(AppState& state, const std::string& file) {
             ImportedDrawing imported = current.services.import_drawing(file);
             show_document(current, std::move(imported.garment), "");
             current.workspace.document->mark_changed();
+            begin_journal(current);  // which says that the garment is in no file
             for (const std::string& note : imported.notes) current.workspace.messages.note(note);
             current.workspace.messages.note("Imported '" + name_in_folder(file) + "': " + imported.sewn);
         });
@@ -194,16 +195,23 @@ void open_example(AppState& state, const Example& example) {
 
 namespace {
 
-// Without changes of the garment, its file is what was saved last.
+// Without changes of the garment, its file is what was saved last, unless it can no longer be read.
 sim::PatternDocument recovered_document(const AppState& state, const Recovery& recovery) {
-    if (recovery.changes == 0 && !recovery.file.empty() && state.services.exists(recovery.file))
-        return state.services.load(recovery.file);
+    if (!recovery.has_changes() && !recovery.file.empty() && state.services.exists(recovery.file)) {
+        try {
+            return state.services.load(recovery.file);
+        } catch (const sim::InputError&) {
+        }
+    }
     return sim::parse_begun_pattern(recovery.text, recovery.file);
 }
 
-void recover_drafts(Workspace& workspace, const std::map<std::string, sim::Fabric>& drafts) {
+// Returns whether all drafts are back.
+bool recover_drafts(Workspace& workspace, const std::map<std::string, sim::Fabric>& drafts) {
+    bool are_all_back = true;
     for (const auto& [name, draft] : drafts) {
         if (!workspace.fabrics.recover_draft(name, draft)) {
+            are_all_back = false;
             workspace.messages.warn("The fabric '" + readable_name(name) + "' was not recovered: it is being edited");
             continue;
         }
@@ -211,6 +219,7 @@ void recover_drafts(Workspace& workspace, const std::map<std::string, sim::Fabri
         workspace.messages.note("Recovered what was edited of the fabric '" + readable_name(name) +
                                 "': the Cloth tab shows it");
     }
+    return are_all_back;
 }
 
 }  // namespace
@@ -221,13 +230,13 @@ void recover_journal(AppState& state, const OrphanedJournal& journal) {
         const bool is_open =
             try_to(current, [&] { show_document(current, recovered_document(current, recovery), recovery.file); });
         if (!is_open) return;
-        if (recovery.changes > 0) {
+        if (recovery.has_changes()) {
             current.workspace.document->mark_changed();
             current.workspace.messages.note("Recovered '" + document_name(current) + "': save it to keep it");
         }
-        recover_drafts(current.workspace, recovery.drafts);
+        const bool are_all_back = recover_drafts(current.workspace, recovery.drafts);
         begin_journal(current);  // so that it can be recovered again
-        current.services.discard_journal(journal.id);
+        if (are_all_back) current.services.discard_journal(journal.id);
     };
     after_asking(state, go_on);
 }
@@ -440,8 +449,9 @@ namespace {
 // "'shirt.json' (3 changes) and the fabric 'Silk'"
 std::string unsaved_text(const Recovery& recovery) {
     std::string text;
-    if (recovery.changes > 0) {
+    if (recovery.has_changes())
         text = recovery.file.empty() ? "an unsaved garment" : "'" + name_in_folder(recovery.file) + "'";
+    if (recovery.changes > 0) {
         text += " (" + std::to_string(recovery.changes) + (recovery.changes == 1 ? " change)" : " changes)");
     }
     for (const auto& [name, draft] : recovery.drafts)
@@ -465,7 +475,7 @@ void begin_journal(AppState& state) {
     Workspace& workspace = state.workspace;
     // The whole path: the next editor may start in another folder.
     const std::string file = workspace.file.empty() ? "" : state.services.full_path(workspace.file);
-    std::string text = journal_head(file, workspace.document->text(file));
+    std::string text = journal_head(file, workspace.document->text(file), workspace.document->has_unsaved_changes());
     for (const std::string& line : workspace.fabrics.journal_lines()) text += "\n" + line;
     state.services.begin_journal(text);
     const auto note = [&state](std::string_view line) { state.services.note_in_journal(line); };

@@ -156,10 +156,18 @@ void validate_openings(const WornGarment& garment, const PanelVertices& panels, 
     LimbSet known = meant.limbs.known & found.known;
     // An arm that leaves through the end of its own sleeve is where it belongs, whatever the panels tell as placed:
     // those of a sleeve that stands open do not hold it.
+    std::vector<std::optional<LimbKind>> arms;  // per opening: whose sleeve it ends
+    for (const Opening& opening : openings)
+        arms.push_back(
+            arm_of(panels[static_cast<std::size_t>(opening.panels.front())], garment.panels.x, bodies.meant_for));
+    const auto is_for = [](const LimbSet& limbs, LimbKind arm) { return limbs.count() == 1 && limbs[index_of(arm)]; };
     for (std::size_t i = 0; i < openings.size(); ++i) {
-        const auto panel = static_cast<std::size_t>(openings[i].panels.front());
-        const std::optional<LimbKind> arm = arm_of(panels[panel], garment.panels.x, bodies.meant_for);
-        if (arm && found.through[i].count() == 1 && found.through[i][index_of(*arm)]) known[index_of(*arm)] = false;
+        if (!arms[i] || !is_for(found.through[i], *arms[i])) continue;
+        // Another opening of the sleeve, as a slit at the elbow, is none where the panels tell the cuff.
+        bool is_cuff_known = false;
+        for (std::size_t j = 0; j < openings.size(); ++j)
+            is_cuff_known = is_cuff_known || (arms[j] == arms[i] && is_for(meant.limbs.through[j], *arms[i]));
+        if (!is_cuff_known) known[index_of(*arms[i])] = false;
     }
     for (std::size_t i = 0; i < openings.size(); ++i) {
         const auto mismatch = compare(meant.limbs.through[i], found.through[i], known);

@@ -176,7 +176,12 @@ class CutLineMaker {
     }
 
     CutLine make() {
-        for (const Dart& dart : options_.darts) cover(dart);
+        std::vector<bool> is_of_dart(count_, false);
+        for (const Dart& dart : options_.darts) {
+            for (std::size_t k = 0; k < 2 * as_size(dart.leg_edges); ++k)
+                is_of_dart[(as_size(dart.first_leg) + k) % count_] = true;
+        }
+        for (const Dart& dart : options_.darts) cover(dart, is_of_dart);
         trim_corners();
         for (std::size_t e = 0; e < count_; ++e) {
             if (!is_leg_[e]) append(e);
@@ -190,11 +195,12 @@ class CutLineMaker {
     std::size_t after(std::size_t e) const { return (e + 1) % count_; }
     std::size_t before(std::size_t e) const { return (e + count_ - 1) % count_; }
 
-    // Lays a cap over the mouth of a dart.
-    void cover(const Dart& dart) {
+    // Lays a cap over the mouth of a dart, unless it begins or ends at another's.
+    void cover(const Dart& dart, const std::vector<bool>& is_of_dart) {
         const std::size_t first = as_size(dart.first_leg) % count_, legs = 2 * as_size(dart.leg_edges);
         if (legs + 2 > count_) return;
         const std::size_t from = before(first), last = (first + legs - 1) % count_, to = after(last);
+        if (is_of_dart[from] || is_of_dart[to]) return;
         for (std::size_t k = 0; k < legs; ++k) {
             if (panel_.edges[(first + k) % count_].allowance) return;
         }
@@ -211,7 +217,8 @@ class CutLineMaker {
         cut_.darts.push_back(
             {.begin = {.on_outline = mouth.begin, .on_cut = cap->before.back(), .outward = mouth.begin_outward},
              .end = {.on_outline = mouth.end, .on_cut = cap->after.front(), .outward = mouth.end_outward},
-             .fold = {panel_.vertices[as_size(panel_.edges[tip].start)], cap->fold}});
+             .fold = {panel_.vertices[as_size(panel_.edges[tip].start)], cap->fold},
+             .is_as_wanted = cap->pressed_to == dart.pressed_to});
         legs_.push_back({first, last});
         edges_[from].line = std::move(cap->before);
         edges_[to].line = std::move(cap->after);

@@ -24,6 +24,7 @@ struct NotchLine {
 struct DartLines {
     NotchLine begin, end;                                     // of its legs, from the sewing line to the cut line
     std::array<Vec2d, 2> fold{Vec2d::Zero(), Vec2d::Zero()};  // from the tip to the cut line
+    bool is_as_wanted = true;  // cut for the side that the dart is pressed to, and not for the other
 };
 
 struct CutLine {

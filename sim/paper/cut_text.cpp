@@ -84,7 +84,8 @@ class CutText {
         cut.is_on_fold = is_on_fold || (!is_main && cut.is_on_fold.value_or(false));
         // Only FreeSewing, which says "cut 2 from", always says whether pieces are mirrored.
         const bool is_mirrored = find(CutWord::Mirrored).has_value();
-        if (is_mirrored || find(CutWord::From)) cut.are_mirrored = is_mirrored;
+        const bool is_freesewing = std::ranges::find(words_, "from") != words_.end();
+        if (is_mirrored || is_freesewing) cut.are_mirrored = is_mirrored;
         if (is_main || cut.material.empty()) cut.material = material;
         return true;
     }
@@ -122,11 +123,16 @@ class CutText {
         return is_count && (rest.empty() || rest == "x" || rest == "×") ? std::optional(value) : std::nullopt;
     }
 
-    // Behind the word for cutting, or before it: "cut 2", "2 x zuschneiden".
+    // Behind the word for cutting, or before it where nothing else is: "cut 2", "2 x zuschneiden". "Piece 5 cut on
+    // fold" says no number.
     std::optional<int> count_beside(std::size_t at) const {
         if (const auto count = number_at(at + 1)) return count;
-        if (at > 0 && is(at - 1, CutWord::Times)) --at;
-        return at > 0 ? number_at(at - 1) : std::nullopt;
+        const bool is_times = at > 0 && is(at - 1, CutWord::Times);
+        const std::size_t number = at - (is_times ? 2 : 1);
+        if (at < (is_times ? 2U : 1U)) return std::nullopt;
+        const bool is_plain = std::isdigit(static_cast<unsigned char>(words_[number].back())) != 0;
+        if (number > 0 && is_plain && !is_times) return std::nullopt;
+        return number_at(number);
     }
 
     // A known material; else the word behind "from".

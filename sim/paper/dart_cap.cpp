@@ -121,6 +121,7 @@ std::optional<DartCap> cap_dart(const DartMouth& mouth, const Polyline& before, 
     if (!edge) return std::nullopt;
     DartCap cap{.before = closed->before, .cap = {edge->begin() + 1, edge->end()}, .after = to_after(closed->after)};
     cap.fold = edge->back();
+    cap.pressed_to = takes_before ? DartSide::Before : DartSide::After;
     const Polyline back = reflected(backwards(*edge), fold);
     cap.cap.insert(cap.cap.end(), back.begin() + 1, back.end() - 1);
     return cap;

@@ -31,6 +31,7 @@ struct DartCap {
     std::vector<Vec2d> cap;  // from the last point of `before` to the first of `after`, without both
     std::vector<Vec2d> after;
     Vec2d fold = Vec2d::Zero();  // m, where the dart's fold meets the cap
+    DartSide pressed_to = DartSide::Before;
 };
 
 // Pre: `before` and `after`, m, have two points or more. The folded cloth is pressed to the other side if the cap of

@@ -122,29 +122,33 @@ Panel outline_of(const DrawnPath& drawn) {
     return panel;
 }
 
-std::optional<DrawnPath> joined_outline(const std::vector<DrawnPath>& paths, double gap) {
-    constexpr double kLeastSize = 0.8;  // of the part's
-    std::vector<DrawnPath> open;
+std::optional<JoinedOutline> joined_outline(const std::vector<DrawnPath>& paths, double gap) {
+    constexpr double kLeastSize = 0.8;                    // of the part's
+    std::vector<std::pair<DrawnPath, std::size_t>> open;  // with its index
     Eigen::AlignedBox2d part;
-    for (const DrawnPath& path : paths) {
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        const DrawnPath& path = paths[i];
         if (path.edges.empty()) continue;
-        if (path.kind == LineKind::Cut || path.kind == LineKind::Internal) part.extend(box_of(path));
-        if (path.kind == LineKind::Internal && !path.is_closed) open.push_back(path);
+        if (path.kind == LineKind::Cut || path.kind == LineKind::Internal || path.kind == LineKind::Unknown)
+            part.extend(box_of(path));
+        if (path.kind == LineKind::Internal && !path.is_closed) open.emplace_back(path, i);
     }
     if (open.size() < 2) return std::nullopt;
     std::ranges::stable_sort(open, std::greater<>(),
-                             [](const DrawnPath& path) { return box_of(path).diagonal().norm(); });
-    DrawnPath outline = open.front();
+                             [](const auto& one) { return box_of(one.first).diagonal().norm(); });
+    DrawnPath outline = open.front().first;
+    std::vector<std::size_t> used{open.front().second};
     open.erase(open.begin());
     const auto is_met = [&](const DrawnPath& one) { return (first_point(one) - last_point(outline)).norm() <= gap; };
     while ((first_point(outline) - last_point(outline)).norm() > gap) {
-        auto next = std::ranges::find_if(open, is_met);
+        auto next = std::ranges::find_if(open, [&](const auto& one) { return is_met(one.first); });
         if (next == open.end()) {
-            next = std::ranges::find_if(open, [&](const DrawnPath& one) { return is_met(turned_round(one)); });
+            next = std::ranges::find_if(open, [&](const auto& one) { return is_met(turned_round(one.first)); });
             if (next == open.end()) return std::nullopt;
-            *next = turned_round(*next);
+            next->first = turned_round(next->first);
         }
-        append(outline, *next);
+        append(outline, next->first);
+        used.push_back(next->second);
         open.erase(next);
     }
     if (box_of(outline).diagonal().norm() < kLeastSize * part.diagonal().norm()) return std::nullopt;
@@ -158,7 +162,7 @@ std::optional<DrawnPath> joined_outline(const std::vector<DrawnPath>& paths, dou
     outline.vertices = std::move(corners);
     outline.kind = LineKind::Sew;
     outline.is_closed = true;
-    return outline;
+    return JoinedOutline{std::move(outline), std::move(used)};
 }
 
 }  // namespace selvedge::sim

@@ -19,6 +19,10 @@ void drop_unused_vertices(Panel& panel);
 
 // The closed outline that open lines of a part make together, each beginning or ending where another ends; as large as
 // the part. gap: what their ends may lie apart, file units. None: they make none.
-std::optional<DrawnPath> joined_outline(const std::vector<DrawnPath>& paths, double gap);
+struct JoinedOutline {
+    DrawnPath outline;
+    std::vector<std::size_t> used;  // indices of the lines
+};
+std::optional<JoinedOutline> joined_outline(const std::vector<DrawnPath>& paths, double gap);
 
 }  // namespace selvedge::sim

@@ -81,6 +81,7 @@ Drawing read_freesewing(const Json& root, const std::string& file) {
     const JsonView view(root, file);
     Drawing drawing;
     drawing.format = "FreeSewing JSON";
+    drawing.is_y_down = true;
     drawing.title = text_of(view, "design");
     drawing.metres_per_unit = kMm;
     if (view.has("sa")) drawing.allowance = kMm * view.at("sa").number_between(0, 500);

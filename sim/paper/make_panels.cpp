@@ -130,8 +130,9 @@ OutlinePlace nearest_place(const Panel& panel, const Vec2d& p) {
 
 class PartReader {
  public:
-    PartReader(const DrawnPart& part, double scale, const std::optional<double>& allowance, const std::string& file)
-        : part_(part), scale_(scale), allowance_(allowance), file_(file) {}
+    PartReader(const DrawnPart& part, const Drawing& drawing, double scale, const std::optional<double>& allowance,
+               const std::string& file)
+        : part_(part), scale_(scale), down_(drawing.is_y_down ? -1 : 1), allowance_(allowance), file_(file) {}
 
     // None: the part has no closed outline.
     std::optional<Panel> read() {
@@ -151,6 +152,8 @@ class PartReader {
     std::vector<std::string> notes;
 
  private:
+    Vec2d in_file(const Vec2d& place) const { return Vec2d(place.x(), down_ * place.y()) / scale_; }
+
     void note(const std::string& text) { notes.push_back(part_.name + ": " + text); }
 
     const DrawnPath* largest(LineKind kind) const {
@@ -172,7 +175,7 @@ class PartReader {
         if (repairs.retraced > 0) note("a line of the outline runs forth and back: taken off");
         if (repairs.slits > 0) note("edges of the outline lie on each other: moved apart by 0.2 mm");
         if (repairs.loops > 0) {
-            const Vec2d at = repairs.place / scale_;
+            const Vec2d at = in_file(repairs.place);
             std::array<char, 128> text{};
             std::snprintf(text.data(), text.size(),
                           "the outline crosses itself near (%.6g, %.6g): a loop of %s was cut off", at.x(), at.y(),
@@ -187,10 +190,11 @@ class PartReader {
     std::optional<Panel> read_outline() {
         const DrawnPath* path = largest(LineKind::Cut);
         const DrawnPath* sewn = largest(LineKind::Sew);
-        const std::optional<DrawnPath> joined = sewn ? std::nullopt : joined_outline(part_.paths, kGap / scale_);
+        const auto joined = sewn ? std::nullopt : joined_outline(part_.paths, kGap / scale_);
         if (joined) {
             note("the outline is drawn as lines that meet: joined");
-            sewn = &*joined;
+            sewn = &joined->outline;
+            joined_ = joined->used;
         }
         if (sewn) {
             Panel panel = mended(outline_of(scaled(*sewn, scale_)));
@@ -244,7 +248,7 @@ class PartReader {
             throw InputError(file_, part_.name, std::to_string(panel_.edges.size()) + " edges: at most 5000");
         const auto crossings = find_outline_crossings(panel_, {.most = 1});
         if (crossings.empty()) return;
-        const Vec2d at = crossings[0].place / scale_;
+        const Vec2d at = in_file(crossings[0].place);
         std::array<char, 96> text{};
         std::snprintf(text.data(), text.size(), "the outline crosses or touches itself near (%.6g, %.6g)", at.x(),
                       at.y());
@@ -280,7 +284,9 @@ class PartReader {
     }
 
     void add_lines() {
-        for (const DrawnPath& path : part_.paths) {
+        for (std::size_t i = 0; i < part_.paths.size(); ++i) {
+            const DrawnPath& path = part_.paths[i];
+            if (std::ranges::find(joined_, i) != joined_.end()) continue;  // it is the outline
             const bool is_fold = path.kind == LineKind::FoldLine;
             const bool is_mark = path.kind == LineKind::Internal || path.kind == LineKind::Cutout;
             if ((!is_fold && !is_mark) || path.edges.empty()) continue;
@@ -346,9 +352,11 @@ class PartReader {
 
     const DrawnPart& part_;
     double scale_;
+    double down_;  // -1 where y runs down in the file
     std::optional<double> allowance_;
     const std::string& file_;
     Panel panel_;
+    std::vector<std::size_t> joined_;  // lines of the part that make its outline together
 };
 
 // ---- The pattern.
@@ -418,7 +426,7 @@ class PanelMaker {
     void add_part(const DrawnPart& part) {
         for (const DrawnText& text : part.texts) out_.hints += text.text + " ";
         const std::optional<double> allowance = options_.allowance ? options_.allowance : drawing_.allowance;
-        PartReader reader(part, scale_, allowance, file_);
+        PartReader reader(part, drawing_, scale_, allowance, file_);
         std::optional<Panel> panel;
         try {
             panel = reader.read();

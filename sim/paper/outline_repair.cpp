@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
@@ -64,15 +66,22 @@ bool open_slit(Panel& panel, std::size_t first, std::size_t second) {
     return true;
 }
 
-// The fraction of the edge that is nearest to a point on it.
+// The fraction of the edge that is nearest to a point on it: the nearest of some, then by golden section.
 double fraction_near(const Panel& panel, const OutlineEdge& edge, const Vec2d& p) {
-    constexpr int kSteps = 256;
-    double best = 0, least = (outline_point(panel, edge, 0) - p).norm();
+    constexpr int kSteps = 256, kRefinements = 40;
+    constexpr double kGolden = 0.6180339887498949;
+    const auto distance = [&](double t) { return (outline_point(panel, edge, t) - p).norm(); };
+    double best = 0;
     for (int i = 1; i <= kSteps; ++i) {
-        const double t = static_cast<double>(i) / kSteps, distance = (outline_point(panel, edge, t) - p).norm();
-        if (distance < least) least = distance, best = t;
+        const double t = static_cast<double>(i) / kSteps;
+        if (distance(t) < distance(best)) best = t;
     }
-    return best;
+    double low = std::max(0.0, best - 1.0 / kSteps), high = std::min(1.0, best + 1.0 / kSteps);
+    for (int i = 0; i < kRefinements; ++i) {
+        const double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
+        (distance(left) < distance(right) ? high : low) = distance(left) < distance(right) ? right : left;
+    }
+    return (low + high) / 2;
 }
 
 double length_between(const Panel& panel, std::size_t from, std::size_t to) {
@@ -81,33 +90,37 @@ double length_between(const Panel& panel, std::size_t from, std::size_t to) {
     return length;
 }
 
+// Where an edge that a crossing divides is divided: at its start, its end or within, where it is split.
+enum class Division { AtStart, Within, AtEnd };
+Division divide(Panel& panel, std::size_t edge, const Vec2d& at) {
+    constexpr double kAtEnd = 0.2e-3;  // m; crossings are found within 0.1 mm
+    if ((start_of(panel, panel.edges[edge]) - at).norm() < kAtEnd) return Division::AtStart;
+    if ((end_of(panel, panel.edges[edge]) - at).norm() < kAtEnd) return Division::AtEnd;
+    const double t = fraction_near(panel, panel.edges[edge], at);
+    if (!(t > 0 && t < 1)) return t <= 0 ? Division::AtStart : Division::AtEnd;
+    split_edge(panel, static_cast<int>(edge), t);
+    return Division::Within;
+}
+
 // Cuts off the shorter part of the outline between two edges that cross. Returns its length; none: it is too long.
 std::optional<double> cut_loop(Panel& panel, std::size_t first, std::size_t second, const Vec2d& at) {
-    constexpr double kMostShare = 0.1;    // of the outline's length
-    constexpr double kAtEnd = 1.0 / 128;  // of an edge: nearer crossings are at its end
+    constexpr double kMostShare = 0.1;  // of the outline's length
     if (first == second) return std::nullopt;
     Panel cut = panel;
-    // Later edges first, so that the earlier one keeps its index.
-    for (const std::size_t edge : {second, first}) {
-        const double t = fraction_near(cut, cut.edges[edge], at);
-        if (t > kAtEnd && t < 1 - kAtEnd) {
-            split_edge(cut, static_cast<int>(edge), t);
-            if (edge == first) ++second;
-        } else if (edge == second && t <= kAtEnd) {
-            --second;
-        }
-        if (edge == first && t <= kAtEnd && edge > 0) --first;
-    }
-    // The loop is what lies after the first edge, up to the second.
-    const double loop = length_between(cut, first + 1, second + 1);
+    // The loop is the edges from begin up to end. The later edge is divided first: the earlier one keeps its index.
+    std::size_t end = divide(cut, second, at) == Division::AtStart ? second : second + 1;
+    const Division division = divide(cut, first, at);
+    const std::size_t begin = division == Division::AtStart ? first : first + 1;
+    if (division == Division::Within) ++end;
+    const double loop = length_between(cut, begin, end);
     const double whole = length_between(cut, 0, cut.edges.size());
     if (loop > kMostShare * whole && whole - loop > kMostShare * whole) return std::nullopt;
-    const auto begin = cut.edges.begin() + static_cast<std::ptrdiff_t>(first) + 1;
-    const auto end = cut.edges.begin() + static_cast<std::ptrdiff_t>(second) + 1;
+    const auto from = cut.edges.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto to = cut.edges.begin() + static_cast<std::ptrdiff_t>(end);
     if (loop <= whole - loop)
-        cut.edges.erase(begin, end);
+        cut.edges.erase(from, to);
     else
-        cut.edges = std::vector<OutlineEdge>(begin, end);
+        cut.edges = std::vector<OutlineEdge>(from, to);
     if (cut.edges.size() < 3) return std::nullopt;
     const std::size_t left = cut.edges.size();
     for (std::size_t e = 0; e < left; ++e) cut.edges[e].end = cut.edges[(e + 1) % left].start;

@@ -48,6 +48,7 @@ class FreesewingReader {
 
     Drawing read() {
         drawing_.format = "FreeSewing SVG";
+        drawing_.is_y_down = true;
         drawing_.metres_per_unit = document_.metres_per_unit;
         for (const SvgText& text : document_.texts) text_along_[text.along] += text.text.text + " ";
         for (const SvgShape& shape : document_.shapes) add_shape(shape);
@@ -130,6 +131,7 @@ class OwnReader {
 
     Drawing read() {
         drawing_.format = "Selvedge SVG";
+        drawing_.is_y_down = true;
         drawing_.metres_per_unit = document_.metres_per_unit;
         for (const SvgShape& shape : document_.shapes) add_shape(shape);
         for (const auto& seam : document_.seams) add_seam(seam);
@@ -256,6 +258,7 @@ class PlainReader {
 
     Drawing read() {
         drawing_.format = "SVG";
+        drawing_.is_y_down = true;
         drawing_.metres_per_unit = document_.metres_per_unit;
         drawing_.notes = document_.notes;
         shapes_ = document_.shapes;

@@ -1,7 +1,8 @@
 #pragma once
-// The files that a garment file or a fabric file names: fabrics, pictures, photos under the sheet, bodies. In memory
-// each is held by its canonical path. A file that is stored names it relative to its own folder if it lies there or
-// below, so that both can be moved or sent together; otherwise by its canonical path.
+// The files that a garment file or a fabric file names: fabrics, pictures, photos under the sheet, bodies. What a
+// stored file names is held by its canonical path, what a user types as it is typed. A file that is stored names it
+// relative to its own folder if it lies there or below, so that both can be moved or sent together; otherwise by its
+// canonical path.
 #include <filesystem>
 #include <string>
 

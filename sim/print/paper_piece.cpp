@@ -282,8 +282,10 @@ void add_darts(PaperPiece& piece, const CutLine& cut) {
     }
 }
 
-// Which way the folded cloth of darts is pressed, one line of the label; empty: there are none.
-std::string pressing_text(const std::vector<Dart>& darts) {
+// Which way the folded cloth of darts is pressed, one line of the label; empty: there are none. is_cut_so: the cut line
+// is made for it.
+std::string pressing_text(const std::vector<Dart>& darts, bool is_cut_so) {
+    if (!darts.empty() && !is_cut_so) return "press darts as they are cut";
     const auto level = std::ranges::count_if(darts, &Dart::is_level);
     const auto upright = static_cast<std::ptrdiff_t>(darts.size()) - level;
     if (level > 0 && upright > 0) return "press level darts down, upright darts to the centre";
@@ -313,7 +315,10 @@ PaperPiece piece_of(const Pattern& pattern, std::size_t index, bool are_pairs, c
         options.are_halved && has_upright_grain(panel) ? fold_axis(piece.cut) : std::nullopt;
     if (axis) halve(piece, *axis);
     piece.label.lines = label_of(pattern, panel, piece, are_pairs);
-    if (const std::string pressing = pressing_text(darts); !pressing.empty()) piece.label.lines.push_back(pressing);
+    const bool is_cut_so = !piece.has_allowance || (cut.darts.size() == darts.size() &&
+                                                    std::ranges::all_of(cut.darts, &DartLines::is_as_wanted));
+    if (const std::string pressing = pressing_text(darts, is_cut_so); !pressing.empty())
+        piece.label.lines.push_back(pressing);
     const std::vector<Vec2d> spots = spots_in(piece.sew);
     place_label(piece.label, piece, spots);
     PaperLine grain = grain_line(panel, piece, spots);

@@ -50,11 +50,7 @@ struct Sides {
 
 // Whether the panels are one and its mirror image at most, as the halves of a back are.
 bool is_of_one_kind(const std::vector<PanelFacts>& facts, const std::vector<int>& panels) {
-    const PanelRole& first = facts[as_size(panels[0])].role;
-    return std::ranges::all_of(panels, [&](int panel) {
-        const PanelRole& role = facts[as_size(panel)].role;
-        return role.part == first.part && role.face == first.face;
-    });
+    return panels.size() == 1 || (panels.size() == 2 && facts[as_size(panels[0])].twin == panels[1]);
 }
 
 // ---- Shape and direction.

@@ -88,12 +88,20 @@ Armholes armholes_of(const Panel& panel) {
     constexpr double kLeastHeight = 0.3;             // m
     const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
     if (box.sizes().y() < kLeastHeight) return {};
-    const std::array<std::size_t, 2> out = outermost(panel);
-    const auto is_armhole = [&](std::size_t vertex, bool is_right) {
+    const auto is_underarm = [&](std::size_t vertex, bool is_right) {
         const double y = panel.vertices[vertex].y(), share = (y - box.min().y()) / box.sizes().y();
         return share > kLowest && share < kHighest && is_corner(panel, vertex) && comes_out_again(panel, y, is_right);
     };
-    return {is_armhole(out[0], false), is_armhole(out[1], true)};
+    // The hem may reach out as far as the underarm.
+    constexpr double kNear = 0.01;  // m, from the outermost place
+    const auto has_armhole = [&](bool is_right) {
+        for (std::size_t v = 0; v < panel.vertices.size(); ++v) {
+            const double x = panel.vertices[v].x(), in = is_right ? box.max().x() - x : x - box.min().x();
+            if (in < kNear && is_underarm(v, is_right)) return true;
+        }
+        return false;
+    };
+    return {has_armhole(false), has_armhole(true)};
 }
 
 // From the highest point down to the outline in the middle of the body, m.

@@ -28,8 +28,8 @@ std::optional<bool> is_towards_middle(const PanelFacts& facts, const std::vector
     return out > (0.5 - kNear) * facts.width;
 }
 
-// The crotch is in the upper part of a leg: both ends lie high. On a panel that goes round the leg, it is a notch between
-// front and back, deeper than it is wide by half.
+// The crotch is in the upper part of a leg: both ends lie high. On a panel that goes round the leg, it is a notch
+// between front and back, deeper than it is wide by half.
 double odds_of_crotch(const OpenBoundary& boundary, int own, const std::vector<Vec2d>& points) {
     constexpr double kLowest = 0.25;  // of the panel's height
     const Panel& panel = boundary.pattern().panels[as_size(own)];

@@ -233,6 +233,10 @@ TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_h
     EXPECT_EQ(left[0].age, "a moment ago");
     services_.discard_journal(left[0].id);
     EXPECT_FALSE(fs::exists(journal));
+    // What was recovered and is in no file is offered again, though nothing was changed since.
+    std::ofstream(journal) << editor::journal_head("shirt.json", services_.examples[1].text, true) << '\n';
+    ASSERT_EQ(services_.orphaned_journals().size(), 1U);
+    EXPECT_TRUE(services_.orphaned_journals()[0].recovery.was_unsaved);
 }
 
 TEST_F(EditorServices, fabrics_are_read_by_name_or_file_and_written_whole) {

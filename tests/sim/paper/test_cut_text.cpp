@@ -54,8 +54,9 @@ TEST(CutText, of_dxf_has_a_key_and_a_value) {
 }
 
 TEST(CutText, about_other_things_changes_nothing) {
-    for (const char* text : {"Cut here", "cut 1 cm away", "undercut 2", "Size: 40", "Piece Name: cut", "2", "", "cut",
-                             "Quantity: many", "fold line", "cut 2000000000", "lining"}) {
+    for (const char* text :
+         {"Cut here", "cut 1 cm away", "undercut 2", "Size: 40", "Piece Name: cut", "2", "", "cut", "Quantity: many",
+          "fold line", "cut 2000000000", "lining", "Size 12 cut out", "Sleeve 5 cut along grain"}) {
         CutInstructions cut;
         EXPECT_FALSE(read_cut_text(text, cut)) << text;
         EXPECT_EQ(cut, CutInstructions()) << text;

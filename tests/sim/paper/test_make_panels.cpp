@@ -174,7 +174,8 @@ TEST(MakePanels, cut_off_a_small_loop) {
     const PanelsOfDrawing made = make_panels(one_part({.name = "front", .paths = {path}}), "");
     ASSERT_FALSE(made.pattern.panels.empty());
     EXPECT_TRUE(find_outline_crossings(made.pattern.panels[0]).empty());
-    EXPECT_NEAR(std::abs(outline_area(made.pattern.panels[0])), 0.12, 1e-3);
+    // From (40, 400) the outline runs to where it crosses itself, and on to (0, 380).
+    EXPECT_NEAR(std::abs(outline_area(made.pattern.panels[0])), 0.1196, 1e-4);
     EXPECT_TRUE(says(made, "was cut off"));
 }
 
@@ -189,7 +190,29 @@ TEST(MakePanels, join_lines_that_make_the_outline_together) {
     ASSERT_EQ(made.pattern.panels.size(), 1U);
     EXPECT_EQ(made.pattern.panels[0].edges.size(), 4U);
     EXPECT_NEAR(std::abs(outline_area(made.pattern.panels[0])), 0.12, 1e-4);
+    EXPECT_EQ(made.pattern.panels[0].internal_lines.size(), 1U) << "the mark";
     EXPECT_TRUE(says(made, "joined"));
+}
+
+TEST(MakePanels, take_no_dart_that_is_drawn_as_two_lines_for_the_outline) {
+    DrawnPath outline = rectangle(LineKind::Unknown, {0, 0}, {300, 400});
+    DrawnPath left{.kind = LineKind::Internal, .vertices = {{150, 100}, {140, 200}, {150, 300}}, .edges = {}};
+    for (int i = 0; i < 2; ++i) left.edges.push_back({.start = i, .end = i + 1});
+    DrawnPath right = left;
+    right.vertices[1].x() = 160;
+    const PanelsOfDrawing made = make_panels(one_part({.name = "front", .paths = {outline, left, right}}), "");
+    ASSERT_FALSE(made.pattern.panels.empty());
+    EXPECT_NEAR(std::abs(outline_area(made.pattern.panels[0])), 0.12, 1e-9);
+    EXPECT_EQ(made.pattern.panels[0].internal_lines.size(), 2U);
+}
+
+// The outline begins and ends with an overshoot of 5 mm.
+TEST(MakePanels, cut_off_a_loop_where_the_outline_begins) {
+    const DrawnPath path = polygon({{0, 0}, {200, 0}, {600, 0}, {600, 800}, {0.5, 800}, {0.5, -5}});
+    const PanelsOfDrawing made = make_panels(one_part({.name = "front", .paths = {path}}), "");
+    ASSERT_FALSE(made.pattern.panels.empty());
+    EXPECT_TRUE(find_outline_crossings(made.pattern.panels[0]).empty());
+    EXPECT_NEAR(std::abs(outline_area(made.pattern.panels[0])), 0.5995 * 0.8, 1e-5);
 }
 
 TEST(MakePanels, pair_what_lies_beside_the_middle_of_a_garment_cut_on_the_fold) {

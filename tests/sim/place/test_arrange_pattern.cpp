@@ -256,5 +256,47 @@ TEST(ArrangePattern, stands_the_sides_of_a_hood_beside_the_head_and_bends_the_st
         << "left edge, left side";
 }
 
+TEST(ArrangePattern, lifts_a_high_necked_front_until_its_shoulders_pass_over_the_body) {
+    Pattern pattern;
+    Panel front;
+    front.name = "front";
+    front.vertices = {{-0.2, 0},    {0.2, 0},      {0.2, 0.4},    {0.16, 0.42},  {0.06, 0.44},
+                      {0.05, 0.55}, {-0.05, 0.55}, {-0.06, 0.44}, {-0.16, 0.42}, {-0.2, 0.4}};
+    for (int i = 0; i < 10; ++i) front.edges.push_back({.start = i, .end = (i + 1) % 10});
+    Panel back = front;
+    back.name = "back";
+    pattern.panels = {front, back};
+    pattern.seams = {{{0, 3}, {1, 7}}, {{0, 7}, {1, 3}}};
+    arrange_pattern(pattern, mannequin());
+    const Panel& placed = pattern.panels[0];
+    for (const double t : {0.0, 0.5, 1.0}) {
+        const Vec3d at = placed.place(outline_point(placed, placed.edges[3], t));
+        double shoulder = 0;
+        for (const Vec3d& p : mannequin().x) {
+            const bool is_head = std::abs(p.x()) < 0.055;
+            if (!is_head && std::abs(p.x() - at.x()) < 0.01) shoulder = std::max(shoulder, p.y());
+        }
+        if (at.x() <= 0.09) continue;  // beside the neck
+        EXPECT_GT(at.y(), shoulder) << t;
+    }
+}
+
+TEST(ArrangePattern, lets_a_yoke_go_on_from_the_back_though_single_edges_of_it_are_short) {
+    Pattern pattern;
+    pattern.panels = {rectangle("front_right", 0.2, 0.6), rectangle("front_left", 0.2, 0.6),
+                      rectangle("back", 0.4, 0.6), rectangle("yoke", 0.4, 0.1)};
+    Panel& back = pattern.panels[2];
+    Panel& yoke = pattern.panels[3];
+    split_edge(yoke, 2, 0.5);
+    for (const double t : {2.0 / 3, 0.5}) {
+        split_edge(yoke, 0, t);
+        split_edge(back, 2, t);
+    }
+    // Yoke: bottom 0, 1, 2, right 3, top 4, 5; back: top 2, 3, 4.
+    pattern.seams = {{{2, 4}, {3, 0}}, {{2, 3}, {3, 1}}, {{2, 2}, {3, 2}}, {{0, 2}, {3, 4}}, {{1, 2}, {3, 5}}};
+    arrange_pattern(pattern, mannequin());
+    EXPECT_LT(middle_of(pattern.panels[3]).z(), 0);
+}
+
 }  // namespace
 }  // namespace selvedge::sim::test

@@ -254,5 +254,87 @@ TEST(Drafts, have_no_stretch_that_is_too_short_to_be_meshed) {
     }
 }
 
+// Half a shirt: the back with its middle on the right and a pleat at the yoke, the yoke above it, the front with its
+// middle on the left.
+Pattern shirt_with_yoke() {
+    Pattern pattern;
+    pattern.panels = {
+        polygon("BackPanel", {{-0.28, 0}, {0, 0}, {0, 0.68}, {-0.266, 0.68}, {-0.3, 0.45}}),
+        polygon("Yoke", {{-0.24, 0}, {0, 0}, {0, 0.07}, {-0.08, 0.13}, {-0.25, 0.07}}),
+        polygon("FrontPanel", {{0, 0}, {0.3, 0}, {0.32, 0.45}, {0.25, 0.68}, {0.08, 0.74}, {0, 0.66}}),
+    };
+    bend(pattern.panels[0], 3, -0.04);
+    bend(pattern.panels[1], 2, -0.02);
+    bend(pattern.panels[2], 2, -0.04);
+    bend(pattern.panels[2], 4, -0.02);
+    for (std::size_t p = 0; p < 3; ++p) pattern.panels.push_back(mirror_image(pattern.panels[p]));
+    return pattern;
+}
+
+TEST(Drafts, of_shirts_have_the_back_hanging_from_the_yoke_and_its_shoulders_neck_to_neck) {
+    const Pairs pairs = sewn(shirt_with_yoke());
+    EXPECT_TRUE(are_sewn(pairs, {"BackPanel", 2}, {"Yoke", 0}));
+    EXPECT_TRUE(are_sewn(pairs, {"Yoke", 3}, {"FrontPanel", 3}));
+    EXPECT_TRUE(are_sewn(pairs, {"Yoke_mirrored", 2}, {"FrontPanel_mirrored", 3}));
+    EXPECT_FALSE(are_panels_sewn(pairs, "Yoke", "FrontPanel_mirrored"));
+    EXPECT_TRUE(are_sewn(pairs, {"Yoke", 1}, {"Yoke_mirrored", 4}));
+}
+
+TEST(Drafts, with_long_and_short_sleeves_have_one_kind_sewn) {
+    Pattern pattern;
+    pattern.panels = {whole("front"), whole("back")};
+    const Panel full = sleeve("FullSleeve");
+    Panel brief = sleeve("ShortSleeve");
+    brief.vertices[0] = {-0.16, 0.3};
+    brief.vertices[1] = {0.16, 0.3};
+    for (const Panel& one : {full, brief}) {
+        pattern.panels.push_back(one);
+        pattern.panels.push_back(mirror_image(one));
+    }
+    const Pairs pairs = sewn(pattern);
+    std::set<std::string> sleeves;
+    for (const Panel& panel : pattern.panels) {
+        for (const char* torso : {"front", "back"}) {
+            if (panel.name.find("Sleeve") != std::string::npos && are_panels_sewn(pairs, torso, panel.name))
+                sleeves.insert(panel.name);
+        }
+    }
+    ASSERT_EQ(sleeves.size(), 2U);
+    EXPECT_EQ(*sleeves.begin() + "_mirrored", *sleeves.rbegin());
+}
+
+TEST(Drafts, of_one_panel_round_the_leg_have_the_whole_crotch_sewn_at_once) {
+    Pattern pattern;
+    Panel pants = polygon("pants", {{0, 0}, {1, 0}, {1, 1}, {0.65, 1}, {0.35, 1}, {0, 1}});
+    bend(pants, 3, -0.25);
+    pattern.panels = {pants, mirror_image(pants)};
+    EXPECT_TRUE(are_sewn(sewn(pattern), {"pants", 3}, {"pants_mirrored", 3}));
+}
+
+TEST(Drafts, have_no_cap_sewn_to_a_side_that_is_as_long) {
+    Pattern pattern;
+    Panel sleeve = polygon("sleeve", {{-0.15, 0}, {0.15, 0}, {0.2, 0.4}, {-0.2, 0.4}});
+    bend(sleeve, 2, 0.1);
+    pattern.panels = {rectangle("front", 0.5, outline_length(sleeve, sleeve.edges[2])), sleeve};
+    EXPECT_FALSE(are_panels_sewn(sewn(pattern), "front", "sleeve"));
+}
+
+// A double notch says "back" on a back's side: it meets the front's single one.
+TEST(Drafts, may_have_other_notches_on_the_back_than_on_the_front) {
+    Pattern pattern;
+    pattern.panels = {whole("front"), whole("back")};
+    const auto confidence = [&] {
+        for (const SeamProposal& one : propose_seams(pattern, {})) {
+            const EdgeSpan &a = one.parts[0].first, &b = one.parts[0].second;
+            if (a.edge * b.edge == 7 && a.panel != b.panel) return one.confidence;  // edges 1 and 7
+        }
+        return 0.0;
+    };
+    const double without = confidence();
+    pattern.panels[0].notches = {{.edge = 1, .t = 0.4}, {.edge = 7, .t = 0.6}};
+    pattern.panels[1].notches = {{.edge = 1, .t = 0.4, .count = 2}, {.edge = 7, .t = 0.6, .count = 2}};
+    EXPECT_GT(confidence(), without);
+}
+
 }  // namespace
 }  // namespace selvedge::sim
