@@ -47,11 +47,4 @@ void transform_panel(sim::Pattern& pattern, int panel, const Eigen::Affine2d& ma
 // Sets the edge's kind and its control points or arc from `curve`; its ends and label stay.
 void set_curve(sim::Pattern& pattern, sim::SeamSide at, const sim::OutlineEdge& curve);
 
-// The point of an edge nearest to u: the fraction t of the edge's length and the distance, m.
-struct NearestOnEdge {
-    double t = 0;
-    double distance = 0;
-};
-NearestOnEdge nearest_on_edge(const sim::Panel& panel, const sim::OutlineEdge& edge, const Vec2d& u);
-
 }  // namespace selvedge::editor

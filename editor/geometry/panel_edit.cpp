@@ -227,9 +227,9 @@ class PanelCutter {
 
     int vertex_at(const Vec2d& point) {
         sim::SeamSide best{panel_, 0};
-        NearestOnEdge nearest = nearest_on_edge(own(), own().edges[0], point);
+        sim::NearestOnEdge nearest = nearest_on_edge(own(), own().edges[0], point);
         for (int e = 1; e < edge_count(own()); ++e) {
-            const NearestOnEdge found = nearest_on_edge(own(), own().edges[as_size(e)], point);
+            const sim::NearestOnEdge found = nearest_on_edge(own(), own().edges[as_size(e)], point);
             if (found.distance >= nearest.distance) continue;
             nearest = found;
             best.edge = e;

@@ -33,8 +33,10 @@ std::vector<std::string> body_endings() {
     return {".obj", ".glb", ".gltf"};
 }
 
-void show_document(AppState& state, sim::PatternDocument source, const std::string& file) {
+// is_unsaved: it has changes that are in no file.
+void show_document(AppState& state, sim::PatternDocument source, const std::string& file, bool is_unsaved = false) {
     auto document = std::make_unique<Document>(std::move(source));
+    if (is_unsaved) document->mark_changed();
     document->continue_revisions(*state.workspace.document);
     state.workspace.document = std::move(document);
     state.workspace.file = file;
@@ -127,9 +129,7 @@ void import_file(AppState& state, const std::string& file) {
     after_asking(state, [file](AppState& current) {
         try_to(current, [&] {
             ImportedDrawing imported = current.services.import_drawing(file);
-            show_document(current, std::move(imported.garment), "");
-            current.workspace.document->mark_changed();
-            begin_journal(current);  // which says that the garment is in no file
+            show_document(current, std::move(imported.garment), "", true);
             for (const std::string& note : imported.notes) current.workspace.messages.note(note);
             current.workspace.messages.note("Imported '" + name_in_folder(file) + "': " + imported.sewn);
         });
@@ -227,16 +227,14 @@ bool recover_drafts(Workspace& workspace, const std::map<std::string, sim::Fabri
 void recover_journal(AppState& state, const OrphanedJournal& journal) {
     const auto go_on = [journal](AppState& current) {
         const Recovery& recovery = journal.recovery;
-        const bool is_open =
-            try_to(current, [&] { show_document(current, recovered_document(current, recovery), recovery.file); });
+        const bool is_open = try_to(current, [&] {
+            show_document(current, recovered_document(current, recovery), recovery.file, recovery.has_changes());
+        });
         if (!is_open) return;
-        if (recovery.has_changes()) {
-            current.workspace.document->mark_changed();
+        if (recovery.has_changes())
             current.workspace.messages.note("Recovered '" + document_name(current) + "': save it to keep it");
-        }
-        const bool are_all_back = recover_drafts(current.workspace, recovery.drafts);
-        begin_journal(current);  // so that it can be recovered again
-        if (are_all_back) current.services.discard_journal(journal.id);
+        // The new journal has the document, and the drafts are noted in it: both can be recovered again.
+        if (recover_drafts(current.workspace, recovery.drafts)) current.services.discard_journal(journal.id);
     };
     after_asking(state, go_on);
 }

@@ -173,10 +173,9 @@ void validate_openings(const WornGarment& garment, const PanelVertices& panels, 
         const auto mismatch = compare(meant.limbs.through[i], found.through[i], known);
         if (!mismatch) continue;
         const auto panel = static_cast<std::size_t>(openings[i].panels.front());
-        const bool is_of_sleeve = arm_of(panels[panel], garment.panels.x, bodies.meant_for).has_value();
         const std::string place = place_on_body(bodies.meant_for, centre_of(openings[i], garment.closed.x));
-        const std::string name = "the " + std::string(call_opening(mismatch->expected, place, is_of_sleeve)) + " of '" +
-                                 garment.panels.panel_names[panel] + "'";
+        const std::string name = "the " + std::string(call_opening(mismatch->expected, place, arms[i].has_value())) +
+                                 " of '" + garment.panels.panel_names[panel] + "'";
         report.faults.push_back({.kind = "limb_missed",
                                  .place = describe(*mismatch, name),
                                  .value = static_cast<double>((mismatch->extra | mismatch->missing).count())});

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/paper/drawing_words.h"
+
 namespace selvedge::sim {
 namespace {
 
@@ -46,18 +48,6 @@ bool has_word(std::string_view words, std::string_view word) {
         words.remove_prefix(std::min(stop + 1, words.size()));
     }
     return false;
-}
-
-std::vector<std::string> words_of(std::string_view text) {
-    std::vector<std::string> words;
-    bool is_inside = false;
-    for (const char c : text) {
-        const bool is_letter = std::isalnum(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80;
-        if (is_letter && !is_inside) words.emplace_back();
-        if (is_letter) words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        is_inside = is_letter;
-    }
-    return words;
 }
 
 class CutText {

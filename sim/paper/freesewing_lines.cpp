@@ -5,6 +5,8 @@
 #include <cctype>
 #include <vector>
 
+#include "sim/paper/drawing_words.h"
+
 namespace selvedge::sim {
 namespace {
 
@@ -12,18 +14,6 @@ std::string lower(std::string_view text) {
     std::string small(text);
     for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return small;
-}
-
-std::vector<std::string> words_of(std::string_view text) {
-    std::vector<std::string> words;
-    bool is_inside = false;
-    for (const char c : text) {
-        const bool is_letter = std::isalnum(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80;
-        if (is_letter && !is_inside) words.emplace_back();
-        if (is_letter) words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        is_inside = is_letter;
-    }
-    return words;
 }
 
 constexpr std::array<std::string_view, 5> kMaterials{"fabric", "lining", "interfacing", "canvas", "various"};

@@ -66,24 +66,6 @@ bool open_slit(Panel& panel, std::size_t first, std::size_t second) {
     return true;
 }
 
-// The fraction of the edge that is nearest to a point on it: the nearest of some, then by golden section.
-double fraction_near(const Panel& panel, const OutlineEdge& edge, const Vec2d& p) {
-    constexpr int kSteps = 256, kRefinements = 40;
-    constexpr double kGolden = 0.6180339887498949;
-    const auto distance = [&](double t) { return (outline_point(panel, edge, t) - p).norm(); };
-    double best = 0;
-    for (int i = 1; i <= kSteps; ++i) {
-        const double t = static_cast<double>(i) / kSteps;
-        if (distance(t) < distance(best)) best = t;
-    }
-    double low = std::max(0.0, best - 1.0 / kSteps), high = std::min(1.0, best + 1.0 / kSteps);
-    for (int i = 0; i < kRefinements; ++i) {
-        const double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
-        (distance(left) < distance(right) ? high : low) = distance(left) < distance(right) ? right : left;
-    }
-    return (low + high) / 2;
-}
-
 double length_between(const Panel& panel, std::size_t from, std::size_t to) {
     double length = 0;
     for (std::size_t e = from; e < to; ++e) length += outline_length(panel, panel.edges[e]);
@@ -96,7 +78,7 @@ Division divide(Panel& panel, std::size_t edge, const Vec2d& at) {
     constexpr double kAtEnd = 0.2e-3;  // m; crossings are found within 0.1 mm
     if ((start_of(panel, panel.edges[edge]) - at).norm() < kAtEnd) return Division::AtStart;
     if ((end_of(panel, panel.edges[edge]) - at).norm() < kAtEnd) return Division::AtEnd;
-    const double t = fraction_near(panel, panel.edges[edge], at);
+    const double t = nearest_on_edge(panel, panel.edges[edge], at).t;
     if (!(t > 0 && t < 1)) return t <= 0 ? Division::AtStart : Division::AtEnd;
     split_edge(panel, static_cast<int>(edge), t);
     return Division::Within;

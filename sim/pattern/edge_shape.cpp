@@ -387,4 +387,32 @@ Eigen::AlignedBox2d outline_box(const Panel& panel, double chord_error) {
     return box.isEmpty() ? Eigen::AlignedBox2d(Vec2d(0, 0)) : box;
 }
 
+NearestOnEdge nearest_on_edge(const Panel& panel, const OutlineEdge& edge, const Vec2d& u) {
+    const auto distance = [&](double s) { return (curve_point(panel, edge, s) - u).norm(); };
+    if (edge.kind == CurveKind::Line) {
+        const Vec2d start = panel.vertices[as_size(edge.start)];
+        const Vec2d chord = panel.vertices[as_size(edge.end)] - start;
+        const double size = chord.squaredNorm();
+        const double t = size > 0 ? std::clamp(chord.dot(u - start) / size, 0.0, 1.0) : 0;
+        return {t, distance(t)};
+    }
+    constexpr int kCells = 64;
+    int best = 0;
+    for (int i = 1; i <= kCells; ++i) {
+        if (distance(double(i) / kCells) < distance(double(best) / kCells)) best = i;
+    }
+    double low = std::max(0.0, double(best - 1) / kCells);
+    double high = std::min(1.0, double(best + 1) / kCells);
+    while (high - low > 1e-9) {  // ternary search: the distance is unimodal within a cell
+        const double one = low + (high - low) / 3;
+        const double two = high - (high - low) / 3;
+        (distance(one) <= distance(two) ? high : low) = distance(one) <= distance(two) ? two : one;
+    }
+    double s = (low + high) / 2;
+    for (const double end : {0.0, 1.0}) {
+        if (distance(end) <= distance(s)) s = end;
+    }
+    return {curve_fraction(panel, edge, s), distance(s)};
+}
+
 }  // namespace selvedge::sim

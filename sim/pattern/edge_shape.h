@@ -20,6 +20,13 @@ SplitCurve split_curve(const Panel& panel, const OutlineEdge& edge, double t, in
 // Splits an edge of the panel. The new vertex is its last; the second part is edge + 1, and notches stay in place.
 void split_edge(Panel& panel, int edge, double t);
 
+// The point of an edge nearest to u: the fraction t of the edge's length and the distance, m.
+struct NearestOnEdge {
+    double t = 0;
+    double distance = 0;
+};
+NearestOnEdge nearest_on_edge(const Panel& panel, const OutlineEdge& edge, const Vec2d& u);
+
 // The same curve, reversed: from its end to its start.
 OutlineEdge reversed_edge(const OutlineEdge& edge);
 

@@ -226,8 +226,8 @@ class Arranger {
     }
 
     bool place_round_skirt(std::size_t p) {
-        const TrunkSection waist = trunk_section(body_, anchors_.waist, stature_.height());
         if (!closes_round(p)) return false;
+        const TrunkSection waist = trunk_section(body_, anchors_.waist, stature_.height());
         is_placed_[p] = bend_round_waist(panel(p), waist, anchors_.waist);
         boxes_[p] = outline_box(panel(p), 1e-3);  // it may be turned
         return is_placed_[p];

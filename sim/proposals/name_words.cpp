@@ -83,23 +83,23 @@ std::vector<std::string> words_of_name(std::string_view name) {
     return words;
 }
 
-bool names_word(const std::vector<std::string>& words, std::string_view known) {
+bool names_any(const std::vector<std::string>& words, std::string_view list) {
     constexpr std::size_t kCompound = 5;  // letters
-    if (known.starts_with('=')) return std::ranges::find(words, known.substr(1)) != words.end();
-    const std::string plain_known = folded(known);
-    const bool may_be_within = is_written_together(plain_known) || letters_of(plain_known) >= kCompound;
     std::string together;
     for (const std::string& word : words) together += word;
-    if (may_be_within && together.find(plain_known) != std::string::npos) return true;
-    return std::ranges::any_of(words, [&](const std::string& word) {
-        return letters_of(plain_known) <= 2 ? word == plain_known : word.starts_with(plain_known);
-    });
-}
-
-bool names_any(const std::vector<std::string>& words, std::string_view list) {
+    const auto is_named = [&](std::string_view known) {
+        if (known.starts_with('=')) return std::ranges::find(words, known.substr(1)) != words.end();
+        const std::string plain_known = folded(known);
+        const std::size_t letters = letters_of(plain_known);
+        const bool may_be_within = is_written_together(plain_known) || letters >= kCompound;
+        if (may_be_within && together.find(plain_known) != std::string::npos) return true;
+        return std::ranges::any_of(words, [&](const std::string& word) {
+            return letters <= 2 ? word == plain_known : word.starts_with(plain_known);
+        });
+    };
     for (std::size_t from = 0; from < list.size();) {
         const std::size_t to = std::min(list.find(' ', from), list.size());
-        if (names_word(words, list.substr(from, to - from))) return true;
+        if (is_named(list.substr(from, to - from))) return true;
         from = to + 1;
     }
     return false;

@@ -10,12 +10,9 @@ namespace selvedge::sim {
 // front, panel, 2; "Rückenteil" gives ruckenteil.
 std::vector<std::string> words_of_name(std::string_view name);
 
-// Whether the words name what is known by this one: a word begins with it ("=col": is it), or it stands within a word,
-// if it has five letters or more (FULLSLEEVE) or is written without blanks, as Chinese is.
+// Whether the words name any word of a list with blanks between: a word begins with that one ("=col": is it), or it
+// stands within a word, if it has five letters or more (FULLSLEEVE) or is written without blanks, as Chinese is.
 // Words of up to two letters must be equal.
-bool names_word(const std::vector<std::string>& words, std::string_view known);
-
-// Whether they name any word of a list with blanks between.
 bool names_any(const std::vector<std::string>& words, std::string_view list);
 
 }  // namespace selvedge::sim

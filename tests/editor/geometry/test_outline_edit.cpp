@@ -3,6 +3,7 @@
 
 #include "editor/geometry/outline_edit.h"
 #include "editor/geometry/seam_edit.h"
+#include "sim/pattern/edge_shape.h"
 #include "tests/editor/geometry/geometry_support.h"
 
 namespace selvedge::editor {
@@ -293,7 +294,7 @@ TEST(NearestOnEdge, is_found_on_every_kind_of_curve) {
         const sim::Panel panel = bottomed(kind);
         for (const double t : {0.0, 0.1, 0.5, 0.77, 1.0}) {
             const Vec2d point = outline_point(panel, panel.edges[0], t);
-            const NearestOnEdge on = nearest_on_edge(panel, panel.edges[0], point);
+            const sim::NearestOnEdge on = nearest_on_edge(panel, panel.edges[0], point);
             EXPECT_NEAR(on.t, t, 1e-6);
             EXPECT_NEAR(on.distance, 0, 1e-7);
         }

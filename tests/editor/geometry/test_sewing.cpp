@@ -6,6 +6,7 @@
 #include "editor/geometry/panel_edit.h"
 #include "editor/geometry/seam_edit.h"
 #include "editor/geometry/sewing.h"
+#include "sim/pattern/edge_shape.h"
 #include "tests/editor/geometry/geometry_support.h"
 
 namespace selvedge::editor {
