@@ -132,6 +132,30 @@ std::string body_of(const sim::Drawing& drawing, const ImportOptions& options, s
     return mannequin_text(body.fit.options);
 }
 
+// Forgets where the drawing has a panel: it is placed anew.
+void forget_place(sim::Panel& panel) {
+    const sim::Panel flat;
+    panel.translation = flat.translation;
+    panel.rotation = flat.rotation;
+    panel.is_mirrored = flat.is_mirrored;
+    panel.wrap_radius = flat.wrap_radius;
+    panel.wrap_cone = flat.wrap_cone;
+}
+
+// Puts round the body what can be worn of the garment.
+std::vector<sim::PanelRole> place(ImportedGarment& out, const sim::Drawing& drawing, const ImportOptions& options,
+                                  const std::string& hints) {
+    std::ranges::for_each(out.pattern.panels, forget_place);
+    lay_aside_folded(out.pattern, roles_of(out.pattern, hints), out.notes);
+    if (!out.pattern.seams.empty()) lay_aside_loose(out.pattern, out.notes);
+    out.pattern.body = body_of(drawing, options, out.body);
+    const BodyWithNotes body = make_body({.source = out.pattern.body, .load = {}});
+    sim::Arrangement arrangement = arrange_pattern(out.pattern, body.body, hints);
+    std::ranges::move(arrangement.notes, std::back_inserter(out.notes));
+    name_sides(out.pattern, arrangement.roles);
+    return std::move(arrangement.roles);
+}
+
 }  // namespace
 
 ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, const ImportOptions& options) {
@@ -140,7 +164,7 @@ ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, 
     sim::PanelsOfDrawing made = make_panels(drawing, files.front().string(), options.panels);
     std::ranges::move(made.notes, std::back_inserter(out.notes));
     out.pattern = std::move(made.pattern);
-    if (out.pattern.seams.empty()) {
+    if (out.pattern.seams.empty() && !made.is_placed) {
         const std::string hints = made.hints;
         std::vector<sim::SeamProposal> accepted;
         for (sim::SeamProposal& proposal :
@@ -151,15 +175,11 @@ ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, 
         }
         accept_proposals(out.pattern, accepted);
     }
-    lay_aside_folded(out.pattern, roles_of(out.pattern, made.hints), out.notes);
-    if (!out.pattern.seams.empty()) lay_aside_loose(out.pattern, out.notes);
-    out.pattern.body = body_of(drawing, options, out.body);
-    const BodyWithNotes body = make_body({.source = out.pattern.body, .load = {}});
-    sim::Arrangement arrangement = arrange_pattern(out.pattern, body.body, made.hints);
-    std::ranges::move(arrangement.notes, std::back_inserter(out.notes));
-    name_sides(out.pattern, arrangement.roles);
+    const bool is_placed = made.is_placed && options.body.empty() && options.measurements.empty();
+    const std::vector<sim::PanelRole> roles =
+        is_placed ? roles_of(out.pattern, made.hints) : place(out, drawing, options, made.hints);
     for (std::size_t p = 0; p < out.pattern.panels.size(); ++p)
-        out.panels.push_back(describe_panel(out.pattern.panels[p], arrangement.roles[p]));
+        out.panels.push_back(describe_panel(out.pattern.panels[p], roles[p]));
     return out;
 }
 

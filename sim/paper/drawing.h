@@ -4,6 +4,7 @@
 // pattern of it.
 //
 // Coordinates are those of the file, turned so that y points up; metres_per_unit converts them.
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,6 +62,24 @@ struct CutInstructions {
     bool operator==(const CutInstructions&) const = default;
 };
 
+// How a panel starts round the body, as files of Selvedge say it. Two places of the outline tell where the panel frame
+// lies on the paper, wherever another program moved or turned the piece.
+struct DrawnPlacement {
+    std::array<int, 2> edges{0, 0};                             // of the outline, as DrawnSeam counts them
+    std::array<Vec2d, 2> starts{Vec2d::Zero(), Vec2d::Zero()};  // m, where these begin in the panel frame
+    Vec3d translation = Vec3d::Zero();                          // this and all below: as in Panel
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    bool is_mirrored = false;
+    double wrap_radius = 0;
+    std::optional<WrapCone> wrap_cone = {};
+    int layer = 0;
+    bool is_worn = true;
+    std::string label = {};
+    std::vector<int> pinned_edges = {};  // edges at whose start the panel is pinned
+
+    bool operator==(const DrawnPlacement&) const = default;
+};
+
 struct DrawnPart {
     std::string name;
     std::vector<DrawnPath> paths = {};
@@ -68,6 +87,7 @@ struct DrawnPart {
     std::vector<DrawnText> texts = {};
     CutInstructions cut = {};
     std::string size = {};
+    std::optional<DrawnPlacement> placement = {};  // none: the file does not say
 
     bool operator==(const DrawnPart&) const = default;
 };
@@ -85,6 +105,14 @@ struct DrawnSeam {
     bool operator==(const DrawnSeam&) const = default;
 };
 
+// The mannequin round which the parts are placed.
+struct DrawnBody {
+    std::string text;   // as Pattern::body; never a file
+    double height = 0;  // m
+
+    bool operator==(const DrawnBody&) const = default;
+};
+
 struct Measurement {
     std::string name;  // as the file has it: "chest", "waist_circ"
     double value = 0;  // m
@@ -97,6 +125,7 @@ struct Drawing {
     std::string format = {};  // "FreeSewing SVG", "DXF-AAMA R10", for reports
     std::vector<DrawnPart> parts = {};
     std::vector<DrawnSeam> seams = {};
+    std::optional<DrawnBody> body = {};          // of the parts' placements; none: the file states none
     std::optional<double> metres_per_unit = {};  // none: the file does not say
     std::optional<double> allowance = {};        // m, that the file states for the whole pattern
     std::vector<Measurement> measurements = {};  // of the body that it was drafted for

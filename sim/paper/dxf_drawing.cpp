@@ -14,6 +14,7 @@
 #include "sim/paper/dxf_records.h"
 #include "sim/paper/dxf_text.h"
 #include "sim/paper/path_builder.h"
+#include "sim/paper/placement_record.h"
 #include "sim/paper/polyline_outline.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
@@ -477,6 +478,7 @@ class DxfReader {
             if (layer == 13) part.marks.push_back({.kind = MarkKind::Drill, .at = at});
         }
         if (has_records) take_records(piece.records, part);
+        if (has_records && !piece.records.is_placement_broken) part.placement = piece.records.placement;
         if (boundary || sewn) {
             drawing_.parts.push_back(std::move(part));
         } else {
@@ -566,6 +568,8 @@ class DxfReader {
         if (text.starts_with("SELVEDGE")) drawing_.is_upright = true;
         if (text.starts_with("SELVEDGE SEAM ")) seam_texts_.push_back(text);
         if (text.starts_with("SELVEDGE SEWING ")) sewing_texts_.push_back(text);
+        constexpr std::string_view body = "SELVEDGE BODY ";
+        if (text.starts_with(body)) drawing_.body = read_body_phrase(std::string_view(text).substr(body.size()));
     }
 
     void read_texts(DxfPiece& piece, DrawnPart& part) {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
-#include "sim/paper/dxf_text.h"
 #include "sim/paper/path_builder.h"
+#include "sim/paper/placement_record.h"
+#include "sim/paper/record_words.h"
 #include "sim/pattern/enum_names.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
@@ -15,72 +15,17 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr double kLargest = 1e6;  // mm
-
-// Words of a record, from the third on.
-class Words {
- public:
-    explicit Words(std::string_view text) : rest_(text) {}
-
-    std::string_view word() {
-        while (rest_.starts_with(' ')) rest_.remove_prefix(1);
-        const std::string_view found = rest_.substr(0, rest_.find(' '));
-        rest_.remove_prefix(found.size());
-        return found;
-    }
-
-    double real() {
-        const auto value = dxf_number(word());
-        if (!value || !(std::abs(*value) < kLargest)) is_good_ = false;
-        return is_good_ ? *value : 0;
-    }
-
-    int whole() { return whole_of(word()); }
-
-    Vec2d point() {
-        const double x = real();
-        return {x, real()};
-    }
-
-    // "3:2"
-    SeamSide side() {
-        const std::string_view text = word();
-        const std::size_t colon = text.find(':');
-        if (colon == std::string_view::npos) is_good_ = false;
-        if (!is_good_) return {};
-        return {whole_of(text.substr(0, colon)), whole_of(text.substr(colon + 1))};
-    }
-
-    std::string rest() const {
-        const std::size_t at = rest_.find_first_not_of(' ');
-        return at == std::string_view::npos ? std::string() : std::string(rest_.substr(at));
-    }
-
-    void refuse() { is_good_ = false; }
-    bool is_good() const { return is_good_; }
-
- private:
-    int whole_of(std::string_view text) {
-        constexpr int kMost = 100000;
-        int value = 0;
-        const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc() || stop != text.data() + text.size() || value < 0 || value > kMost) is_good_ = false;
-        return is_good_ ? value : 0;
-    }
-
-    std::string_view rest_;
-    bool is_good_ = true;
-};
+constexpr double kFar = 1e6;  // mm: no chord is as long
 
 template <class T>
-T value_of_name(std::string_view name, Words& words) {
+T value_of_name(std::string_view name, RecordWords& words) {
     const auto& texts = names_of(T{}).texts;
     const auto found = std::ranges::find(texts, name);
     if (found == texts.end()) words.refuse();
     return found == texts.end() ? T{} : static_cast<T>(found - texts.begin());
 }
 
-bool read_edge(Words words, DrawnPath& outline) {
+bool read_edge(RecordWords words, DrawnPath& outline) {
     const Vec2d start = words.point();
     const std::string_view kind = words.word();
     OutlineEdge edge;
@@ -110,7 +55,7 @@ bool read_edge(Words words, DrawnPath& outline) {
     return true;
 }
 
-bool read_notch(Words words, std::vector<Notch>& notches) {
+bool read_notch(RecordWords words, std::vector<Notch>& notches) {
     Notch notch{.edge = words.whole(), .t = words.real()};
     notch.kind = value_of_name<NotchKind>(words.word(), words);
     notch.count = words.whole();
@@ -123,11 +68,16 @@ bool read_notch(Words words, std::vector<Notch>& notches) {
 }  // namespace
 
 bool read_dxf_record(const std::string& text, DxfRecords& records) {
-    Words words(text);
+    RecordWords words(text);
     if (words.word() != "SELVEDGE") return false;
     const std::string_view what = words.word();
     if (what == "EDGE") return read_edge(words, records.outline);
     if (what == "NOTCH") return read_notch(words, records.notches);
+    if (what == "PLACED") {
+        if (!records.placement) records.placement.emplace();
+        records.is_placement_broken |= !read_placement_phrase(words.rest(), *records.placement);
+        return true;
+    }
     if (what != "LINE") return false;
     const LineUse use = value_of_name<LineUse>(words.word(), words);
     if (words.is_good()) records.lines.push_back({.name = words.rest(), .points = {}, .use = use});
@@ -135,7 +85,7 @@ bool read_dxf_record(const std::string& text, DxfRecords& records) {
 }
 
 std::optional<DrawnSeam> read_dxf_seam(const std::string& text) {
-    Words words(text);
+    RecordWords words(text);
     words.word();
     words.word();
     DrawnSeam seam;
@@ -150,7 +100,7 @@ std::optional<DrawnSeam> read_dxf_seam(const std::string& text) {
 }
 
 std::optional<DxfSewing> read_dxf_sewing(const std::string& text) {
-    Words words(text);
+    RecordWords words(text);
     words.word();
     words.word();
     DxfSewing sewing{.side = words.side(), .number = std::string(words.word()), .name = words.rest()};
@@ -163,7 +113,7 @@ bool is_outline_on(const DrawnPath& outline, const std::vector<Vec2d>& polyline,
     const Panel panel = as_panel(outline);
     const auto is_on = [&](const Vec2d& p) { return distance_to_outline(p, polyline) <= tolerance; };
     return std::ranges::all_of(panel.edges, [&](const OutlineEdge& edge) {
-        const double reach = edge.kind == CurveKind::Arc ? 2 * edge.arc_radius : kLargest;
+        const double reach = edge.kind == CurveKind::Arc ? 2 * edge.arc_radius : kFar;
         const Vec2d chord =
             panel.vertices[static_cast<std::size_t>(edge.end)] - panel.vertices[static_cast<std::size_t>(edge.start)];
         if (!(chord.norm() > 0) || chord.norm() > reach) return false;

@@ -3,7 +3,9 @@
 //   SELVEDGE EDGE x y LINE | QUADRATIC x y | CUBIC x y x y | ARC radius large right    an edge from (x, y), and its
 //   curve SELVEDGE NOTCH edge t kind count                                                    on the sewing line
 //   SELVEDGE LINE mark|fold NAME                                                        the next line of layer 8
+//   SELVEDGE PLACED phrase                                                              see placement_record.h
 // and of the file:
+//   SELVEDGE BODY height TEXT                                                           see placement_record.h
 //   SELVEDGE SEAM panel:edge panel:edge reversed|same eased|exact NAME                  panels and edges from 0
 #include <optional>
 #include <string>
@@ -17,6 +19,8 @@ struct DxfRecords {
     DrawnPath outline = {};  // mm; closed if there are edges
     std::vector<Notch> notches = {};
     std::vector<InternalLine> lines = {};  // without points
+    std::optional<DrawnPlacement> placement = {};
+    bool is_placement_broken = false;  // a phrase of it is
 };
 
 // Takes a text of a piece that is such a record; false: it is none, or is broken.

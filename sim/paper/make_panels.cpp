@@ -13,6 +13,7 @@
 #include "sim/paper/drawn_outline.h"
 #include "sim/paper/outline_repair.h"
 #include "sim/paper/path_builder.h"
+#include "sim/paper/placement_record.h"
 #include "sim/paper/polyline_outline.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
@@ -145,11 +146,13 @@ class PartReader {
         add_grain();
         add_lines();
         unfold();
+        place();
         if (part_.cut.pieces) panel_.pieces = std::clamp(*part_.cut.pieces, 1, kMostPieces);
         return panel_;
     }
 
     std::vector<std::string> notes;
+    bool is_placed = false;  // as the part says
 
  private:
     Vec2d in_file(const Vec2d& place) const { return Vec2d(place.x(), down_ * place.y()) / scale_; }
@@ -341,6 +344,12 @@ class PartReader {
         }
     }
 
+    void place() {
+        if (!part_.placement) return;
+        const DrawnPath* outline = largest(LineKind::Sew);
+        is_placed = outline && place_as_drawn(panel_, scaled(*outline, scale_), *part_.placement);
+    }
+
     bool has_grain_line() const {
         return std::ranges::any_of(part_.paths, [](const DrawnPath& path) { return path.kind == LineKind::Grain; });
     }
@@ -383,6 +392,7 @@ class PanelMaker {
         if (!drawing_.is_upright && drawing_.seams.empty()) set_upright();
         add_seams(first_panel);
         finish_pairs();
+        place_on_body();
         if (drawing_.allowance) out_.pattern.allowance = std::clamp(*drawing_.allowance, 0.0, kWidestAllowance);
         return std::move(out_);
     }
@@ -445,6 +455,7 @@ class PanelMaker {
             panel->is_worn = false;
             out_.notes.push_back(panel->name + ": cut from " + part.cut.material + ", not worn");
         }
+        is_placed_ = is_placed_ && reader.is_placed;
         is_pair_.push_back(is_pair(part));
         out_.pattern.panels.push_back(std::move(*panel));
     }
@@ -548,9 +559,16 @@ class PanelMaker {
         has_seams_ = !drawing_.seams.empty();
     }
 
-    // Adds the second panel of each mirrored pair. The drawing's own seams tell that all panels are drawn.
+    void place_on_body() {
+        if (!drawing_.body || !is_placed_) return;
+        out_.is_placed = true;
+        out_.pattern.body = drawing_.body->text;
+        out_.pattern.body_height = drawing_.body->height;
+    }
+
+    // Adds the second panel of each mirrored pair. A drawing with seams or a body of its own has all panels.
     void finish_pairs() {
-        if (has_seams_) return;
+        if (has_seams_ || drawing_.body) return;
         const std::vector<PanelRole> roles = roles_of(out_.pattern, out_.hints);
         const std::size_t count = out_.pattern.panels.size();
         for (std::size_t p = 0; p < count; ++p) {
@@ -619,6 +637,7 @@ class PanelMaker {
     const MakePanelsOptions& options_;
     double scale_ = 1;
     bool has_seams_ = false;
+    bool is_placed_ = true;                     // so far, every panel
     std::vector<std::optional<bool>> is_pair_;  // per panel of the drawing
     PanelsOfDrawing out_;
 };

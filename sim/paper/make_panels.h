@@ -1,7 +1,8 @@
 #pragma once
 // Makes a pattern of a drawing: each part's sewing line becomes the outline of a panel, in metres; seam allowances are
 // taken off, halves that are cut on the fold are unfolded, mirrored pairs get their second panel, notches, grain, fold
-// lines and drill points come along. Placement and seams come later (sim/pattern/seam_proposals.h, sim/place).
+// lines and drill points come along. Placement and seams that the drawing does not state come later
+// (sim/pattern/seam_proposals.h, sim/place).
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,11 +19,12 @@ struct MakePanelsOptions {
 };
 
 struct PanelsOfDrawing {
-    Pattern pattern;                 // all panels at the origin of space, side by side on the sheet
+    Pattern pattern;                 // side by side on the sheet; in space at the origin, or as the drawing says
     std::vector<std::string> notes;  // what was guessed, repaired or left out, one line each
     std::vector<std::string> sizes;  // that the file has, in its order
     bool is_unit_guessed = false;
-    std::string hints;  // texts about the whole garment, for roles_of()
+    bool is_placed = false;  // the drawing states body and placements, which the pattern has
+    std::string hints;       // texts about the whole garment, for roles_of()
 };
 
 // Throws InputError if no part has a closed outline, if the size is not in the file, or if an outline crosses itself;

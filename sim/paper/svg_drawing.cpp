@@ -10,6 +10,7 @@
 #include "sim/paper/cut_text.h"
 #include "sim/paper/freesewing_lines.h"
 #include "sim/paper/path_builder.h"
+#include "sim/paper/placement_record.h"
 #include "sim/paper/svg_path.h"
 #include "sim/paper/svg_shapes.h"
 #include "sim/pattern/enum_names.h"
@@ -135,6 +136,7 @@ class OwnReader {
         drawing_.metres_per_unit = document_.metres_per_unit;
         for (const SvgShape& shape : document_.shapes) add_shape(shape);
         for (const auto& seam : document_.seams) add_seam(seam);
+        drawing_.body = read_body_phrase(document_.body);
         return std::move(drawing_);
     }
 
@@ -159,7 +161,20 @@ class OwnReader {
         const std::vector<double> pieces = parse_numbers(value(group.data, "pieces"));
         if (!pieces.empty()) part.cut.pieces = static_cast<int>(std::clamp(pieces[0], 1.0, double(kMostPieces)));
         part.cut.are_mirrored = false;  // mirror images are panels of their own
+        part.placement = placement_of(value(group.data, "placement"));
         return part;
+    }
+
+    // None: it is not stated, or not all of it is understood.
+    static std::optional<DrawnPlacement> placement_of(std::string_view phrases) {
+        if (phrases.empty()) return std::nullopt;
+        DrawnPlacement placement;
+        while (!phrases.empty()) {
+            const std::string_view phrase = phrases.substr(0, phrases.find(';'));
+            if (!read_placement_phrase(phrase, placement)) return std::nullopt;
+            phrases.remove_prefix(std::min(phrases.size(), phrase.size() + 1));
+        }
+        return placement;
     }
 
     void add_shape(const SvgShape& shape) {
@@ -194,8 +209,27 @@ class OwnReader {
         if (!count.empty()) mark.count = static_cast<int>(std::clamp(count[0], 1.0, double(kMostNotchesTogether)));
         const std::vector<double> edge = parse_numbers(value(shape.data, "edge"));
         if (!edge.empty() && edge[0] >= 0 && edge[0] < kMaxEdges) mark.edge = static_cast<int>(edge[0]);
+        const std::vector<double> fraction = parse_numbers(value(shape.data, "fraction"));
+        if (mark.edge && !fraction.empty()) move_with_outline(mark, std::clamp(fraction[0], 0.0, 1.0), part);
+        if (mark.kind == MarkKind::Drill && shape.path.is_closed) mark.at = middle_of(shape.path);
         // A sign of several strokes is one mark.
         if (part.marks.empty() || part.marks.back() != mark) part.marks.push_back(mark);
+    }
+
+    // Of a circle.
+    static Vec2d middle_of(const DrawnPath& path) {
+        Vec2d sum = Vec2d::Zero();
+        for (const Vec2d& v : path.vertices) sum += v;
+        return sum / std::max<double>(1, static_cast<double>(path.vertices.size()));
+    }
+
+    // The place in the file is not that on the paper if another program moved the piece.
+    static void move_with_outline(DrawnMark& mark, double fraction, const DrawnPart& part) {
+        const auto outline = std::ranges::find_if(
+            part.paths, [](const DrawnPath& path) { return path.kind == LineKind::Sew && path.is_closed; });
+        if (outline == part.paths.end() || static_cast<std::size_t>(*mark.edge) >= outline->edges.size()) return;
+        const Panel panel = as_panel(*outline);
+        mark.at = outline_point(panel, panel.edges[static_cast<std::size_t>(*mark.edge)], fraction);
     }
 
     SeamSide side_of(const std::string& text) const {

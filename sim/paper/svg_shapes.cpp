@@ -336,6 +336,7 @@ class Walker {
     void read_seams(const pugi::xml_node& metadata) {
         for (const pugi::xml_node& list : metadata.children()) {
             if (std::strcmp(list.name(), "selvedge:seams") != 0) continue;
+            out_.body = attribute(list, "body");
             for (const pugi::xml_node& seam : list.children()) {
                 std::map<std::string, std::string> attributes;
                 for (const pugi::xml_attribute& one : seam.attributes()) attributes[one.name()] = one.value();

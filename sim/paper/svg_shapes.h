@@ -48,6 +48,7 @@ struct SvgDocument {
     std::vector<SvgUse> uses;
     std::vector<SvgText> texts;
     std::vector<std::map<std::string, std::string>> seams;  // attributes of selvedge:seam
+    std::string body;                                       // of selvedge:seams; empty: the file states none
     std::optional<double> metres_per_unit;
     bool is_freesewing = false;
     std::vector<std::string> notes;

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "sim/paper/placement_record.h"
 #include "sim/pattern/enum_names.h"
 #include "sim/pattern/fabric_file.h"
 #include "sim/pattern/outline.h"
@@ -91,6 +92,7 @@ class DxfWriter {
         text(1, "Units: METRIC");
         if (!pattern_.size.empty()) text(1, "Sample Size: " + pattern_.size);
         write_seams();
+        if (has_portable_placement(pattern_)) text(15, "SELVEDGE BODY " + body_phrase(pattern_));
         end_section();
         group(0, "EOF");
         return std::move(out_);
@@ -282,6 +284,8 @@ class DxfWriter {
             if (line.points.size() < 2) continue;
             text(15, "SELVEDGE LINE " + std::string(name_of_value(line.use)) + " " + line.name);
         }
+        if (!has_portable_placement(pattern_)) return;
+        for (const std::string& phrase : placement_phrases(panel)) text(15, "SELVEDGE PLACED " + phrase);
     }
 
     // A sewing is told by its number: a name can be too long for a text, or have letters that DXF lacks.

@@ -5,7 +5,7 @@
 //
 // DXF of these standards has polylines only and no seams. What it lacks stands as text on layer 15, which other
 // programs show or ignore, and which sim/paper/dxf_records.h reads back: "SELVEDGE EDGE ...", "SELVEDGE NOTCH ...",
-// "SELVEDGE LINE ...", "SELVEDGE SEAM ...".
+// "SELVEDGE LINE ...", "SELVEDGE PLACED ...", "SELVEDGE SEAM ...".
 #include <string>
 
 #include "sim/pattern/pattern.h"

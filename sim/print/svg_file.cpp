@@ -2,30 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
+#include "sim/paper/decimal_text.h"
+#include "sim/paper/placement_record.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/enum_names.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
 namespace {
-
-// At most six decimals, whatever the locale.
-std::string number(double value) {
-    std::array<char, 64> text{};
-    const auto [stop, error] =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 6);
-    std::string digits(text.data(), error == std::errc() ? stop : text.data());
-    while (digits.find('.') != std::string::npos && (digits.back() == '0' || digits.back() == '.')) {
-        const bool is_point = digits.back() == '.';
-        digits.pop_back();
-        if (is_point) break;
-    }
-    return digits.empty() || digits == "-0" ? "0" : digits;
-}
 
 // For text and attributes of XML 1.0; characters that it forbids are left out.
 std::string escaped(std::string_view text) {
@@ -87,11 +74,11 @@ class SvgWriter {
         const Vec2d size = 1000 * sheet_.size + Vec2d::Constant(2 * kBorder);
         out_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"" +
                attribute("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape") +
-               attribute("width", number(size.x()) + "mm") + attribute("height", number(size.y()) + "mm") +
-               attribute("viewBox", "0 0 " + number(size.x()) + " " + number(size.y())) + ">\n";
+               attribute("width", decimal_text(size.x()) + "mm") + attribute("height", decimal_text(size.y()) + "mm") +
+               attribute("viewBox", "0 0 " + decimal_text(size.x()) + " " + decimal_text(size.y())) + ">\n";
         const std::string title = sheet_.title.empty() ? pattern_.name : sheet_.title;
         out_ += "<title>" + escaped(title) + "</title>\n";
-        write_seams();
+        write_metadata();
         if (!sheet_.fabric.empty() || sheet_.repeat) write_fabric();
         for (std::size_t i = 0; i < sheet_.pieces.size(); ++i) write_piece(i);
         out_ += "</svg>\n";
@@ -105,7 +92,7 @@ class SvgWriter {
 
     std::string point(const Vec2d& on_sheet) const {
         const Vec2d p = to_page(on_sheet);
-        return number(p.x()) + "," + number(p.y());
+        return decimal_text(p.x()) + "," + decimal_text(p.y());
     }
 
     bool has(PaperLayer layer) const { return layers_[static_cast<std::size_t>(layer)]; }
@@ -119,9 +106,12 @@ class SvgWriter {
         return true;
     }
 
-    void write_seams() {
-        if (!is_whole() || pattern_.seams.empty()) return;
-        out_ += "<metadata><selvedge:seams xmlns:selvedge=\"urn:selvedge:pattern\">\n";
+    // What is not drawn: seams and the body, if all panels are there.
+    void write_metadata() {
+        if (!is_whole() || (pattern_.seams.empty() && !has_portable_placement(pattern_))) return;
+        out_ += "<metadata><selvedge:seams xmlns:selvedge=\"urn:selvedge:pattern\"";
+        if (has_portable_placement(pattern_)) out_ += attribute("body", body_phrase(pattern_));
+        out_ += ">\n";
         const auto side = [&](const SeamSide& s) { return panel_of(pattern_, s).name + ":" + std::to_string(s.edge); };
         for (const Seam& seam : pattern_.seams) {
             out_ += "<selvedge:seam" + attribute("first", side(seam.first)) + attribute("second", side(seam.second)) +
@@ -141,8 +131,9 @@ class SvgWriter {
             out_ += "<path d=\"M " + point(a) + " L " + point(b) + "\"/>\n";
         };
         const Vec2d size = sheet_.size;
-        out_ += "<rect" + attribute("x", number(kBorder)) + attribute("y", number(kBorder)) +
-                attribute("width", number(1000 * size.x())) + attribute("height", number(1000 * size.y())) + "/>\n";
+        out_ += "<rect" + attribute("x", decimal_text(kBorder)) + attribute("y", decimal_text(kBorder)) +
+                attribute("width", decimal_text(1000 * size.x())) + attribute("height", decimal_text(1000 * size.y())) +
+                "/>\n";
         if (sheet_.repeat) {
             for (double x = sheet_.repeat->x(); x < size.x(); x += sheet_.repeat->x()) line({x, 0}, {x, size.y()});
             for (double y = sheet_.repeat->y(); y < size.y(); y += sheet_.repeat->y()) line({0, y}, {size.x(), y});
@@ -161,6 +152,11 @@ class SvgWriter {
                 attribute("inkscape:label", own.name) + attribute("data-selvedge-panel", own.name) +
                 attribute("data-selvedge-pieces", std::to_string(own.pieces));
         if (!pattern_.size.empty()) out_ += attribute("data-selvedge-size", pattern_.size);
+        if (is_whole() && has_portable_placement(pattern_)) {
+            std::string phrases;
+            for (const std::string& phrase : placement_phrases(own)) phrases += (phrases.empty() ? "" : "; ") + phrase;
+            out_ += attribute("data-selvedge-placement", phrases);
+        }
         out_ += attribute("style", "fill:none;stroke:black;stroke-linejoin:round;stroke-linecap:round") + ">\n";
         for (const LayerLook& look : kLooks) {
             if (has(look.layer)) write_layer(look, piece, place, panel);
@@ -218,7 +214,7 @@ class SvgWriter {
                     d += " C " + point(edge.control[0]) + " " + point(edge.control[1]) + " ";
                     break;
                 case CurveKind::Arc: {
-                    const std::string radius = number(1000 * edge.arc_radius);
+                    const std::string radius = decimal_text(1000 * edge.arc_radius);
                     // With y down, what turns right on paper is the positive direction of SVG.
                     d += " A " + radius + " " + radius + " 0 " + (edge.is_large_arc ? "1 " : "0 ") +
                          (edge.turns_right ? "1 " : "0 ");
@@ -264,6 +260,7 @@ class SvgWriter {
                      attribute("data-selvedge-kind", name_of_value(notch.kind)) +
                      attribute("data-selvedge-count", std::to_string(notch.count)) +
                      attribute("data-selvedge-edge", std::to_string(panel.notches[i].edge)) +
+                     attribute("data-selvedge-fraction", decimal_text(panel.notches[i].t)) +
                      attribute("data-selvedge-at", point(outline_point(panel, edge, panel.notches[i].t))) +
                      attribute("d", d) + "/>\n";
         }
@@ -290,8 +287,9 @@ class SvgWriter {
         for (const Vec2d& at : piece.drill_points) {
             const Vec2d p = to_page(place.at(at));
             lines += "<circle" + attribute("data-selvedge-mark", "drill") +
-                     attribute("data-selvedge-at", number(p.x()) + "," + number(p.y())) +
-                     attribute("cx", number(p.x())) + attribute("cy", number(p.y())) + attribute("r", "3") + "/>\n";
+                     attribute("data-selvedge-at", decimal_text(p.x()) + "," + decimal_text(p.y())) +
+                     attribute("cx", decimal_text(p.x())) + attribute("cy", decimal_text(p.y())) + attribute("r", "3") +
+                     "/>\n";
         }
         return lines;
     }
@@ -301,17 +299,17 @@ class SvgWriter {
         const Vec2d middle = to_page(place.at(piece.label.at));
         const double height = 1000 * piece.label.height;
         const double angle_deg = piece.label.angle(place.turn) * 180 / std::numbers::pi;
-        const std::string turn = std::abs(angle_deg) < 1e-6
-                                     ? ""
-                                     : attribute("transform", "rotate(" + number(-angle_deg) + " " +
-                                                                  number(middle.x()) + " " + number(middle.y()) + ")");
+        const std::string turn =
+            std::abs(angle_deg) < 1e-6
+                ? ""
+                : attribute("transform", "rotate(" + decimal_text(-angle_deg) + " " + decimal_text(middle.x()) + " " +
+                                             decimal_text(middle.y()) + ")");
         double y = middle.y() - height * (static_cast<double>(piece.label.lines.size()) / 2 - 0.8);
         for (const std::string& line : piece.label.lines) {
-            lines +=
-                "<text" + attribute("x", number(middle.x())) + attribute("y", number(y)) + turn +
-                attribute("style",
-                          "font-family:Inter,sans-serif;text-anchor:middle;font-size:" + number(0.8 * height) + "px") +
-                ">" + escaped(line) + "</text>\n";
+            lines += "<text" + attribute("x", decimal_text(middle.x())) + attribute("y", decimal_text(y)) + turn +
+                     attribute("style", "font-family:Inter,sans-serif;text-anchor:middle;font-size:" +
+                                            decimal_text(0.8 * height) + "px") +
+                     ">" + escaped(line) + "</text>\n";
             y += height;
         }
         return lines;

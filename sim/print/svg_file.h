@@ -1,7 +1,8 @@
 #pragma once
 // Patterns as SVG at their true size: 1 user unit = 1 mm, a group per panel with a layer per kind of line, sewing lines
 // edge by edge as the curves that they are. What a drawing program does not show is kept for reading it back
-// (sim/paper/svg_drawing.h): the panel's data in data-selvedge-... attributes, seams in the metadata element.
+// (sim/paper/svg_drawing.h): the panel's data in data-selvedge-... attributes, seams and the body in the metadata
+// element.
 #include <string>
 
 #include "sim/print/paper_sheet.h"

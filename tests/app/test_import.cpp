@@ -63,6 +63,28 @@ TEST(ImportCommand, draws_the_body_of_the_draft_s_measurements) {
     EXPECT_EQ(sim::load_pattern(garment).pattern.body, "mannequin:sex=male,bust=98,underbust=96,waist=82");
 }
 
+TEST(ImportCommand, places_what_selvedge_printed_as_it_was_placed) {
+    const ScratchFolder folder;
+    const std::string tshirt = source_folder() + "/patterns/tshirt.json", garment = folder / "garment.json";
+    const sim::Pattern original = sim::load_pattern(tshirt).pattern;
+    for (const char* name : {"a.svg", "a.dxf"}) {
+        const std::string paper = folder / name;
+        ASSERT_EQ(run_selvedge("print '" + tshirt + "' -o '" + paper + "'").exit_code, 0);
+        const ProgramResult result = run_selvedge("import '" + paper + "' -o '" + garment + "'");
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        const sim::Pattern read = sim::load_pattern(garment).pattern;
+        EXPECT_EQ(read.body, original.body);
+        EXPECT_EQ(read.seams.size(), original.seams.size());
+        ASSERT_EQ(read.panels.size(), original.panels.size());
+        for (std::size_t p = 0; p < read.panels.size(); ++p) {
+            EXPECT_EQ(read.panels[p].name, original.panels[p].name);
+            EXPECT_LT((read.panels[p].translation - original.panels[p].translation).norm(), 1e-5);
+            EXPECT_LT((read.panels[p].rotation - original.panels[p].rotation).norm(), 1e-5);
+            EXPECT_NEAR(read.panels[p].wrap_radius, original.panels[p].wrap_radius, 1e-5);
+        }
+    }
+}
+
 TEST(ImportCommand, refuses_wrong_input_on_one_line_and_writes_nothing) {
     const ScratchFolder folder;
     const std::string drawn = folder / "a.svg", garment = folder / "garment.json";

@@ -61,6 +61,47 @@ void expect_same_panel(const Panel& drawn, const Panel& original) {
     }
 }
 
+std::vector<Vec2d> pinned_places(const Panel& panel) {
+    std::vector<Vec2d> places;
+    for (const int pin : panel.pins) places.push_back(panel.vertices[static_cast<std::size_t>(pin)]);
+    std::ranges::sort(places, {}, [](const Vec2d& p) { return std::pair(p.x(), p.y()); });
+    return places;
+}
+
+// Where the panel starts round the body, and how it is worn.
+void expect_same_placement(const Panel& read, const Panel& original) {
+    ASSERT_EQ(read.edges.size(), original.edges.size());
+    for (std::size_t e = 0; e < read.edges.size(); ++e) {
+        const Vec2d own = outline_point(read, read.edges[e], 0.3);
+        const Vec2d other = outline_point(original, original.edges[e], 0.3);
+        EXPECT_LT((own - other).norm(), kOff) << original.name << " " << e;
+        EXPECT_LT((read.place(own) - original.place(other)).norm(), kOff) << original.name << " " << e;
+    }
+    EXPECT_NEAR(read.wrap_radius, original.wrap_radius, 1e-8);
+    ASSERT_EQ(read.wrap_cone.has_value(), original.wrap_cone.has_value());
+    if (read.wrap_cone) {
+        EXPECT_NEAR(read.wrap_cone->sine, original.wrap_cone->sine, 1e-6);
+        EXPECT_LT((read.wrap_cone->apex - original.wrap_cone->apex).norm(), kOff);
+    }
+    EXPECT_EQ(read.is_mirrored, original.is_mirrored);
+    EXPECT_EQ(read.layer, original.layer);
+    EXPECT_EQ(read.label, original.label);
+    EXPECT_EQ(read.is_worn, original.is_worn);
+    const std::vector<Vec2d> pins = pinned_places(read), wanted = pinned_places(original);
+    ASSERT_EQ(pins.size(), wanted.size());
+    for (std::size_t i = 0; i < pins.size(); ++i) EXPECT_LT((pins[i] - wanted[i]).norm(), kOff);
+}
+
+void expect_same_placement(const std::string& text, const Pattern& original) {
+    const PanelsOfDrawing read = make_panels(parse_drawing(text, "written"), "written");
+    ASSERT_TRUE(read.is_placed);
+    EXPECT_EQ(read.pattern.body, original.body);
+    EXPECT_NEAR(read.pattern.body_height, original.body_height, 1e-6);
+    ASSERT_EQ(read.pattern.panels.size(), original.panels.size());
+    for (std::size_t p = 0; p < original.panels.size(); ++p)
+        expect_same_placement(read.pattern.panels[p], original.panels[p]);
+}
+
 void expect_same(const std::string& text, const Pattern& original) {
     const PanelsOfDrawing read = make_panels(parse_drawing(text, "written"), "written");
     ASSERT_EQ(read.pattern.panels.size(), original.panels.size());
@@ -176,6 +217,87 @@ TEST(RoundTrip, dxf_that_was_changed_is_read_as_it_is_drawn) {
     const PanelsOfDrawing read = make_panels(parse_drawing(text, "changed"), "changed");
     ASSERT_EQ(read.pattern.panels.size(), 1U);
     EXPECT_NEAR(outline_box(read.pattern.panels[0]).sizes().x(), 0.502, 1e-4);
+}
+
+// The sample, round a body: one panel bent to a cone, one to a cylinder, turned, mirrored, pinned, not worn.
+Pattern placed_sample() {
+    Pattern pattern = sample_pattern();
+    pattern.body = "mannequin:sex=female";
+    pattern.body_height = 1.606;
+    Panel& cap = pattern.panels[0];
+    cap.translation = {0.1, 1.2, -0.05};
+    cap.rotation = Eigen::AngleAxisd(1.1, Vec3d(0.3, 0.9, -0.2).normalized()).toRotationMatrix();
+    cap.wrap_cone = WrapCone{{0.15, 0.9}, -0.4};
+    cap.layer = -2;
+    cap.label = "arm; \"upper\"";
+    cap.pins = {0, 3};
+    Panel& strip = pattern.panels[1];
+    strip.translation = {0, 0.9, 0};
+    strip.is_mirrored = true;
+    strip.wrap_radius = 0.2;
+    strip.is_worn = false;
+    return pattern;
+}
+
+TEST(RoundTrip, placements_come_back) {
+    Pattern original = placed_sample();
+    const std::string svg = svg_of(original), dxf = dxf_of(original);
+    original.panels[0].label = "arm  \"upper\"";  // ';' parts phrases
+    expect_same_placement(svg, original);
+    expect_same_placement(dxf, original);
+    for (const std::filesystem::path& file : shipped_patterns()) {
+        SCOPED_TRACE(file.filename().string());
+        const Pattern pattern = load_pattern(file).pattern;
+        expect_same_placement(svg_of(pattern), pattern);
+        expect_same_placement(dxf_of(pattern), pattern);
+    }
+}
+
+// As drawing programs do it: they leave what they do not know.
+TEST(RoundTrip, pieces_of_svg_that_were_moved_and_turned_keep_notches_and_placement) {
+    Pattern original = placed_sample();
+    original.panels[0].label.clear();
+    original.panels[0].wrap_cone.reset();  // its axis would be oblique on the paper
+    std::string text = svg_of(original);
+    const std::string piece = "<g id=\"panel-0\"";
+    ASSERT_NE(text.find(piece), std::string::npos);
+    text.replace(text.find(piece), piece.size(), "<g transform=\"translate(420,90) rotate(35)\" id=\"panel-0\"");
+    expect_same_placement(text, original);
+    const Panel read = make_panels(parse_drawing(text, "moved"), "moved").pattern.panels[0];
+    expect_same_panel(read, original.panels[0]);
+}
+
+TEST(RoundTrip, placements_round_a_body_file_stay_at_home) {
+    Pattern original = placed_sample();
+    original.body = "/bodies/somebody.obj";
+    for (const std::string& text : {svg_of(original), dxf_of(original)}) {
+        EXPECT_EQ(text.find("somebody"), std::string::npos);
+        EXPECT_FALSE(make_panels(parse_drawing(text, "written"), "written").is_placed);
+    }
+}
+
+TEST(RoundTrip, broken_placements_are_left_out) {
+    const std::string svg = svg_of(placed_sample());
+    const std::string body = "body=\"1606 mannequin:sex=female\"";
+    const auto changed = [&](const std::string& from, const std::string& to) {
+        std::string text = svg;
+        EXPECT_NE(text.find(from), std::string::npos) << from;
+        if (text.find(from) != std::string::npos) text.replace(text.find(from), from.size(), to);
+        return make_panels(parse_drawing(text, "broken"), "broken").is_placed;
+    };
+    EXPECT_TRUE(changed(body, body));
+    EXPECT_FALSE(changed(body, "body=\"16060 mannequin:sex=female\""));
+    EXPECT_FALSE(changed(body, "body=\"1606 /dev/zero\""));
+    EXPECT_FALSE(changed("layer -2", "layer 100000"));
+    EXPECT_FALSE(changed("cylinder 200", "cylinder -200"));
+    EXPECT_FALSE(changed("cylinder 200", "cylinder nan"));
+    EXPECT_FALSE(changed("at 0 900 0", "at 0 900000 0"));
+    EXPECT_FALSE(changed("frame 0 0 0", "frame 9 0 0"));
+    EXPECT_FALSE(changed(" -0.4;", " -0.001;"));
+    std::string dxf = dxf_of(placed_sample());
+    const std::string layer = "PLACED layer -2";
+    dxf.replace(dxf.find(layer), layer.size(), "PLACED layer x");
+    EXPECT_FALSE(make_panels(parse_drawing(dxf, "broken"), "broken").is_placed);
 }
 
 TEST(RoundTrip, same_pattern_gives_the_same_bytes) {
