@@ -282,11 +282,13 @@ class Arranger {
 
     // The cone of a sleeve that narrows, by the seam that closes it.
     std::optional<WrapCone> cone_of_sleeve(std::size_t p) const {
+        std::vector<int> left, right;
         for (const Sewn& sewn : sewn_[p]) {
-            if (as_size(sewn.panel) == p && sewn.own != sewn.other)
-                return tapering_cone(pattern_.panels[p], sewn.own.edge, sewn.other.edge);
+            if (as_size(sewn.panel) != p || sewn.own == sewn.other) continue;
+            (middle_of(sewn.own).x() < middle_of(sewn.other).x() ? left : right).push_back(sewn.own.edge);
         }
-        return std::nullopt;
+        if (left.empty() || right.empty()) return std::nullopt;
+        return tapering_cone(pattern_.panels[p], left, right);
     }
 
     // From the underarm to the top, m.

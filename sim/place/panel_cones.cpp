@@ -33,15 +33,20 @@ WaistArc waist_arc(const Panel& panel) {
     return arc;
 }
 
-std::optional<WrapCone> tapering_cone(const Panel& panel, int edge, int other_edge) {
+std::optional<WrapCone> tapering_cone(const Panel& panel, const std::vector<int>& side,
+                                      const std::vector<int>& other_side) {
     constexpr double kLeastAngle = 0.06, kMostAngle = 1;  // rad, between the edges: less is a cylinder
-    const auto ends = [&](int index) {
-        const OutlineEdge& own = panel.edges[static_cast<std::size_t>(index)];
-        const Vec2d a = outline_point(panel, own, 0), b = outline_point(panel, own, 1);
-        return a.y() < b.y() ? std::pair(a, b) : std::pair(b, a);
+    const auto ends = [&](const std::vector<int>& edges) {
+        std::vector<Vec2d> points;
+        for (const int index : edges) {
+            const OutlineEdge& own = panel.edges[static_cast<std::size_t>(index)];
+            for (const double t : {0.0, 1.0}) points.push_back(outline_point(panel, own, t));
+        }
+        const auto [low, high] = std::ranges::minmax_element(points, {}, [](const Vec2d& p) { return p.y(); });
+        return std::pair(*low, *high);
     };
-    const auto [low_a, high_a] = ends(edge);
-    const auto [low_b, high_b] = ends(other_edge);
+    const auto [low_a, high_a] = ends(side);
+    const auto [low_b, high_b] = ends(other_side);
     const Vec2d a = high_a - low_a, b = high_b - low_b;
     const double cross = cross2(a, b), angle = std::abs(std::atan2(cross, a.dot(b)));
     const bool narrows = std::abs(high_a.x() - high_b.x()) > std::abs(low_a.x() - low_b.x());

@@ -2,6 +2,7 @@
 // The cones to which panels can be bent round the body: of a skirt by the arc of its waist, of a sleeve by the lines of
 // its underarm seam.
 #include <optional>
+#include <vector>
 
 #include "sim/pattern/pattern.h"
 #include "sim/place/body_anchors.h"
@@ -21,8 +22,10 @@ WaistArc waist_arc(const Panel& panel);
 // Returns whether it is such a skirt.
 bool bend_round_waist(Panel& panel, const TrunkSection& waist, double height);
 
-// The cone of a panel that narrows downwards between two edges, its apex where they meet, its sine as if it closed;
-// none if it does not narrow, or by so little that a cylinder fits.
-std::optional<WrapCone> tapering_cone(const Panel& panel, int edge, int other_edge);
+// The cone of a panel that narrows downwards between two sides, its apex where the lines from end to end of these meet,
+// its sine as if it closed; none if it does not narrow, or by so little that a cylinder fits. Sides: indices of edges,
+// of one at least.
+std::optional<WrapCone> tapering_cone(const Panel& panel, const std::vector<int>& side,
+                                      const std::vector<int>& other_side);
 
 }  // namespace selvedge::sim

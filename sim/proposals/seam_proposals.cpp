@@ -148,7 +148,7 @@ class Search {
     }
 
     // Fractions of both sides at which the seam is divided into pairs of stretches. Joints of both sides that nearly
-    // meet are one.
+    // meet are one; between two of these the seam is divided in proportion.
     struct Joint {
         double first = 0;                              // fraction of the first side
         double second = 0;                             // of the second, from its own start
@@ -157,20 +157,64 @@ class Search {
     std::vector<Joint> joints(const Candidate& candidate) const {
         const double one = length_of(candidate.first), other = length_of(candidate.second);
         const double ease = 1.5 * std::abs(one - other) / std::max(one, other);
-        const double snap = std::max({0.004 / one, 0.006, std::min(0.08, ease)});
-        std::vector<double> a = joints_of(boundary_, candidate.first);
+        const double near = std::max(0.004 / one, 0.006), snap = std::max(near, std::min(0.08, ease));
+        const std::vector<double> a = joints_of(boundary_, candidate.first);
         std::vector<double> b;
         for (const double t : joints_of(boundary_, candidate.second)) b.push_back(1 - t);
+        std::ranges::sort(b);
+        std::vector<std::pair<double, double>> met = joints_that_meet(a, b, snap);
+        even_out(met, near);
         std::vector<Joint> joints;
-        for (const double t : a) {
-            const auto near = std::ranges::find_if(b, [&](double s) { return std::abs(s - t) < snap; });
-            joints.push_back({t, 1 - (near == b.end() ? t : *near), true, near != b.end()});
-            if (near != b.end()) b.erase(near);
+        for (std::size_t k = 1; k + 1 < met.size(); ++k)
+            joints.push_back({met[k].first, 1 - met[k].second, true, true});
+        for (std::size_t k = 0; k + 1 < met.size(); ++k) {
+            const auto [low_a, low_b] = met[k];
+            const auto [high_a, high_b] = met[k + 1];
+            const double slope = (high_b - low_b) / (high_a - low_a);
+            for (const double t : a) {
+                if (t > low_a && t < high_a) joints.push_back({t, 1 - (low_b + slope * (t - low_a)), true, false});
+            }
+            for (const double t : b) {
+                if (t > low_b && t < high_b) joints.push_back({low_a + (t - low_b) / slope, 1 - t, false, true});
+            }
         }
-        for (const double t : b) joints.push_back({t, 1 - t, false, true});
         std::ranges::sort(joints, {}, &Joint::first);
         keep_apart(joints, one, other);
         return joints;
+    }
+
+    // Pairs of fractions, ascending, of which each is the nearest of the other.
+    static std::vector<std::pair<double, double>> joints_that_meet(const std::vector<double>& a,
+                                                                   const std::vector<double>& b, double snap) {
+        const auto nearest = [](const std::vector<double>& all, double t) {
+            return std::ranges::min_element(all, {}, [&](double s) { return std::abs(s - t); });
+        };
+        std::vector<std::pair<double, double>> pairs{{0, 0}};
+        for (const double t : a) {
+            const auto near = nearest(b, t);
+            if (near != b.end() && std::abs(*near - t) < snap && *nearest(a, *near) == t) pairs.emplace_back(t, *near);
+        }
+        pairs.emplace_back(1, 1);
+        return pairs;
+    }
+
+    // Between two pairs neither side may be much longer than the other: of the two, the pair that meets worse is left
+    // out.
+    static void even_out(std::vector<std::pair<double, double>>& pairs, double least) {
+        constexpr double kMostUneven = 1.25;  // ratio, where that of the whole sides is 1
+        const auto gap = [&](std::size_t k) { return std::abs(pairs[k].first - pairs[k].second); };
+        for (std::size_t k = 1; k < pairs.size();) {
+            const double one = pairs[k].first - pairs[k - 1].first, other = pairs[k].second - pairs[k - 1].second;
+            const bool is_even =
+                std::max(one, other) < kMostUneven * std::min(one, other) || std::abs(one - other) < least;
+            if (is_even || pairs.size() == 2) {
+                ++k;
+                continue;
+            }
+            const std::size_t worse = gap(k - 1) > gap(k) ? k - 1 : k;
+            pairs.erase(pairs.begin() + static_cast<std::ptrdiff_t>(worse));
+            k = std::max<std::size_t>(1, worse);
+        }
     }
 
     // Moves joints along the side where no edge ends, so that no stretch is too short to be meshed.

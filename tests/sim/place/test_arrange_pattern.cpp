@@ -9,6 +9,7 @@
 #include "sim/collide/body_collider.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
+#include "sim/place/panel_cones.h"
 #include "tests/support/mannequin.h"
 
 namespace selvedge::sim::test {
@@ -40,6 +41,25 @@ Pattern shirt() {
     }
     pattern.seams = {{{0, 1}, {1, 5}}, {{0, 5}, {1, 1}}, {{0, 2}, {2, 2}}, {{0, 4}, {3, 2}}};
     return pattern;
+}
+
+// The sides of a sleeve bend, and are drawn as several edges: the cone is that of the lines from end to end.
+TEST(TaperingCone, is_that_of_whole_sides_and_mirrors_with_the_panel) {
+    Panel sleeve;
+    sleeve.vertices = {{0.05, 0}, {0.25, 0}, {0.27, 0.2}, {0.3, 0.4}, {0, 0.4}, {0.01, 0.1}};
+    for (int i = 0; i < 6; ++i) sleeve.edges.push_back({.start = i, .end = (i + 1) % 6});
+    const auto cone = tapering_cone(sleeve, {4, 5}, {1, 2});
+    ASSERT_TRUE(cone);
+    EXPECT_NEAR(cone->apex.x(), 0.15, 1e-9);
+    EXPECT_NEAR(cone->apex.y(), -0.8, 1e-9);
+    EXPECT_LT(cone->sine, 0);
+    const Panel image = mapped_panel(sleeve, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
+    const auto mirrored =
+        tapering_cone(image, {mirrored_edge(4, 6), mirrored_edge(5, 6)}, {mirrored_edge(1, 6), mirrored_edge(2, 6)});
+    ASSERT_TRUE(mirrored);
+    EXPECT_NEAR(mirrored->apex.x(), -0.15, 1e-9);
+    EXPECT_NEAR(mirrored->apex.y(), -0.8, 1e-9);
+    EXPECT_NEAR(mirrored->sine, cone->sine, 1e-12);
 }
 
 TEST(ArrangePattern, puts_fronts_before_and_backs_behind_the_body_at_one_height) {

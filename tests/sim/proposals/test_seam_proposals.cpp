@@ -2,11 +2,15 @@
 #include "sim/proposals/seam_proposals.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <set>
 
+#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/support/checkout.h"
@@ -91,6 +95,35 @@ TEST(SeamProposals, are_accepted_by_dividing_edges_where_they_end) {
     const Pattern whole = load_pattern(shipped("tshirt")).pattern;
     const Vec2d start = pattern.panels[0].vertices[static_cast<std::size_t>(pattern.panels[0].edges[1].start)];
     EXPECT_LT((start - outline_point(whole.panels[0], whole.panels[0].edges[0], 0.25)).norm(), 1e-9);
+}
+
+// As outlines of many edges are in DXF: joints of both sides pair up only where that divides both sides alike.
+TEST(SeamProposals, divide_a_seam_with_ease_evenly_whatever_edges_its_sides_have) {
+    Pattern pattern = load_pattern(shipped("tshirt")).pattern;
+    pattern.seams.clear();
+    const auto index_of = [&](const char* name) {
+        return static_cast<int>(std::ranges::find(pattern.panels, name, &Panel::name) - pattern.panels.begin());
+    };
+    const int front = index_of("front"), sleeve = index_of("left_sleeve_front");
+    const auto panel = [&](int p) -> Panel& { return pattern.panels[static_cast<std::size_t>(p)]; };
+    for (const int p : {sleeve, index_of("left_sleeve_back")})
+        panel(p) = mapped_panel(panel(p), Eigen::Affine2d(Eigen::Scaling(1.06, 1.06)));
+    constexpr int kArmhole = 2, kCap = 3;
+    for (const double t : {0.9, 0.8, 0.65, 0.5, 0.35, 0.25, 0.12, 0.06}) split_edge(panel(sleeve), kCap, t);
+    for (const double t : {0.95, 0.7, 0.6, 0.57, 0.3, 0.18, 0.15}) split_edge(panel(front), kArmhole, t);
+    accept_proposals(pattern, propose_seams(pattern, {.least_confidence = 0.5}));
+    const auto length = [&](const SeamSide& side) {
+        const Panel& own = panel_of(pattern, side);
+        return outline_length(own, own.edges[static_cast<std::size_t>(side.edge)]);
+    };
+    int between = 0;
+    for (const Seam& seam : pattern.seams) {
+        if (std::minmax(seam.first.panel, seam.second.panel) != std::minmax(front, sleeve)) continue;
+        ++between;
+        const double one = length(seam.first), other = length(seam.second);
+        EXPECT_LT(std::abs(one - other), std::max(0.005, 0.35 * std::min(one, other))) << one << " " << other;
+    }
+    EXPECT_GE(between, 8);
 }
 
 TEST(SeamProposals, leave_sewn_edges_and_unworn_panels_alone) {
