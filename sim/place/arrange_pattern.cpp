@@ -15,7 +15,9 @@
 #include "sim/pattern/outline.h"
 #include "sim/place/body_anchors.h"
 #include "sim/place/limbs.h"
+#include "sim/place/panel_clearance.h"
 #include "sim/place/panel_cones.h"
+#include "sim/place/panel_flanks.h"
 #include "sim/place/placement.h"
 
 namespace selvedge::sim {
@@ -30,13 +32,6 @@ std::size_t as_size(int index) {
     return static_cast<std::size_t>(index);
 }
 
-struct Sewn {
-    int panel = 0;  // the other one
-    SeamSide own;
-    SeamSide other;
-    bool is_reversed = true;
-};
-
 class Arranger {
  public:
     Arranger(Pattern& pattern, const Body& body, std::string_view hints)
@@ -44,19 +39,15 @@ class Arranger {
           body_(body),
           stature_(find_stature(body)),
           anchors_(anchors_of(body, stature_)),
-          points_(arrangement_points(body)) {
+          points_(arrangement_points(body)),
+          sewn_(sewn_edges(pattern)) {
         out_.roles = roles_of(pattern, hints);
-        sewn_.resize(pattern.panels.size());
         is_placed_.resize(pattern.panels.size(), false);
         for (const Panel& panel : pattern.panels) boxes_.push_back(outline_box(panel, 1e-3));
-        for (const Seam& seam : pattern.seams) {
-            sewn_[as_size(seam.first.panel)].push_back({seam.second.panel, seam.first, seam.second, seam.is_reversed});
-            sewn_[as_size(seam.second.panel)].push_back({seam.first.panel, seam.second, seam.first, seam.is_reversed});
-        }
     }
 
     Arrangement run() {
-        find_flanks();
+        find_flanks(pattern_, sewn_, out_.roles);
         for (std::size_t p = 0; p < out_.roles.size(); ++p) level_band(p);
         anchors_.waist = resting_height(body_, anchors_, stature_, waist_length());
         for (const auto part : {GarmentPart::Torso, GarmentPart::Leg, GarmentPart::Skirt}) {
@@ -69,7 +60,13 @@ class Arranger {
         }
         for (std::size_t p = 0; p < out_.roles.size(); ++p) place_cuff(p);
         place_hoods();
-        continue_seams();
+        continue_seams(false);
+        for (const auto part : {GarmentPart::CollarStand, GarmentPart::Collar}) {
+            for (std::size_t p = 0; p < out_.roles.size(); ++p) {
+                if (out_.roles[p].part == part) place_collar(p);
+            }
+        }
+        continue_seams(true);
         place_rest();
         label_panels();
         pattern_.body_height = stature_.height();
@@ -80,69 +77,7 @@ class Arranger {
     Panel& panel(std::size_t p) { return pattern_.panels[p]; }
     bool is_part(int p, GarmentPart part) const { return out_.roles[as_size(p)].part == part; }
 
-    Vec2d middle_of(const SeamSide& side) const {
-        const Panel& own = pattern_.panels[as_size(side.panel)];
-        return outline_point(own, own.edges[as_size(side.edge)], 0.5);
-    }
-
-    // ---- Which side of the body.
-
-    // Whether the panel lies on one side of the body: it has a mirror image, or its name says so.
-    bool is_half(std::size_t p) const {
-        if (out_.roles[p].flank != Flank::None) return true;
-        const Panel& own = pattern_.panels[p];
-        return std::ranges::any_of(pattern_.panels, [&](const Panel& other) { return are_mirror_images(own, other); });
-    }
-
-    // Where the middle of the body lies, as seen on the panel: -1 on its left, 1 on its right, 0 not known.
-    double middle_side(std::size_t p) const {
-        double to_twin = 0, to_other_face = 0;
-        const double axis = boxes_[p].center().x();
-        for (const Sewn& sewn : sewn_[p]) {
-            const PanelRole& other = out_.roles[as_size(sewn.panel)];
-            const Panel& own = pattern_.panels[p];
-            const Panel& partner = pattern_.panels[as_size(sewn.panel)];
-            const double x = middle_of(sewn.own).x() - axis;
-            const bool is_twin = are_mirror_images(own, partner);
-            if (is_twin) to_twin += x;
-            if (other.part == out_.roles[p].part && other.face != out_.roles[p].face) to_other_face += x;
-        }
-        if (to_twin != 0) return to_twin < 0 ? -1 : 1;
-        if (out_.roles[p].part != GarmentPart::Leg && to_other_face != 0) return to_other_face < 0 ? 1 : -1;
-        return 0;
-    }
-
-    void find_flanks() {
-        for (std::size_t p = 0; p < out_.roles.size(); ++p) {
-            PanelRole& role = out_.roles[p];
-            if (role.flank != Flank::None || !is_half(p) || role.face == Face::None) continue;
-            const double side = middle_side(p);
-            if (side == 0) continue;
-            // Seen from outside, a front's right is the wearer's left.
-            role.flank = (side < 0) == (role.face == Face::Front) ? Flank::Left : Flank::Right;
-        }
-        // Others take the side of what they are sewn to, in as many steps as it needs.
-        for (int step = 0; step < 4; ++step) {
-            for (std::size_t p = 0; p < out_.roles.size(); ++p) {
-                if (out_.roles[p].flank == Flank::None && is_half(p)) out_.roles[p].flank = flank_of_partners(p);
-            }
-        }
-    }
-
-    Flank flank_of_partners(std::size_t p) const {
-        double left = 0;
-        for (const Sewn& sewn : sewn_[p]) {
-            const PanelRole& other = out_.roles[as_size(sewn.panel)];
-            if (as_size(sewn.panel) == p) continue;
-            if (other.flank != Flank::None) {
-                left += other.flank == Flank::Left ? 1 : -1;
-            } else if (other.face != Face::None && !is_half(as_size(sewn.panel))) {
-                const double x = middle_of(sewn.other).x() - boxes_[as_size(sewn.panel)].center().x();
-                if (x != 0) left += (x > 0) == (other.face == Face::Front) ? 1 : -1;
-            }
-        }
-        return left > 0 ? Flank::Left : left < 0 ? Flank::Right : Flank::None;
-    }
+    Vec2d middle_of(const SeamSide& side) const { return middle_of_edge(pattern_, side); }
 
     // ---- Flat panels before and behind the body.
 
@@ -155,7 +90,7 @@ class Arranger {
 
     bool closes_round(std::size_t p) const {
         return std::ranges::any_of(
-            sewn_[p], [&](const Sewn& sewn) { return as_size(sewn.panel) == p && sewn.own != sewn.other; });
+            sewn_[p], [&](const SewnEdge& sewn) { return as_size(sewn.panel) == p && sewn.own != sewn.other; });
     }
 
     void place_flat(std::size_t p) {
@@ -179,7 +114,7 @@ class Arranger {
         const double z = is_back ? anchors_.back - kBehind : anchors_.front + kBefore;
         own.translation = {x, height_of(p), z};
         std::vector<int> shoulders;
-        for (const Sewn& sewn : sewn_[p]) {
+        for (const SewnEdge& sewn : sewn_[p]) {
             const PanelRole& other = out_.roles[as_size(sewn.panel)];
             if (other.part == GarmentPart::Torso && other.face != role.face) shoulders.push_back(sewn.own.edge);
         }
@@ -191,7 +126,7 @@ class Arranger {
     double height_of(std::size_t p) const {
         double sum = 0;
         int count = 0;
-        for (const Sewn& sewn : sewn_[p]) {
+        for (const SewnEdge& sewn : sewn_[p]) {
             const auto other = as_size(sewn.panel);
             if (other == p || !is_placed_[other] || pattern_.panels[other].wrap_radius != 0) continue;
             sum += pattern_.panels[other].place(middle_of(sewn.other)).y() - middle_of(sewn.own).y();
@@ -204,7 +139,7 @@ class Arranger {
         if (part != GarmentPart::Leg) return anchors_.shoulder - box.max().y();
         const Panel& own = pattern_.panels[p];
         // The crotch is the outermost point towards the middle.
-        const double side = middle_side(p);
+        const double side = middle_side(pattern_, sewn_, out_.roles, p);
         const auto outmost = std::ranges::max_element(own.vertices, {}, [&](const Vec2d& v) { return side * v.x(); });
         constexpr double kBelowCrotch = 0.015;  // m
         if (side == 0 || outmost == own.vertices.end()) return anchors_.waist - box.max().y();
@@ -283,7 +218,7 @@ class Arranger {
     // The cone of a sleeve that narrows, by the seam that closes it.
     std::optional<WrapCone> cone_of_sleeve(std::size_t p) const {
         std::vector<int> left, right;
-        for (const Sewn& sewn : sewn_[p]) {
+        for (const SewnEdge& sewn : sewn_[p]) {
             if (as_size(sewn.panel) != p || sewn.own == sewn.other) continue;
             (middle_of(sewn.own).x() < middle_of(sewn.other).x() ? left : right).push_back(sewn.own.edge);
         }
@@ -294,7 +229,7 @@ class Arranger {
     // From the underarm to the top, m.
     double cap_height(std::size_t p) const {
         double underarm = boxes_[p].min().y();
-        for (const Sewn& sewn : sewn_[p]) {
+        for (const SewnEdge& sewn : sewn_[p]) {
             if (as_size(sewn.panel) != p) continue;
             const Panel& own = pattern_.panels[p];
             const OutlineEdge& edge = own.edges[as_size(sewn.own.edge)];
@@ -306,7 +241,7 @@ class Arranger {
     // The other panel of a sleeve of two panels.
     std::optional<std::size_t> other_half_of_sleeve(std::size_t p) const {
         if (closes_round(p)) return std::nullopt;
-        for (const Sewn& sewn : sewn_[p]) {
+        for (const SewnEdge& sewn : sewn_[p]) {
             if (is_part(sewn.panel, GarmentPart::Sleeve)) return as_size(sewn.panel);
         }
         return std::nullopt;
@@ -316,7 +251,7 @@ class Arranger {
     double level_between(std::size_t p, std::size_t other) const {
         double sum = 0;
         int count = 0;
-        for (const Sewn& sewn : sewn_[p]) {
+        for (const SewnEdge& sewn : sewn_[p]) {
             if (as_size(sewn.panel) != other) continue;
             sum += (middle_of(sewn.other).y() - boxes_[other].center().y()) -
                    (middle_of(sewn.own).y() - boxes_[p].center().y());
@@ -327,16 +262,18 @@ class Arranger {
 
     // ---- Bands.
 
-    // Cuffs and waistbands may be drawn along the cloth: turned so that they run round the body, the edge that is sewn
-    // to the garment towards it.
+    // Cuffs, waistbands and collars may be drawn along the cloth, or upside down: turned so that they run round the
+    // body, the edge that is sewn to the garment towards it.
     void level_band(std::size_t p) {
+        using enum GarmentPart;
         const GarmentPart part = out_.roles[p].part;
-        if (part != GarmentPart::Cuff && part != GarmentPart::Waistband) return;
-        const Sewn* longest = nullptr;
+        if (part != Cuff && part != Waistband && part != CollarStand && part != Collar) return;
+        const SewnEdge* longest = nullptr;
         double length = 0;
-        for (const Sewn& sewn : sewn_[p]) {
+        for (const SewnEdge& sewn : sewn_[p]) {
             const double own = outline_length(panel(p), panel(p).edges[as_size(sewn.own.edge)]);
-            if (as_size(sewn.panel) == p || own <= length) continue;
+            const bool is_outer = part == CollarStand && is_part(sewn.panel, Collar);
+            if (as_size(sewn.panel) == p || is_outer || own <= length) continue;
             longest = &sewn;
             length = own;
         }
@@ -344,8 +281,8 @@ class Arranger {
         const OutlineEdge& edge = panel(p).edges[as_size(longest->own.edge)];
         const Vec2d along = outline_point(panel(p), edge, 1) - outline_point(panel(p), edge, 0);
         // Outlines run counter-clockwise: a lower edge to the right, an upper one to the left.
-        const bool is_above = is_part(longest->panel, GarmentPart::Skirt) || is_part(longest->panel, GarmentPart::Leg);
-        const bool is_lower_edge = part == GarmentPart::Waistband && is_above;
+        const bool is_above = is_part(longest->panel, Skirt) || is_part(longest->panel, Leg);
+        const bool is_lower_edge = part == Waistband ? is_above : part != Cuff;
         const double right_angle = std::numbers::pi / 2;
         const double turn = (is_lower_edge ? 0 : std::numbers::pi) - std::atan2(along.y(), along.x());
         const double quarter = std::round(turn / right_angle);
@@ -358,7 +295,7 @@ class Arranger {
     double band_height(std::size_t p) const {
         double sum = 0;
         int count = 0;
-        for (const Sewn& sewn : sewn_[p]) {
+        for (const SewnEdge& sewn : sewn_[p]) {
             if (!is_part(sewn.panel, GarmentPart::Torso) || !is_placed_[as_size(sewn.panel)]) {
                 if (as_size(sewn.panel) != p) return anchors_.waist;
                 continue;
@@ -373,7 +310,7 @@ class Arranger {
     // would not go over the hand.
     void place_cuff(std::size_t p) {
         if (out_.roles[p].part != GarmentPart::Cuff || !panel(p).is_worn || is_placed_[p]) return;
-        for (const Sewn& sewn : sewn_[p]) {
+        for (const SewnEdge& sewn : sewn_[p]) {
             const auto sleeve = sleeve_points_.find(as_size(sewn.panel));
             if (sleeve == sleeve_points_.end()) continue;
             constexpr double kWrist = 0.035, kBelow = 0.01;  // m: least radius, and from the sleeve
@@ -424,7 +361,7 @@ class Arranger {
     // Where the middle of all edges lies that are sewn to panels of the part, from the middle of the panel, m.
     Vec2d towards(std::size_t p, GarmentPart part) const {
         Vec2d sum = Vec2d::Zero();
-        for (const Sewn& sewn : sewn_[p]) {
+        for (const SewnEdge& sewn : sewn_[p]) {
             if (is_part(sewn.panel, part) && as_size(sewn.panel) != p) sum += middle_of(sewn.own) - boxes_[p].center();
         }
         return sum;
@@ -457,7 +394,7 @@ class Arranger {
         }
         // Which side of the hood the lower edge belongs to.
         double left = 0;
-        for (const Sewn& sewn : sewn_[p]) {
+        for (const SewnEdge& sewn : sewn_[p]) {
             if (!is_part(sewn.panel, GarmentPart::Hood)) continue;
             const bool is_low = middle_of(sewn.own).y() < boxes_[p].center().y();
             const double x = towards(as_size(sewn.panel), GarmentPart::Hood).x();
@@ -479,7 +416,6 @@ class Arranger {
                     const std::optional<WrapCone>& cone = {}) {
         constexpr double kStep = 0.01, kMost = 0.45;       // m; of the arm's length
         constexpr std::array kOpen{1.04, 1.15, 1.3, 1.5};  // of a full turn, so that the edges do not meet
-        if (!collider_) collider_.emplace(body_);
         const double least = at.radius;
         const auto wrap = [&](double open, double slid) {
             ArrangementPoint point = at;
@@ -497,7 +433,7 @@ class Arranger {
         for (const double open : kOpen) {
             for (double slid = 0; slid <= kMost * arm_length; slid += kStep) {
                 wrap(open, slid);
-                const float clearance = least_clearance(p);
+                const float clearance = clearance_of(panel(p), collider());
                 if (clearance > kClear) return;
                 if (clearance > best) best = clearance, best_open = open, best_slid = slid;
             }
@@ -520,29 +456,6 @@ class Arranger {
         own.translation = axis - own.rotation.col(0) * cone.apex.x() - along * point.upward;
     }
 
-    // From the panel to the body, m.
-    float least_clearance(std::size_t p) const {
-        constexpr int kSpots = 16;  // along each side of the panel's box
-        const Panel& own = pattern_.panels[p];
-        const Eigen::AlignedBox2d& box = boxes_[p];
-        std::vector<Vec2d> outline;
-        for (const OutlineEdge& edge : own.edges) {
-            const std::vector<Vec2d> line = outline_polyline(own, edge, 1e-3);
-            outline.insert(outline.end(), line.begin(), line.end() - 1);
-        }
-        float least = std::numeric_limits<float>::infinity();
-        const auto take = [&](const Vec2d& u) {
-            least = std::min(least, collider_->contact(own.place(u).cast<float>()).distance);
-        };
-        for (const Vec2d& u : outline) take(u);
-        for (int i = 0; i < kSpots * kSpots; ++i) {
-            const Vec2d share((i % kSpots + 0.5) / kSpots, (i / kSpots + 0.5) / kSpots);
-            const Vec2d u = box.min() + share.cwiseProduct(box.sizes());
-            if (is_inside(u, outline)) take(u);
-        }
-        return least;
-    }
-
     // ---- Which part of a band lies where.
 
     static constexpr double kTurned = 0.35;  // rad: bands that are turned by less stay as they are
@@ -550,7 +463,7 @@ class Arranger {
     // By how much a band must turn about an axis so that its edges lie beside those that they are sewn to, rad.
     double turn_to_partners(std::size_t p, const Vec3d& centre, const Vec3d& axis) const {
         double cosine = 0, sine = 0;
-        for (const Sewn& sewn : sewn_[p]) {
+        for (const SewnEdge& sewn : sewn_[p]) {
             const auto other = as_size(sewn.panel);
             if (other == p || !is_placed_[other]) continue;
             const auto off_axis = [&](const Vec3d& at) -> Vec3d {
@@ -562,6 +475,51 @@ class Arranger {
             sine += axis.dot(own.cross(wanted));
         }
         return cosine == 0 && sine == 0 ? 0 : std::atan2(sine, cosine);
+    }
+
+    const BodyCollider& collider() {
+        if (!collider_) collider_.emplace(body_);
+        return *collider_;
+    }
+
+    bool is_collar_strip(std::size_t p) const {
+        constexpr double kStrip = 2.5;  // of its height
+        const GarmentPart part = out_.roles[p].part;
+        return (part == GarmentPart::CollarStand || part == GarmentPart::Collar) &&
+               boxes_[p].sizes().x() > kStrip * boxes_[p].sizes().y();
+    }
+
+    // Strips of a collar are wrapped round the neck, above what they are sewn to, as near as they go without touching
+    // it: flat before or behind it, their ends would have to find their way round.
+    void place_collar(std::size_t p) {
+        if (!is_collar_strip(p) || !panel(p).is_worn || is_placed_[p]) return;
+        if (!limbs_) limbs_ = find_limbs(body_);
+        const Limb& head = (*limbs_)[LimbKind::Head];
+        if (!head.is_found || head.joints.size() < 2) return;
+        constexpr double kOpen = 1.03;                    // of a full turn, so that the ends do not meet
+        constexpr double kWider = 0.005, kWidest = 0.04;  // m
+        ArrangementPoint point;
+        const Vec3d neck = head.joints[0].centre;
+        point.upward = (head.joints[1].centre - neck).normalized();
+        point.outward = (Vec3d::UnitZ() - point.upward.z() * point.upward).normalized();
+        double low = (anchors_.shoulder - neck.y()) / point.upward.y();
+        for (const SewnEdge& sewn : sewn_[p]) {
+            const auto other = as_size(sewn.panel);
+            if (other == p || !is_placed_[other] || !is_part(sewn.panel, GarmentPart::CollarStand)) continue;
+            low = std::max(low, (panel(other).place(boxes_[other].max()) - neck).dot(point.upward));
+        }
+        const Vec2d size = boxes_[p].sizes();
+        const Vec3d centre = neck + (low + size.y() / 2) * point.upward;
+        const double nearest = kOpen * size.x() / (2 * std::numbers::pi);
+        for (double wider = 0; wider < kWidest; wider += kWider) {
+            point.radius = nearest + wider;
+            point.position = centre + point.radius * point.outward;
+            sim::arrange(panel(p), point);
+            const double turn = turn_to_partners(p, centre, point.upward);
+            if (std::abs(turn) > kTurned) sim::arrange(panel(p), turned(point, centre, turn));
+            if (clearance_of(panel(p), collider()) > kClear) break;
+        }
+        is_placed_[p] = true;
     }
 
     void place_round(std::size_t p, const std::string& where, double height) {
@@ -591,12 +549,13 @@ class Arranger {
     // ---- Panels that continue others.
 
     // In the plane of its neighbour, turned so that both sides of the seam are parallel, and beside it.
-    void continue_seams() {
+    void continue_seams(bool with_collars) {
         for (bool has_changed = true; has_changed;) {
             has_changed = false;
             for (std::size_t p = 0; p < pattern_.panels.size(); ++p) {
                 if (is_placed_[p] || !panel(p).is_worn) continue;
-                if (const Sewn* best = seam_to_continue(p)) {
+                if (is_collar_strip(p) && !with_collars) continue;
+                if (const SewnEdge* best = seam_to_continue(p)) {
                     continue_over(p, *best);
                     has_changed = true;
                 }
@@ -605,24 +564,24 @@ class Arranger {
     }
 
     // The longest edge to the placed panel that it is sewn to the most: a yoke goes on from the back, not from a front.
-    const Sewn* seam_to_continue(std::size_t p) const {
-        const auto length_of = [&](const Sewn& sewn) {
+    const SewnEdge* seam_to_continue(std::size_t p) const {
+        const auto length_of = [&](const SewnEdge& sewn) {
             return outline_length(pattern_.panels[p], pattern_.panels[p].edges[as_size(sewn.own.edge)]);
         };
         std::map<int, double> lengths;  // by the other panel, m
-        for (const Sewn& sewn : sewn_[p]) {
+        for (const SewnEdge& sewn : sewn_[p]) {
             if (is_placed_[as_size(sewn.panel)]) lengths[sewn.panel] += length_of(sewn);
         }
         if (lengths.empty()) return nullptr;
         const int partner = std::ranges::max_element(lengths, {}, [](const auto& one) { return one.second; })->first;
-        const Sewn* best = nullptr;
-        for (const Sewn& sewn : sewn_[p]) {
+        const SewnEdge* best = nullptr;
+        for (const SewnEdge& sewn : sewn_[p]) {
             if (sewn.panel == partner && (!best || length_of(sewn) > length_of(*best))) best = &sewn;
         }
         return best;
     }
 
-    void continue_over(std::size_t p, const Sewn& sewn) {
+    void continue_over(std::size_t p, const SewnEdge& sewn) {
         Panel& own = panel(p);
         const Panel& other = pattern_.panels[as_size(sewn.panel)];
         const OutlineEdge& edge = own.edges[as_size(sewn.own.edge)];
@@ -670,7 +629,7 @@ class Arranger {
     std::vector<ArrangementPoint> points_;
     std::optional<BodyLimbs> limbs_;        // found for the first sleeve
     std::optional<BodyCollider> collider_;  // made for the first sleeve
-    std::vector<std::vector<Sewn>> sewn_;   // per panel
+    SewnEdges sewn_;                        // per panel
     std::vector<Eigen::AlignedBox2d> boxes_;
     std::vector<bool> is_placed_;
     std::map<std::size_t, ArrangementPoint> sleeve_points_;  // where panels lie that are wrapped round an arm

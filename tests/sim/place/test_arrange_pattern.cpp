@@ -9,6 +9,7 @@
 #include "sim/collide/body_collider.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
+#include "sim/place/panel_clearance.h"
 #include "sim/place/panel_cones.h"
 #include "tests/support/mannequin.h"
 
@@ -41,6 +42,24 @@ Pattern shirt() {
     }
     pattern.seams = {{{0, 1}, {1, 5}}, {{0, 5}, {1, 1}}, {{0, 2}, {2, 2}}, {{0, 4}, {3, 2}}};
     return pattern;
+}
+
+// Drawn upside down: its upper edge is sewn to the back.
+TEST(ArrangePattern, wraps_collar_stands_round_the_neck_open_before_it) {
+    Pattern pattern = shirt();
+    pattern.panels.push_back(rectangle("collar stand", 0.45, 0.04));
+    constexpr int kStand = 4, kTop = 3;  // of the back: its sides are in two
+    pattern.seams.push_back({{1, kTop}, {kStand, 2}});
+    arrange_pattern(pattern, mannequin());
+    const Panel& stand = pattern.panels[kStand];
+    EXPECT_GT(stand.wrap_radius, 0.07);
+    EXPECT_LT(stand.wrap_radius, 0.12);
+    const auto at = [&](int edge, double t) {
+        return stand.place(outline_point(stand, stand.edges[static_cast<std::size_t>(edge)], t));
+    };
+    EXPECT_LT(at(2, 0.5).y(), at(0, 0.5).y());
+    EXPECT_LT(at(2, 0.5).z(), at(2, 0).z() - 0.1);
+    EXPECT_GT(clearance_of(stand, BodyCollider(mannequin())), 0);
 }
 
 // The sides of a sleeve bend, and are drawn as several edges: the cone is that of the lines from end to end.
