@@ -68,7 +68,7 @@ void lay_aside_folded(sim::Pattern& pattern, const std::vector<sim::PanelRole>& 
 }
 
 // Panels that no seam joins to the garment would fall off the body.
-void lay_aside_loose(sim::Pattern& pattern, std::vector<std::string>& notes) {
+void lay_aside_loose(sim::Pattern& pattern, const std::vector<sim::PanelRole>& roles, std::vector<std::string>& notes) {
     constexpr double kSmall = 0.4;  // of the largest part's area: less is no garment of its own
     sim::DisjointSets sets(pattern.panels.size());
     const auto is_worn = [&](int p) { return pattern.panels[static_cast<std::size_t>(p)].is_worn; };
@@ -83,8 +83,9 @@ void lay_aside_loose(sim::Pattern& pattern, std::vector<std::string>& notes) {
     const double largest = *std::ranges::max_element(area);
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
         sim::Panel& panel = pattern.panels[p];
-        if (!panel.is_worn || area[static_cast<std::size_t>(sets.find(static_cast<int>(p)))] >= kSmall * largest)
-            continue;
+        const double own = area[static_cast<std::size_t>(sets.find(static_cast<int>(p)))];
+        const bool is_accessory = roles[p].part == sim::GarmentPart::Accessory && own < largest;
+        if (!panel.is_worn || (own >= kSmall * largest && !is_accessory)) continue;
         panel.is_worn = false;
         notes.push_back(panel.name + ": no seam joins it to the garment: on the sheet, but not worn");
     }
@@ -146,8 +147,9 @@ void forget_place(sim::Panel& panel) {
 std::vector<sim::PanelRole> place(ImportedGarment& out, const sim::Drawing& drawing, const ImportOptions& options,
                                   const std::string& hints) {
     std::ranges::for_each(out.pattern.panels, forget_place);
-    lay_aside_folded(out.pattern, roles_of(out.pattern, hints), out.notes);
-    if (!out.pattern.seams.empty()) lay_aside_loose(out.pattern, out.notes);
+    const std::vector<sim::PanelRole> roles = roles_of(out.pattern, hints);
+    lay_aside_folded(out.pattern, roles, out.notes);
+    if (!out.pattern.seams.empty()) lay_aside_loose(out.pattern, roles, out.notes);
     out.pattern.body = body_of(drawing, options, out.body);
     const BodyWithNotes body = make_body({.source = out.pattern.body, .load = {}});
     sim::Arrangement arrangement = arrange_pattern(out.pattern, body.body, hints);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <numbers>
 
@@ -24,6 +25,7 @@ namespace selvedge::sim {
 namespace {
 
 constexpr double kChordError = 1e-4;  // m, for distances to curves
+constexpr double kLargestPanel = 30;  // m; further from the origin, panels are moved to it
 
 std::size_t as_size(int index) {
     return static_cast<std::size_t>(index);
@@ -146,6 +148,8 @@ class PartReader {
         add_grain();
         add_lines();
         unfold();
+        if (!outline_box(panel_).isEmpty() && outline_box(panel_).center().norm() > kLargestPanel)
+            panel_ = mapped_panel(panel_, Eigen::Affine2d(Eigen::Translation2d(-outline_box(panel_).center())));
         place();
         if (part_.cut.pieces) panel_.pieces = std::clamp(*part_.cut.pieces, 1, kMostPieces);
         return panel_;
@@ -249,6 +253,9 @@ class PartReader {
             throw InputError(file_, part_.name, "the outline encloses no area");
         if (panel_.edges.size() > kMaxEdges)
             throw InputError(file_, part_.name, std::to_string(panel_.edges.size()) + " edges: at most 5000");
+        const double size = outline_box(panel_).sizes().maxCoeff();
+        if (size > kLargestPanel)
+            throw InputError(file_, part_.name, "the outline is " + in_cm(size) + " long: no panel is");
         const auto crossings = find_outline_crossings(panel_, {.most = 1});
         if (crossings.empty()) return;
         const Vec2d at = in_file(crossings[0].place);
@@ -377,6 +384,7 @@ class PanelMaker {
 
     PanelsOfDrawing make() {
         out_.notes = drawing_.notes;
+        out_.hints = std::filesystem::path(file_).stem().string() + " ";
         out_.pattern.name = drawing_.title;
         out_.sizes = sizes_of(drawing_);
         choose_size();

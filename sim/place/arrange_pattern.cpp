@@ -493,6 +493,10 @@ class Arranger {
     // it: flat before or behind it, their ends would have to find their way round.
     void place_collar(std::size_t p) {
         if (!is_collar_strip(p) || !panel(p).is_worn || is_placed_[p]) return;
+        const bool is_held = std::ranges::any_of(sewn_[p], [&](const SewnEdge& sewn) {
+            return as_size(sewn.panel) != p && is_placed_[as_size(sewn.panel)];
+        });
+        if (!is_held) return;
         if (!limbs_) limbs_ = find_limbs(body_);
         const Limb& head = (*limbs_)[LimbKind::Head];
         if (!head.is_found || head.joints.size() < 2) return;

@@ -81,15 +81,21 @@ bool is_plain_face(const PanelRole& role) {
     return role.part == GarmentPart::Unknown && role.face != Face::None;
 }
 
+// Leg or Skirt, if words about the whole garment say so; else Unknown.
+GarmentPart lower_garment(const Pattern& pattern, std::string_view hints) {
+    for (const std::string_view text : {std::string_view(pattern.name), hints}) {
+        const GarmentPart part = part_of_words(words_of_name(text));
+        if (part == GarmentPart::Leg || part == GarmentPart::Skirt) return part;
+    }
+    return GarmentPart::Unknown;
+}
+
 // The part of fronts and backs that name none.
 GarmentPart part_of_faces(const Pattern& pattern, const std::vector<PanelRole>& roles, std::string_view hints) {
     const auto has = [&](GarmentPart part) {
         return std::ranges::any_of(roles, [&](const PanelRole& role) { return role.part == part; });
     };
-    for (const std::string_view text : {std::string_view(pattern.name), hints}) {
-        const GarmentPart part = part_of_words(words_of_name(text));
-        if (part == GarmentPart::Leg || part == GarmentPart::Skirt) return part;
-    }
+    if (const GarmentPart part = lower_garment(pattern, hints); part != GarmentPart::Unknown) return part;
     for (const GarmentPart upper :
          {GarmentPart::Sleeve, GarmentPart::Collar, GarmentPart::CollarStand, GarmentPart::Hood, GarmentPart::Yoke}) {
         if (has(upper)) return GarmentPart::Torso;
@@ -139,7 +145,7 @@ std::vector<PanelRole> roles_of(const Pattern& pattern, std::string_view hints) 
     }
     const bool tells_nothing = std::ranges::all_of(
         roles, [](const PanelRole& role) { return role.part == GarmentPart::Unknown && role.face == Face::None; });
-    if (tells_nothing) return roles_by_shape(pattern);
+    if (tells_nothing) return roles_by_shape(pattern, lower_garment(pattern, hints));
     const GarmentPart part = part_of_faces(pattern, roles, hints);
     for (PanelRole& role : roles) {
         if (is_plain_face(role)) role.part = part;

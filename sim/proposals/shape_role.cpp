@@ -79,6 +79,40 @@ bool looks_like_sleeve(const Panel& panel) {
     return std::abs(top->x() - box.center().x()) < kOffMiddle * width;
 }
 
+// Whether the outline goes up from an underarm to the tip of a shoulder, on to the neck, and down round it to the
+// middle.
+bool has_shoulder_above(const Panel& panel, std::size_t underarm, bool is_right) {
+    constexpr double kLeastArmhole = 0.08, kLeastRise = -0.005, kLeastLength = 0.02;  // m: straps are level
+    constexpr double kMostLength = 0.25, kLeastNeck = 0.03;                           // m, along x
+    constexpr double kLeastDepth = 0.005;                                             // m, of the neck
+    constexpr double kDeepestNeck = 0.45;                                             // of the height
+    const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
+    const std::size_t count = panel.edges.size();
+    const auto found = std::ranges::find(panel.edges, static_cast<int>(underarm), &OutlineEdge::start);
+    if (found == panel.edges.end()) return false;
+    // Outlines run counter-clockwise: up on the right.
+    std::size_t edge = static_cast<std::size_t>(found - panel.edges.begin());
+    double lowest = 0;  // m, of the outline before the corner
+    const auto next_corner = [&] {
+        lowest = box.max().y();
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t before = is_right ? edge : (edge + count - 1) % count;
+            for (const double t : {0.25, 0.5, 0.75})
+                lowest = std::min(lowest, outline_point(panel, panel.edges[before], t).y());
+            edge = (edge + (is_right ? 1 : count - 1)) % count;
+            const auto vertex = static_cast<std::size_t>(panel.edges[edge].start);
+            if (is_corner(panel, vertex)) return panel.vertices[vertex];
+        }
+        return panel.vertices[underarm];
+    };
+    const Vec2d from = panel.vertices[underarm], tip = next_corner(), neck = next_corner(), middle = next_corner();
+    const double way = is_right ? -1 : 1;  // towards the middle
+    const double length = way * (neck.x() - tip.x()), drop = neck.y() - std::min(lowest, middle.y());
+    return tip.y() - from.y() > kLeastArmhole && neck.y() - tip.y() > kLeastRise && length > kLeastLength &&
+           length < kMostLength && way * (middle.x() - neck.x()) > kLeastNeck && drop > kLeastDepth &&
+           drop < kDeepestNeck * box.sizes().y();
+}
+
 // Where a bodice has its armholes: on neither, the left, the right side, or on both.
 struct Armholes {
     bool is_left = false, is_right = false;
@@ -90,7 +124,8 @@ Armholes armholes_of(const Panel& panel) {
     if (box.sizes().y() < kLeastHeight) return {};
     const auto is_underarm = [&](std::size_t vertex, bool is_right) {
         const double y = panel.vertices[vertex].y(), share = (y - box.min().y()) / box.sizes().y();
-        return share > kLowest && share < kHighest && is_corner(panel, vertex) && comes_out_again(panel, y, is_right);
+        return share > kLowest && share < kHighest && is_corner(panel, vertex) &&
+               (comes_out_again(panel, y, is_right) || has_shoulder_above(panel, vertex, is_right));
     };
     // The hem may reach out as far as the underarm.
     constexpr double kNear = 0.01;  // m, from the outermost place
@@ -163,7 +198,7 @@ bool looks_like_leg(const Panel& panel) {
            is_corner(panel, outmost[side]) && !comes_out_again(panel, level, side == 1);
 }
 
-std::vector<PanelRole> roles_by_shape(const Pattern& pattern) {
+std::vector<PanelRole> roles_by_shape(const Pattern& pattern, GarmentPart told) {
     std::vector<PanelRole> roles(pattern.panels.size());
     std::vector<double> depths(roles.size(), 0), widths(roles.size(), 0);
     for (std::size_t p = 0; p < roles.size(); ++p) {
@@ -188,6 +223,12 @@ std::vector<PanelRole> roles_by_shape(const Pattern& pattern) {
     for (PanelRole& role : roles) {
         if (role.part == GarmentPart::Leg && is_upper) role.part = no_leg;
     }
+    constexpr double kSmallestSkirt = 0.04;  // m2, of a part of it
+    for (std::size_t p = 0; p < roles.size() && told == GarmentPart::Skirt; ++p) {
+        const bool is_large = std::abs(outline_area(pattern.panels[p])) > kSmallestSkirt;
+        if (roles[p].part == GarmentPart::Unknown && is_large) roles[p].part = told;
+    }
+    set_faces(roles, GarmentPart::Skirt, widths, Face::Front, Face::Back);
     set_faces(roles, GarmentPart::Torso, depths, Face::Front, Face::Back);
     set_faces(roles, GarmentPart::Leg, widths, Face::Back, Face::Front);
     return roles;

@@ -12,7 +12,8 @@ namespace selvedge::sim {
 // much more on one side than on the other: the hook of a trouser leg.
 bool looks_like_leg(const Panel& panel);
 
-// The roles of all panels. The wider leg is the back; the bodice with the deeper neck is the front. Others are Unknown.
-std::vector<PanelRole> roles_by_shape(const Pattern& pattern);
+// The roles of all panels. The wider leg is the back; the bodice with the deeper neck, and the wider part of a skirt,
+// is the front. Others are Unknown. told: what the garment's name says; only a name tells that a panel is of a skirt.
+std::vector<PanelRole> roles_by_shape(const Pattern& pattern, GarmentPart told = GarmentPart::Unknown);
 
 }  // namespace selvedge::sim

@@ -135,5 +135,40 @@ TEST(PanelRole, of_pieces_without_names_is_seen_from_their_outlines) {
     EXPECT_EQ(roles[3].part, Unknown);
 }
 
+TEST(PanelRole, of_bodices_is_seen_from_shoulders_that_stand_out_little_or_are_straps) {
+    Pattern pattern;
+    // The tip of the shoulder is 2 mm from the deepest place of the armhole.
+    const Panel half =
+        polygon("?", {{0, 0}, {0.3, 0}, {0.3, 0.36}, {0.25, 0.42}, {0.248, 0.6}, {0.1, 0.64}, {0, 0.57}});
+    Panel other = half;
+    other.vertices.back().y() = 0.62;
+    pattern.panels = {half, other};
+    EXPECT_EQ(roles_of(pattern)[0], (PanelRole{Torso, Face::Front, Flank::None}));
+    EXPECT_EQ(roles_of(pattern)[1], (PanelRole{Torso, Face::Back, Flank::None}));
+    Panel top = polygon("DETAIL", {{0, 0},
+                                   {0.32, 0},
+                                   {0.32, 0.19},
+                                   {0.28, 0.25},
+                                   {0.29, 0.35},
+                                   {0.25, 0.35},
+                                   {0.07, 0.35},
+                                   {0.03, 0.35},
+                                   {0.04, 0.25},
+                                   {0, 0.19}});
+    top.edges[5].kind = CurveKind::Cubic;  // a deep neck between the straps
+    top.edges[5].control = {Vec2d(0.24, 0.2), Vec2d(0.08, 0.2)};
+    pattern.panels = {top};
+    EXPECT_EQ(roles_of(pattern)[0].part, Torso);
+}
+
+TEST(PanelRole, of_a_skirt_without_names_is_told_by_the_file) {
+    Pattern pattern;
+    pattern.panels = {polygon("DETAIL", {{0, 0}, {0.24, 0}, {0.24, 0.4}, {0.21, 0.54}, {0, 0.54}}),
+                      polygon("DETAIL_2", {{0, 0}, {0.23, 0}, {0.23, 0.4}, {0.2, 0.54}, {0, 0.54}})};
+    EXPECT_EQ(roles_of(pattern)[0].part, Unknown);
+    EXPECT_EQ(roles_of(pattern, "Keiko_skirt_1")[0], (PanelRole{Skirt, Face::Front, Flank::None}));
+    EXPECT_EQ(roles_of(pattern, "Keiko_skirt_1")[1], (PanelRole{Skirt, Face::Back, Flank::None}));
+}
+
 }  // namespace
 }  // namespace selvedge::sim
