@@ -377,20 +377,22 @@ void browse_to_print(AppState& state, const std::string& ending) {
 namespace {
 
 void show_picture(AppState& state, const std::string& file) {
-    const std::set<std::string> selected = state.workspace.document->selection().panels;  // a copy
+    const std::set<std::string>& selected = state.workspace.document->selection().panels;
     try_to(state, [&] {
         state.services.read_photo(file);  // so that a file that is none is refused
-        const auto show = [&](const std::string& panel) {
+        const auto show = [&](const std::string& panel) -> Command {
             const auto& pattern = state.workspace.document->pattern();
             const std::optional<int> index = panel.empty() ? std::nullopt : panel_index(pattern, panel);
             const auto& before = index ? pattern.panels[static_cast<std::size_t>(*index)].surface : pattern.surface;
             sim::SurfaceDesign design = before.value_or(sim::SurfaceDesign{});
             design.kind = sim::DesignKind::Picture;
             design.source = state.services.full_path(file);
-            state.workspace.run(SetSurface{.panel = panel, .surface = design});
+            return SetSurface{.panel = panel, .surface = design};
         };
-        if (selected.empty()) show("");
-        for (const std::string& panel : selected) show(panel);
+        std::vector<Command> commands;
+        if (selected.empty()) commands.push_back(show(""));
+        for (const std::string& panel : selected) commands.push_back(show(panel));
+        state.workspace.run_together(commands);
     });
 }
 

@@ -96,6 +96,17 @@ TEST(Journal, gives_back_what_was_edited_of_fabrics_and_not_saved) {
     EXPECT_EQ(recovery->drafts, (std::map<std::string, sim::Fabric>{{"/f/mine.json", mine}, {"silk", silk}}));
 }
 
+TEST(Journal, gives_back_several_commands_as_one_step) {
+    Journaled journaled("two_squares.json");
+    const std::string before = journaled.document.text();
+    journaled.document.run_together(
+        {SetFabric{.panel = "front", .fabric = "silk"}, SetLayer{.panel = "back", .layer = 2}});
+    EXPECT_EQ(recover(journaled.text)->text, journaled.document.text());
+    EXPECT_EQ(recover(journaled.text)->changes, 1);
+    journaled.document.undo();
+    EXPECT_EQ(recover(journaled.text)->text, before);
+}
+
 TEST(Journal, gives_back_a_drag_that_was_under_way) {
     Journaled journaled("tshirt.json");
     journaled.document.preview(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.01, 0)});
