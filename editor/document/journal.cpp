@@ -131,7 +131,7 @@ std::optional<Recovery> recover(std::string_view journal) {
         if (view.at(kHead).integer() != kVersion) return std::nullopt;
         Recovery recovery{.file = view.at("file").string()};
         recovery.was_unsaved = view.has("unsaved");
-        Document document(sim::parse_begun_pattern(view.at("text").string(), recovery.file));
+        Document document(sim::parse_pattern(view.at("text").string(), recovery.file));
         try {
             while (const auto line = take_line(journal)) {
                 const sim::Json json = sim::parse_json(*line, kFile);

@@ -184,7 +184,12 @@ void lay_photo(AppState& state, const std::string& file) {
 
 void wear_over(AppState& state, const std::string& file) {
     state.workspace.document->commit();
-    try_to(state, [&] { state.workspace.wear_over(state.services.load(file)); });
+    try_to(state, [&] {
+        const sim::PatternDocument outer = state.services.load(file);
+        if (outer.pattern.panels.empty())
+            return state.workspace.messages.warn("'" + name_in_folder(file) + "' has no panels: nothing to wear");
+        state.workspace.wear_over(outer);
+    });
 }
 
 void open_example(AppState& state, const Example& example) {
@@ -203,7 +208,7 @@ sim::PatternDocument recovered_document(const AppState& state, const Recovery& r
         } catch (const sim::InputError&) {
         }
     }
-    return sim::parse_begun_pattern(recovery.text, recovery.file);
+    return sim::parse_pattern(recovery.text, recovery.file);
 }
 
 // Returns whether all drafts are back.

@@ -72,7 +72,7 @@ TEST(Journal, gives_back_a_garment_that_was_just_begun) {
     const auto recovery = recover(journaled.text);
     ASSERT_TRUE(recovery);
     EXPECT_EQ(recovery->changes, 1);
-    EXPECT_EQ(sim::parse_begun_pattern(recovery->text, "").pattern.body, "mannequin:sex=male");
+    EXPECT_EQ(sim::parse_pattern(recovery->text, "").pattern.body, "mannequin:sex=male");
 }
 
 TEST(Journal, gives_back_what_was_edited_of_fabrics_and_not_saved) {
