@@ -129,6 +129,7 @@ std::optional<Recovery> recover(std::string_view journal) {
         const sim::Json head = sim::parse_json(*head_line, kFile);
         const sim::JsonView view(head, kFile);
         if (view.at(kHead).integer() != kVersion) return std::nullopt;
+        std::string_view unread = journal;  // from the line that is being played on
         Recovery recovery{.file = view.at("file").string()};
         recovery.was_unsaved = view.has("unsaved");
         Document document(sim::parse_pattern(view.at("text").string(), recovery.file));
@@ -136,11 +137,14 @@ std::optional<Recovery> recover(std::string_view journal) {
             while (const auto line = take_line(journal)) {
                 const sim::Json json = sim::parse_json(*line, kFile);
                 const sim::JsonView change(json, kFile);
-                if (take_draft(recovery.drafts, change)) continue;
-                play(document, change);
-                ++recovery.changes;
+                if (!take_draft(recovery.drafts, change)) {
+                    play(document, change);
+                    ++recovery.changes;
+                }
+                unread = journal;
             }
         } catch (const std::runtime_error&) {  // invalid line: keep the changes before it
+            recovery.unread_lines = static_cast<int>(std::ranges::count(unread, '\n'));
         }
         document.commit();
         recovery.text = document.text(recovery.file);

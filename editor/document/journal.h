@@ -47,6 +47,7 @@ struct Recovery {
     std::string file;
     std::string text = {};     // the document at the end of the journal, with an unfinished drag committed
     int changes = 0;           // number of lines applied to the document
+    int unread_lines = 0;      // complete lines from the first invalid one on: the journal is damaged
     bool was_unsaved = false;  // the journal began with changes that are in no file
     std::map<std::string, sim::Fabric> drafts = {};  // by the fabric's name or file
 

@@ -228,10 +228,14 @@ bool recover_drafts(Workspace& workspace, const std::map<std::string, sim::Fabri
 }
 
 }  // namespace
+std::string lines_text(int count) {
+    return std::to_string(count) + (count == 1 ? " line" : " lines");
+}
+
 
 void recover_journal(AppState& state, const OrphanedJournal& journal) {
     const auto go_on = [journal](AppState& current) {
-        const Recovery& recovery = journal.recovery;
+        const Recovery& recovery = *journal.recovery;
         const bool is_open =
             try_to(current, [&] { show_document(current, recovered_document(current, recovery), recovery.file); });
         if (!is_open) return;
@@ -241,7 +245,14 @@ void recover_journal(AppState& state, const OrphanedJournal& journal) {
         }
         const bool are_all_back = recover_drafts(current.workspace, recovery.drafts);
         begin_journal(current);  // so that it can be recovered again
-        if (are_all_back) current.services.discard_journal(journal.id);
+        if (!are_all_back) return;
+        if (recovery.unread_lines == 0) return current.services.discard_journal(journal.id);
+        try_to(current, [&] {
+            current.workspace.messages.warn("Recovered '" + document_name(current) + "' but for " +
+                                            lines_text(recovery.unread_lines) +
+                                            " that cannot be read: the journal is kept as '" +
+                                            current.services.set_aside_journal(journal.id) + "'");
+        });
     };
     after_asking(state, go_on);
 }
@@ -467,11 +478,27 @@ std::string unsaved_text(const Recovery& recovery) {
 }
 
 }  // namespace
+// It is kept: another version of the program, or a person, may make something of it.
+void report_damaged(AppState& state, const OrphanedJournal& journal) {
+    try_to(state, [&] {
+        const std::string file = state.services.set_aside_journal(journal.id);
+        state.questions.push_back({"The journal of an editor that ended " + journal.age +
+                                       " is damaged: nothing was recovered. It is kept as '" + file + "'.",
+                                   {{"OK", [](AppState&) {}}}});
+    });
+}
+
 
 void offer_recovery(AppState& state) {
     for (const OrphanedJournal& journal : state.services.orphaned_journals()) {
         state.questions.push_back(
-            {"The editor ended " + journal.age + " without saving " + unsaved_text(journal.recovery) + ".",
+        if (!journal.recovery) {
+            report_damaged(state, journal);
+            continue;
+        }
+        const int unread = journal.recovery->unread_lines;
+        const std::string damage = unread == 0 ? "" : " " + lines_text(unread) + " after that cannot be read.";
+            {"The editor ended " + journal.age + " without saving " + unsaved_text(*journal.recovery) + "." + damage,
              {{"Recover", [journal](AppState& current) { recover_journal(current, journal); }},
               {"Discard", [journal](AppState& current) { current.services.discard_journal(journal.id); }},
               {"Later", [](AppState&) {}}}});

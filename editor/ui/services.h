@@ -37,8 +37,8 @@ struct Example {
 // A journal of an editor that did not exit normally.
 struct OrphanedJournal {
     std::string id;
-    Recovery recovery;
-    std::string age;  // for example "3 minutes ago"
+    std::optional<Recovery> recovery;  // none: it is damaged, and nothing of it can be recovered
+    std::string age;                   // for example "3 minutes ago"
 };
 
 // How thick the cloth of an exported mesh is: not at all, as the fabric of each panel, or as given.
@@ -99,5 +99,7 @@ struct Services {
     std::function<std::vector<OrphanedJournal>()> orphaned_journals;
     std::function<void(const std::string& id)> discard_journal;
 };
+    // Moves a damaged journal to where it is not offered again, and returns the name of the file.
+    std::function<std::string(const std::string& id)> set_aside_journal;
 
 }  // namespace selvedge::editor

@@ -221,6 +221,81 @@ TEST_F(CrashedEditor, gives_back_a_garment_with_its_fabric_when_the_next_one_sta
 TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_has_none) {
     const fs::path journal = folder_.path() / "state/journals/none.journal";
     const std::string head = editor::journal_head("shirt.json", services_.examples[1].text);
+// Writes a journal that an editor left. Returns its file.
+fs::path leave_journal(const fs::path& state, const std::string& text) {
+    fs::create_directories(state / "journals");
+    std::ofstream(state / "journals/1.journal") << text;
+    return state / "journals/1.journal";
+}
+
+fs::path only_file_of(const fs::path& folder, const std::string& ending) {
+    fs::path found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        if (!entry.path().string().ends_with(ending)) continue;
+        EXPECT_TRUE(found.empty()) << found << " and " << entry.path();
+        found = entry.path();
+    }
+    return found;
+}
+
+TEST_F(CrashedEditor, keeps_a_journal_of_which_nothing_can_be_recovered_and_names_its_file) {
+    const std::string head = editor::journal_head("shirt.json", services_.examples[1].text) + "\n";
+    for (const std::string& text :
+         {std::string("damaged\n"), head.substr(0, head.size() / 2), head + "{\"do\": 7}\n", std::string(100, '\0')}) {
+        const fs::path journal = leave_journal(folder_.path() / "state", text);
+        std::unique_ptr<editor::Editor> editor;
+        start(editor);
+        EXPECT_FALSE(fs::exists(journal));
+        const fs::path kept = only_file_of(journal.parent_path(), ".damaged");
+        ASSERT_FALSE(kept.empty());
+        EXPECT_EQ(content_of(kept), text);
+        ASSERT_EQ(editor->state().questions.size(), 1U);
+        EXPECT_NE(editor->state().questions[0].text.find(kept.string()), std::string::npos);
+        recover(editor->state());  // "OK"
+        start(editor);
+        EXPECT_TRUE(editor->state().questions.empty()) << "it is told once";
+        fs::remove(kept);
+    }
+}
+
+TEST_F(CrashedEditor, gives_back_what_stands_before_a_damaged_line_and_keeps_the_journal) {
+    const auto line = [](double length) {
+        return write_json(journal_line(editor::SetEdgeLength{.length = length}), -1) + "\n";
+    };
+    const std::string text = editor::journal_head("", services_.examples[1].text) + "\n" + line(0.03) +
+                             "{\"do\": 7}\n" + line(0.04) + "{\"torn";
+    const fs::path journal = leave_journal(folder_.path() / "state", text);
+    std::unique_ptr<editor::Editor> editor;
+    start(editor);
+    ASSERT_EQ(editor->state().questions.size(), 1U);
+    EXPECT_NE(editor->state().questions[0].text.find("(1 change). 2 lines after that cannot be read."),
+              std::string::npos)
+        << editor->state().questions[0].text;
+    recover(editor->state());
+    EXPECT_EQ(editor->state().workspace.document->pattern().edge_length, 0.03);
+    EXPECT_FALSE(fs::exists(journal));
+    const fs::path kept = only_file_of(journal.parent_path(), ".damaged");
+    ASSERT_FALSE(kept.empty());
+    EXPECT_EQ(content_of(kept), text);
+    EXPECT_NE(editor->state().workspace.messages.all().back().text.find(kept.string()), std::string::npos);
+}
+
+TEST_F(EditorServices, a_garment_without_panels_is_saved_and_opened_again) {
+    const std::string file = folder_ / "begun.json";
+    editor::Editor editor(std::move(services_), {.drive = sim::SessionDrive::Caller, .is_steady = true});
+    editor::AppState& state = editor.state();
+    new_document(state);
+    state.workspace.run(editor::SetBody{.body = "mannequin:sex=male"});
+    save_as(state, file);
+    new_document(state);
+    open_file(state, file);
+    EXPECT_EQ(state.workspace.file, file);
+    EXPECT_EQ(state.workspace.document->pattern().body, "mannequin:sex=male");
+    EXPECT_TRUE(state.workspace.document->pattern().panels.empty());
+    wear_over(state, file);
+    EXPECT_EQ(state.workspace.messages.all().back().text, "'begun.json' has no panels: nothing to wear");
+}
+
     std::ofstream(journal) << head << '\n';
     EXPECT_TRUE(services_.orphaned_journals().empty());
     EXPECT_FALSE(fs::exists(journal));
@@ -229,14 +304,14 @@ TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_h
     const std::vector<editor::OrphanedJournal> left = services_.orphaned_journals();
     ASSERT_EQ(left.size(), 1U);
     EXPECT_EQ(left[0].id, journal.string());
-    EXPECT_EQ(left[0].recovery.changes, 1) << "but for the torn line";
+    EXPECT_EQ(left[0].recovery->changes, 1) << "but for the torn line";
     EXPECT_EQ(left[0].age, "a moment ago");
     services_.discard_journal(left[0].id);
     EXPECT_FALSE(fs::exists(journal));
     // What was recovered and is in no file is offered again, though nothing was changed since.
     std::ofstream(journal) << editor::journal_head("shirt.json", services_.examples[1].text, true) << '\n';
     ASSERT_EQ(services_.orphaned_journals().size(), 1U);
-    EXPECT_TRUE(services_.orphaned_journals()[0].recovery.was_unsaved);
+    EXPECT_TRUE(services_.orphaned_journals()[0].recovery->was_unsaved);
 }
 
 TEST_F(EditorServices, fabrics_are_read_by_name_or_file_and_written_whole) {

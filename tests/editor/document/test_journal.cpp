@@ -136,12 +136,14 @@ TEST(Journal, lines_that_are_no_journals_end_it) {
     Journaled journaled("two_squares.json");
     journaled.document.run(SetEdgeLength{.length = 0.03});
     const std::string sound = journaled.document.text();
-    for (const char* line :
-         {"nonsense", "{\"do\": {\"fly\": {}}}", "{\"do\": {\"set_layer\": {\"panel\": 3}}}", "{}"}) {
-        const auto recovery = recover(journaled.text + line + "\n{\"undo\":true}\n");
+    for (const char* line : {"nonsense", "{\"do\": {\"fly\": {}}}", "{\"do\": {\"set_layer\": {\"panel\": 3}}}", "{}",
+                             "{\"do\": []}", "{\"try\": {\"rename_panel\": {\"panel\": \"front\", \"to\": \"a\"}}}"}) {
+        const auto recovery = recover(journaled.text + line + "\n{\"undo\":true}\n{\"torn");
         ASSERT_TRUE(recovery) << line;
         EXPECT_EQ(recovery->text, sound) << line;
+        EXPECT_EQ(recovery->unread_lines, 2) << line;
     }
+    EXPECT_EQ(recover(journaled.text + "{\"torn")->unread_lines, 0) << "as a crash leaves it";
     EXPECT_FALSE(recover(""));
     EXPECT_FALSE(recover("{\"selvedge_journal\": 1}\n"));
     EXPECT_FALSE(recover("{\"selvedge_journal\": 2, \"file\": \"\", \"text\": \"{}\"}\n"));
