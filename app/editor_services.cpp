@@ -163,6 +163,7 @@ editor::ImportedDrawing import_drawing(const std::string& file) {
     drawing.sewn = std::to_string(garment.pattern.panels.size()) + " panels, " + counted(garment.pattern.seams.size());
     if (!garment.possible.empty()) drawing.sewn += "; " + counted(garment.possible.size()) + " less likely, not sewn";
     drawing.notes = std::move(garment.notes);
+    drawing.hints = std::move(garment.hints);
     drawing.garment.pattern = std::move(garment.pattern);
     return drawing;
 }
@@ -205,8 +206,8 @@ editor::Services make_editor_services(const EditorServicesOptions& options) {
     services.end_journal = [journals] { journals->end(); };
     services.orphaned_journals = [journals] { return orphaned_journals(*journals); };
     services.discard_journal = [](const std::string& id) { JournalStore::discard(id); };
-    return services;
     services.set_aside_journal = [](const std::string& id) { return JournalStore::set_aside(id).string(); };
+    return services;
 }
 
 std::vector<std::string> RecentFiles::list() const {

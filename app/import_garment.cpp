@@ -140,22 +140,22 @@ ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, 
     sim::PanelsOfDrawing made = make_panels(drawing, files.front().string(), options.panels);
     std::ranges::move(made.notes, std::back_inserter(out.notes));
     out.pattern = std::move(made.pattern);
+    out.hints = std::move(made.hints);
     if (out.pattern.seams.empty()) {
-        const std::string hints = made.hints;
         std::vector<sim::SeamProposal> accepted;
         for (sim::SeamProposal& proposal :
-             propose_seams(out.pattern, {.accepted = options.least_confidence, .hints = hints})) {
+             propose_seams(out.pattern, {.accepted = options.least_confidence, .hints = out.hints})) {
             const bool is_sewn = proposal.confidence >= options.least_confidence;
             (is_sewn ? out.sewn : out.possible).push_back(describe(out.pattern, proposal));
             if (is_sewn) accepted.push_back(std::move(proposal));
         }
         accept_proposals(out.pattern, accepted);
     }
-    lay_aside_folded(out.pattern, roles_of(out.pattern, made.hints), out.notes);
+    lay_aside_folded(out.pattern, roles_of(out.pattern, out.hints), out.notes);
     if (!out.pattern.seams.empty()) lay_aside_loose(out.pattern, out.notes);
     out.pattern.body = body_of(drawing, options, out.body);
     const BodyWithNotes body = make_body({.source = out.pattern.body, .load = {}});
-    sim::Arrangement arrangement = arrange_pattern(out.pattern, body.body, made.hints);
+    sim::Arrangement arrangement = arrange_pattern(out.pattern, body.body, out.hints);
     std::ranges::move(arrangement.notes, std::back_inserter(out.notes));
     name_sides(out.pattern, arrangement.roles);
     for (std::size_t p = 0; p < out.pattern.panels.size(); ++p)

@@ -97,6 +97,11 @@ class Document {
     void mark_saved();
     void mark_changed() { saved_position_.reset(); }  // the current state is in no file
 
+    // Texts of the drawing that the garment was imported from, about the whole garment: further evidence for proposed
+    // seams. Neither a file nor the journal has them.
+    const std::string& hints() const { return hints_; }
+    void set_hints(std::string hints) { hints_ = std::move(hints); }
+
     void set_journal(Journal journal) { journal_ = std::move(journal); }
 
  private:
@@ -106,6 +111,7 @@ class Document {
 
     sim::PatternDocument source_;
     FileNames file_names_;
+    std::string hints_;
     Selection selection_;
     PanelStates panel_states_;
     std::vector<HistoryEntry> history_;

@@ -128,6 +128,7 @@ void import_file(AppState& state, const std::string& file) {
         try_to(current, [&] {
             ImportedDrawing imported = current.services.import_drawing(file);
             show_document(current, std::move(imported.garment), "");
+            current.workspace.document->set_hints(std::move(imported.hints));
             current.workspace.document->mark_changed();
             begin_journal(current);  // which says that the garment is in no file
             for (const std::string& note : imported.notes) current.workspace.messages.note(note);
@@ -227,11 +228,11 @@ bool recover_drafts(Workspace& workspace, const std::map<std::string, sim::Fabri
     return are_all_back;
 }
 
-}  // namespace
 std::string lines_text(int count) {
     return std::to_string(count) + (count == 1 ? " line" : " lines");
 }
 
+}  // namespace
 
 void recover_journal(AppState& state, const OrphanedJournal& journal) {
     const auto go_on = [journal](AppState& current) {
@@ -477,7 +478,6 @@ std::string unsaved_text(const Recovery& recovery) {
     return text;
 }
 
-}  // namespace
 // It is kept: another version of the program, or a person, may make something of it.
 void report_damaged(AppState& state, const OrphanedJournal& journal) {
     try_to(state, [&] {
@@ -488,16 +488,17 @@ void report_damaged(AppState& state, const OrphanedJournal& journal) {
     });
 }
 
+}  // namespace
 
 void offer_recovery(AppState& state) {
     for (const OrphanedJournal& journal : state.services.orphaned_journals()) {
-        state.questions.push_back(
         if (!journal.recovery) {
             report_damaged(state, journal);
             continue;
         }
         const int unread = journal.recovery->unread_lines;
         const std::string damage = unread == 0 ? "" : " " + lines_text(unread) + " after that cannot be read.";
+        state.questions.push_back(
             {"The editor ended " + journal.age + " without saving " + unsaved_text(*journal.recovery) + "." + damage,
              {{"Recover", [journal](AppState& current) { recover_journal(current, journal); }},
               {"Discard", [journal](AppState& current) { current.services.discard_journal(journal.id); }},
