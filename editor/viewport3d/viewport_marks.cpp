@@ -59,6 +59,19 @@ class Marker {
     }
 
     void pin(const Vec3f& at, const ViewportColours& colours) {
+    // Whether the cloth at a vertex of the mesh is drawn: at a seam, of one of its panels.
+    bool is_drawn(const Vec3f& at) const {
+        const sim::DrawMesh& mesh = garment_.mesh();
+        if (undrawn_.empty() || mesh.x.empty()) return true;
+        const std::size_t vertex = vertex_near(at);
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            const std::size_t panel = sim::panel_of(mesh, t);
+            if (panel < mesh.panel_names.size() && undrawn_.contains(mesh.panel_names[panel])) continue;
+            if (std::ranges::find(mesh.triangles[t], vertex) != mesh.triangles[t].end()) return true;
+        }
+        return false;
+    }
+
         const Vec3f head = at + kNeedleLength * size_ * normal_near(at);
         add_rod(solid_, at, head, kNeedle * size_, colours.needle);
         add_ball(solid_, head, kPinHead * size_, colours.pin, render::BallDetail::Coarse);
@@ -73,14 +86,19 @@ class Marker {
         return std::nullopt;
     }
 
-    Vec3f normal_near(const Vec3f& at) const {
-        const sim::DrawMesh& mesh = garment_.mesh();
-        if (mesh.x.empty() || mesh.normals.size() != mesh.x.size()) return Vec3f::UnitY();
+    // Pre: the mesh has vertices.
+    std::size_t vertex_near(const Vec3f& at) const {
+        const std::vector<Vec3f>& x = garment_.mesh().x;
         const auto nearer = [&](const Vec3f& a, const Vec3f& b) {
             return (a - at).squaredNorm() < (b - at).squaredNorm();
         };
-        const auto nearest = std::min_element(mesh.x.begin(), mesh.x.end(), nearer);
-        return mesh.normals[static_cast<std::size_t>(nearest - mesh.x.begin())];
+        return static_cast<std::size_t>(std::min_element(x.begin(), x.end(), nearer) - x.begin());
+    }
+
+    Vec3f normal_near(const Vec3f& at) const {
+        const sim::DrawMesh& mesh = garment_.mesh();
+        if (mesh.x.empty() || mesh.normals.size() != mesh.x.size()) return Vec3f::UnitY();
+        return mesh.normals[vertex_near(at)];
     }
 
     const sim::Pattern& pattern_;
@@ -185,7 +203,9 @@ void mark_seam_lines(render::SolidItem& solid, const sim::Pattern& pattern, cons
 void mark_pins(Marker& marker, const sim::Pattern& pattern, const DisplayedGarment& garment,
                const ViewportColours& colours) {
     if (!garment.is_placed()) {
-        for (const Vec3f& pin : garment.frame().pins) marker.pin(pin, colours);
+        for (const Vec3f& pin : garment.frame().pins) {
+            if (marker.is_drawn(pin)) marker.pin(pin, colours);
+        }
     }
     for (const sim::Panel& panel : pattern.panels) {
         for (const int vertex : panel.pins) {
