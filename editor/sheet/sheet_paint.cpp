@@ -7,6 +7,7 @@
 
 #include "editor/geometry/seam_edit.h"
 #include "editor/sheet/sheet_labels.h"
+#include "editor/geometry/sewing.h"
 #include "editor/tools/sewing_tools.h"
 #include "editor/tools/sheet_pick.h"
 #include "render/scene/colour.h"
@@ -272,7 +273,7 @@ SeamLook look_of(const SheetLook& look, int index, double difference) {
     SeamLook drawn;
     drawn.is_uneven = std::abs(difference) > kUnevenSeam && !seam.is_eased;
     drawn.is_marked = look.selection.seams.contains(index) || look.hover.seam == index;
-    const sim::Rgb8 kind = render::line_colour(static_cast<std::size_t>(index));
+    const sim::Rgb8 kind = render::line_colour(static_cast<std::size_t>(first_of_sewing(look.pattern, index)));
     drawn.colour = drawn.is_uneven ? look.pen.colours.error : render::Rgba8{kind[0], kind[1], kind[2], 255};
     const bool stands_out = drawn.is_marked || look.overlay.shows_sewing;
     drawn.width = drawn.is_marked ? 3.4 : stands_out ? 2.6 : 1.8;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "editor/geometry/sewing.h"
 #include "render/scene/colour.h"
 #include "render/scene/solids.h"
 
@@ -58,7 +59,6 @@ class Marker {
         return start_of(garment_.outlines()[*p], edge, garment_.mesh().x);
     }
 
-    void pin(const Vec3f& at, const ViewportColours& colours) {
     // Whether the cloth at a vertex of the mesh is drawn: at a seam, of one of its panels.
     bool is_drawn(const Vec3f& at) const {
         const sim::DrawMesh& mesh = garment_.mesh();
@@ -72,6 +72,7 @@ class Marker {
         return false;
     }
 
+    void pin(const Vec3f& at, const ViewportColours& colours) {
         const Vec3f head = at + kNeedleLength * size_ * normal_near(at);
         add_rod(solid_, at, head, kNeedle * size_, colours.needle);
         add_ball(solid_, head, kPinHead * size_, colours.pin, render::BallDetail::Coarse);
@@ -185,7 +186,9 @@ void mark_seam_lines(render::SolidItem& solid, const sim::Pattern& pattern, cons
                      const ViewportMarks& marks) {
     const auto draw = [&](const Thread& thread, std::size_t seam) {
         if (!marks.undrawn.empty() && is_undrawn(pattern, seam, marks.undrawn)) return;
-        add_rod(solid, thread[0], thread[1], kThread * marks.size, render::line_colour(seam));
+        const int first = seam < pattern.seams.size() ? first_of_sewing(pattern, static_cast<int>(seam)) : 0;
+        add_rod(solid, thread[0], thread[1], kThread * marks.size,
+                render::line_colour(static_cast<std::size_t>(first)));
     };
     if (garment.is_placed()) {
         for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
