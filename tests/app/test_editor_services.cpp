@@ -1,9 +1,12 @@
 // The editor's file and export services.
 #include <gtest/gtest.h>
+#include <imgui.h>
 #include <filesystem>
 #include <fstream>
 
 #include "app/editor_services.h"
+#include "editor/tools/tool_host.h"
+#include "editor/tools/tool_table.h"
 #include "editor/ui/app_state.h"
 #include "editor/ui/editor.h"
 #include "editor/ui/files.h"
@@ -218,9 +221,6 @@ TEST_F(CrashedEditor, gives_back_a_garment_with_its_fabric_when_the_next_one_sta
     EXPECT_NE(content_of(file).find("\"fabric\": \"mine.json\""), std::string::npos);
 }
 
-TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_has_none) {
-    const fs::path journal = folder_.path() / "state/journals/none.journal";
-    const std::string head = editor::journal_head("shirt.json", services_.examples[1].text);
 // Writes a journal that an editor left. Returns its file.
 fs::path leave_journal(const fs::path& state, const std::string& text) {
     fs::create_directories(state / "journals");
@@ -296,6 +296,9 @@ TEST_F(EditorServices, a_garment_without_panels_is_saved_and_opened_again) {
     EXPECT_EQ(state.workspace.messages.all().back().text, "'begun.json' has no panels: nothing to wear");
 }
 
+TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_has_none) {
+    const fs::path journal = folder_.path() / "state/journals/none.journal";
+    const std::string head = editor::journal_head("shirt.json", services_.examples[1].text);
     std::ofstream(journal) << head << '\n';
     EXPECT_TRUE(services_.orphaned_journals().empty());
     EXPECT_FALSE(fs::exists(journal));
@@ -338,6 +341,31 @@ TEST_F(EditorServices, a_body_file_may_be_called_mannequin) {
         FAIL();
     } catch (const sim::InputError& error) {
         EXPECT_EQ(error.file(), "mannequin.obj") << error.what();
+    }
+}
+
+// A hint that is too long for the status bar ends with dots, which is narrower than its whole text.
+TEST_F(EditorServices, hints_of_tools_are_whole_in_a_window_of_1280_px) {
+    editor::Editor editor(std::move(services_),
+                          {.drive = sim::SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true});
+    editor::AppState& state = editor.state();
+    open_example(state, state.services.examples.front());
+    for (const float scale : {1.0F, 1.5F}) {
+        for (const editor::ToolInfo& tool : editor::all_tools()) {
+            state.workspace.messages.dismiss();
+            state.tools.choose(tool_host_context(state.workspace), tool);
+            editor::Selection selection;
+            selection.seams = {0};
+            for (const editor::Selection& chosen : {editor::Selection{}, selection}) {
+                state.workspace.document->select(chosen);
+                for (int i = 0; i < 2; ++i)
+                    editor.frame({}, {.width_px = 1280, .height_px = 800, .scale = scale}, 0.03);
+                const std::string hint = state.tools.hint(tool_host_context(state.workspace));
+                const editor::WidgetBox& shown = state.widgets.at("status.hint");
+                const float whole = ImGui::CalcTextSize(hint.c_str()).x;
+                EXPECT_NEAR(shown.high.x() - shown.low.x(), whole, 1) << hint << " at scale " << scale;
+            }
+        }
     }
 }
 
