@@ -73,12 +73,15 @@ std::string age_text(double seconds) {
 std::vector<editor::OrphanedJournal> orphaned_journals(const JournalStore& store) {
     std::vector<editor::OrphanedJournal> left;
     for (const StoredJournal& stored : store.left()) {
-        const auto recovery = editor::recover(stored.text);
-        if (recovery && (recovery->has_changes() || !recovery->drafts.empty())) {
-            left.push_back({stored.path.string(), *recovery, age_text(stored.age_seconds)});
-        } else {
+        std::optional<editor::Recovery> recovery = editor::recover(stored.text);
+        const bool has_content = recovery && (recovery->has_changes() || !recovery->drafts.empty());
+        const bool is_damaged = recovery ? recovery->unread_lines > 0 : !stored.text.empty();
+        if (!has_content && !is_damaged) {
             JournalStore::discard(stored.path);  // contains no changes
+            continue;
         }
+        if (!has_content) recovery.reset();
+        left.push_back({stored.path.string(), std::move(recovery), age_text(stored.age_seconds)});
     }
     return left;
 }
@@ -160,6 +163,7 @@ editor::ImportedDrawing import_drawing(const std::string& file) {
     drawing.sewn = std::to_string(garment.pattern.panels.size()) + " panels, " + counted(garment.pattern.seams.size());
     if (!garment.possible.empty()) drawing.sewn += "; " + counted(garment.possible.size()) + " less likely, not sewn";
     drawing.notes = std::move(garment.notes);
+    drawing.hints = std::move(garment.hints);
     drawing.garment.pattern = std::move(garment.pattern);
     return drawing;
 }
@@ -202,6 +206,7 @@ editor::Services make_editor_services(const EditorServicesOptions& options) {
     services.end_journal = [journals] { journals->end(); };
     services.orphaned_journals = [journals] { return orphaned_journals(*journals); };
     services.discard_journal = [](const std::string& id) { JournalStore::discard(id); };
+    services.set_aside_journal = [](const std::string& id) { return JournalStore::set_aside(id).string(); };
     return services;
 }
 

@@ -144,15 +144,14 @@ void forget_place(sim::Panel& panel) {
 }
 
 // Puts round the body what can be worn of the garment.
-std::vector<sim::PanelRole> place(ImportedGarment& out, const sim::Drawing& drawing, const ImportOptions& options,
-                                  const std::string& hints) {
+std::vector<sim::PanelRole> place(ImportedGarment& out, const sim::Drawing& drawing, const ImportOptions& options) {
     std::ranges::for_each(out.pattern.panels, forget_place);
-    const std::vector<sim::PanelRole> roles = roles_of(out.pattern, hints);
+    const std::vector<sim::PanelRole> roles = roles_of(out.pattern, out.hints);
     lay_aside_folded(out.pattern, roles, out.notes);
     if (!out.pattern.seams.empty()) lay_aside_loose(out.pattern, roles, out.notes);
     out.pattern.body = body_of(drawing, options, out.body);
     const BodyWithNotes body = make_body({.source = out.pattern.body, .load = {}});
-    sim::Arrangement arrangement = arrange_pattern(out.pattern, body.body, hints);
+    sim::Arrangement arrangement = arrange_pattern(out.pattern, body.body, out.hints);
     std::ranges::move(arrangement.notes, std::back_inserter(out.notes));
     name_sides(out.pattern, arrangement.roles);
     return std::move(arrangement.roles);
@@ -166,11 +165,11 @@ ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, 
     sim::PanelsOfDrawing made = make_panels(drawing, files.front().string(), options.panels);
     std::ranges::move(made.notes, std::back_inserter(out.notes));
     out.pattern = std::move(made.pattern);
+    out.hints = std::move(made.hints);
     if (out.pattern.seams.empty() && !made.is_placed) {
-        const std::string hints = made.hints;
         std::vector<sim::SeamProposal> accepted;
         for (sim::SeamProposal& proposal :
-             propose_seams(out.pattern, {.accepted = options.least_confidence, .hints = hints})) {
+             propose_seams(out.pattern, {.accepted = options.least_confidence, .hints = out.hints})) {
             const bool is_sewn = proposal.confidence >= options.least_confidence;
             (is_sewn ? out.sewn : out.possible).push_back(describe(out.pattern, proposal));
             if (is_sewn) accepted.push_back(std::move(proposal));
@@ -179,7 +178,7 @@ ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, 
     }
     const bool is_placed = made.is_placed && options.body.empty() && options.measurements.empty();
     const std::vector<sim::PanelRole> roles =
-        is_placed ? roles_of(out.pattern, made.hints) : place(out, drawing, options, made.hints);
+        is_placed ? roles_of(out.pattern, out.hints) : place(out, drawing, options);
     for (std::size_t p = 0; p < out.pattern.panels.size(); ++p)
         out.panels.push_back(describe_panel(out.pattern.panels[p], roles[p]));
     return out;

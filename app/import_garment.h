@@ -25,6 +25,7 @@ struct ImportedGarment {
     std::vector<std::string> panels;    // "left_sleeve: sleeve, 8 edges, 45.3 x 17.9 cm"
     std::vector<std::string> sewn;      // the proposals that became seams, as describe() tells them
     std::vector<std::string> possible;  // those that did not
+    std::string hints;                  // texts of the drawing about the whole garment, for roles_of()
 };
 
 // Several files make one garment. Throws InputError; the place is in the file that is at fault.

@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kEnding = ".journal";
+constexpr const char* kDamaged = ".damaged";  // after that
 constexpr std::size_t kLargest = std::size_t{1} << 30;
 
 bool write_all(int file, std::string_view text) {
@@ -147,6 +148,13 @@ std::vector<StoredJournal> JournalStore::left() const {
 void JournalStore::discard(const fs::path& path) {
     std::error_code error;
     fs::remove(path, error);
+}
+
+fs::path JournalStore::set_aside(const fs::path& path) {
+    fs::path target = path.string() + kDamaged;
+    for (int i = 2; fs::exists(target); ++i) target = path.string() + "-" + std::to_string(i) + kDamaged;
+    if (::rename(path.c_str(), target.c_str()) != 0) fail(path, "cannot be renamed");
+    return target;
 }
 
 fs::path state_folder() {

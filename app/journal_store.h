@@ -43,6 +43,10 @@ class JournalStore {
     std::vector<StoredJournal> left() const;
     static void discard(const std::filesystem::path& path);
 
+    // Gives a journal that cannot be read another name, under which it is not left any more, and returns it. Throws
+    // InputError.
+    static std::filesystem::path set_aside(const std::filesystem::path& path);
+
  private:
     void sync_periodically();
     void close_file();

@@ -1,12 +1,14 @@
 #include "editor/document/document.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "editor/document/apply.h"
 #include "editor/document/command.h"
 #include "editor/document/journal.h"
 #include "editor/document/selection.h"
+#include "editor/geometry/draft.h"
 #include "editor/geometry/panel_edit.h"
 #include "sim/core/assert.h"
 #include "sim/pattern/pattern_file.h"
@@ -38,11 +40,58 @@ void keep_sheet_positions(sim::Pattern& pattern, const sim::Pattern& before) {
     }
 }
 
-Changed changed_by(const sim::Pattern& before, const Command& command) {
+// The other panel of the link. Empty: the panel has none.
+std::string linked_to(const sim::Pattern& pattern, const sim::Panel& panel) {
+    if (!panel.mirror_of.empty()) return panel.mirror_of;
+    const auto image = std::ranges::find(pattern.panels, panel.name, &sim::Panel::mirror_of);
+    return image == pattern.panels.end() ? "" : image->name;
+}
+
+std::vector<sim::Seam> darts_of(const sim::Pattern& pattern, int panel) {
+    std::vector<sim::Seam> darts;
+    std::ranges::copy_if(pattern.seams, std::back_inserter(darts), [&](const sim::Seam& seam) {
+        return seam.first.panel == panel && seam.second.panel == panel;
+    });
+    return darts;
+}
+
+// Updates linked mirror images. Throws if a locked panel would follow; `changed` is then partly changed. A command that
+// is about all panels, such as a move of the garment, may change locked ones.
+void follow_links(sim::Pattern& changed, const sim::Pattern& before, const std::set<std::string>& locked) {
+    if (locked.empty()) return update_mirrors(changed, before);
+    const sim::Pattern applied = changed;
+    update_mirrors(changed, before);
+    for (std::size_t i = 0; i < applied.panels.size(); ++i) {
+        const sim::Panel& panel = applied.panels[i];
+        const int index = static_cast<int>(i);
+        if (!locked.contains(panel.name)) continue;
+        const bool follows = !(changed.panels[i] == panel) || darts_of(changed, index) != darts_of(applied, index);
+        const auto was = std::ranges::find(before.panels, panel.name, &sim::Panel::name);
+        if (!follows || was == before.panels.end() || !(*was == panel)) continue;
+        throw GeometryError("'" + panel.name + "' is locked and linked to its mirror image '" +
+                                linked_to(applied, panel) + "': unlock or unlink it first",
+                            {{.panel = panel.name}});
+    }
+}
+
+Changed changed_by(const sim::Pattern& before, const Command& command, const PanelStates& states) {
     Changed changed{.pattern = before};
     changed.outcome = apply(changed.pattern, command);
-    update_mirrors(changed.pattern, before);
+    follow_links(changed.pattern, before, states.locked);
     keep_sheet_positions(changed.pattern, before);
+    return changed;
+}
+
+Changed changed_by(const sim::Pattern& before, const std::vector<Command>& commands, const PanelStates& states) {
+    SELVEDGE_ASSERT(!commands.empty());
+    Changed changed = changed_by(before, commands.front(), states);
+    for (std::size_t i = 1; i < commands.size(); ++i) {
+        Changed next = changed_by(changed.pattern, commands[i], states);
+        if (changed.outcome.rename || next.outcome.rename)
+            throw GeometryError("A panel is renamed by a command that stands alone");
+        if (!next.outcome.selection) next.outcome.selection = std::move(changed.outcome.selection);
+        changed = std::move(next);
+    }
     return changed;
 }
 
@@ -59,11 +108,12 @@ void Document::set_panel_states(PanelStates states) {
     selection_ = changeable();
 }
 
-void Document::run(const Command& command) {
+void Document::run_together(const std::vector<Command>& commands) {
     rollback();
-    Changed changed = changed_by(source_.pattern, command);
-    HistoryEntry entry{
-        .label = label_of(command), .patch = difference(source_.pattern, changed.pattern), .before = selection_};
+    Changed changed = changed_by(source_.pattern, commands, panel_states_);
+    HistoryEntry entry{.label = label_of(commands.front()),
+                       .patch = difference(source_.pattern, changed.pattern),
+                       .before = selection_};
     if (const auto& rename = changed.outcome.rename) {
         FileNames names = renamed(file_names_, rename->from, rename->to);
         entry.file_names.emplace(std::exchange(file_names_, names), std::move(names));
@@ -71,13 +121,13 @@ void Document::run(const Command& command) {
         panel_states_ = renamed(std::move(panel_states_), rename->from, rename->to);
     }
     show(std::move(changed.pattern), changed.outcome.selection.value_or(selection_));
-    note(journal_line(command));
+    note(journal_line(commands));
     remember(std::move(entry));
 }
 
 void Document::preview(const Command& command) {
     const sim::Pattern& before = is_previewing_ ? before_preview_ : source_.pattern;
-    Changed changed = changed_by(before, command);
+    Changed changed = changed_by(before, command, panel_states_);
     SELVEDGE_ASSERT(!changed.outcome.rename);  // a drag never renames
     if (!is_previewing_) {
         before_preview_ = source_.pattern;

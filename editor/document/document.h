@@ -66,8 +66,12 @@ class Document {
     Selection changeable() const { return pickable(selection_, panel_states_, pattern()); }
 
     // Applies a command, adds it to the history and selects what it made. Throws GeometryError, with nothing changed,
-    // if the command is not possible.
-    void run(const Command& command);
+    // if the command is not possible, or if a locked panel would follow its linked mirror image.
+    void run(const Command& command) { run_together({command}); }
+
+    // Several commands, in their order, as one step of the history. It has the label of the first. Pre: they are not
+    // empty. A panel is renamed by a command that stands alone.
+    void run_together(const std::vector<Command>& commands);
 
     // Previews a command during a drag. The next preview replaces it, `commit` adds it to the history, `rollback`
     // undoes it; any other change rolls it back first. Throws as `run`; the preview shown before then stays.
@@ -93,6 +97,11 @@ class Document {
     void mark_saved();
     void mark_changed() { saved_position_.reset(); }  // the current state is in no file
 
+    // Texts of the drawing that the garment was imported from, about the whole garment: further evidence for proposed
+    // seams. Neither a file nor the journal has them.
+    const std::string& hints() const { return hints_; }
+    void set_hints(std::string hints) { hints_ = std::move(hints); }
+
     void set_journal(Journal journal) { journal_ = std::move(journal); }
 
  private:
@@ -102,6 +111,7 @@ class Document {
 
     sim::PatternDocument source_;
     FileNames file_names_;
+    std::string hints_;
     Selection selection_;
     PanelStates panel_states_;
     std::vector<HistoryEntry> history_;

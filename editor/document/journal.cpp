@@ -45,10 +45,24 @@ std::optional<std::string_view> take_line(std::string_view& rest) {
     return line;
 }
 
+std::vector<Command> parse_commands(const sim::JsonView& view) {
+    if (!view.value().is_array()) return {parse_command(view)};
+    std::vector<Command> commands;
+    for (std::size_t i = 0; i < view.size(); ++i) commands.push_back(parse_command(view.at(i)));
+    if (commands.empty()) view.fail("no command");
+    return commands;
+}
+
+Command parse_preview(const sim::JsonView& view) {
+    Command command = parse_command(view);
+    if (std::holds_alternative<RenamePanel>(command)) view.fail("a drag never renames");
+    return command;
+}
+
 // Replays one line. Throws InputError or GeometryError if that is not possible.
 void play(Document& document, const sim::JsonView& view) {
-    if (view.has("do")) return document.run(parse_command(view.at("do")));
-    if (view.has("try")) return document.preview(parse_command(view.at("try")));
+    if (view.has("do")) return document.run_together(parse_commands(view.at("do")));
+    if (view.has("try")) return document.preview(parse_preview(view.at("try")));
     if (view.has("keep")) return document.commit();
     if (view.has("drop")) return document.rollback();
     if (view.has("undo")) return document.undo();
@@ -72,6 +86,13 @@ bool take_draft(std::map<std::string, sim::Fabric>& drafts, const sim::JsonView&
 
 sim::Json journal_line(const Command& command) {
     return one_member("do", to_json(command));
+}
+
+sim::Json journal_line(const std::vector<Command>& commands) {
+    if (commands.size() == 1) return journal_line(commands.front());
+    sim::Json list = sim::Json::array();
+    for (const Command& command : commands) list.push_back(to_json(command));
+    return one_member("do", std::move(list));
 }
 
 sim::Json journal_preview(const Command& command) {
@@ -108,18 +129,22 @@ std::optional<Recovery> recover(std::string_view journal) {
         const sim::Json head = sim::parse_json(*head_line, kFile);
         const sim::JsonView view(head, kFile);
         if (view.at(kHead).integer() != kVersion) return std::nullopt;
+        std::string_view unread = journal;  // from the line that is being played on
         Recovery recovery{.file = view.at("file").string()};
         recovery.was_unsaved = view.has("unsaved");
-        Document document(sim::parse_begun_pattern(view.at("text").string(), recovery.file));
+        Document document(sim::parse_pattern(view.at("text").string(), recovery.file));
         try {
             while (const auto line = take_line(journal)) {
                 const sim::Json json = sim::parse_json(*line, kFile);
                 const sim::JsonView change(json, kFile);
-                if (take_draft(recovery.drafts, change)) continue;
-                play(document, change);
-                ++recovery.changes;
+                if (!take_draft(recovery.drafts, change)) {
+                    play(document, change);
+                    ++recovery.changes;
+                }
+                unread = journal;
             }
         } catch (const std::runtime_error&) {  // invalid line: keep the changes before it
+            recovery.unread_lines = static_cast<int>(std::ranges::count(unread, '\n'));
         }
         document.commit();
         recovery.text = document.text(recovery.file);

@@ -5,6 +5,7 @@
 //   {"selvedge_journal": 1, "file": "shirt.json", "text": "..."}    first line: the opened file and its text; with
 //   "unsaved": true if that text is in no file, as after a recovery
 //   {"do": {"move_vertices": {...}}}                                 a command
+//   {"do": [{"set_fabric": {...}}, {"set_fabric": {...}}]}           several, as one step of the history
 //   {"try": {...}}, then {"keep": true} or {"drop": true}            a drag: one line per preview
 //   {"undo": true}, {"redo": true}
 //   {"draft": {"fabric": "silk", "text": "..."}}    values of a fabric that are edited and not saved; the last one
@@ -29,6 +30,7 @@ class Document;
 enum class JournalAction { Commit, Rollback, Undo, Redo };
 
 sim::Json journal_line(const Command& command);
+sim::Json journal_line(const std::vector<Command>& commands);  // Pre: not empty
 sim::Json journal_preview(const Command& command);
 sim::Json journal_action(JournalAction action);
 
@@ -45,6 +47,7 @@ struct Recovery {
     std::string file;
     std::string text = {};     // the document at the end of the journal, with an unfinished drag committed
     int changes = 0;           // number of lines applied to the document
+    int unread_lines = 0;      // complete lines from the first invalid one on: the journal is damaged
     bool was_unsaved = false;  // the journal began with changes that are in no file
     std::map<std::string, sim::Fabric> drafts = {};  // by the fabric's name or file
 

@@ -186,6 +186,12 @@ std::vector<int> sewing_of(const sim::Pattern& pattern, int seam) {
     return seams;
 }
 
+int first_of_sewing(const sim::Pattern& pattern, int seam) {
+    const std::string& name = seam_of(pattern, seam).sewing;
+    if (name.empty()) return seam;
+    return static_cast<int>(std::ranges::find(pattern.seams, name, &sim::Seam::sewing) - pattern.seams.begin());
+}
+
 std::vector<int> one_of_each_sewing(const sim::Pattern& pattern, const std::set<int>& seams) {
     std::vector<int> chosen;
     std::set<std::string> taken;

@@ -14,6 +14,9 @@ namespace selvedge::editor {
 // The seams of the seam's sewing, in the order of its first run.
 std::vector<int> sewing_of(const sim::Pattern& pattern, int seam);
 
+// The first seam of the seam's sewing in the order of the pattern: all views show the sewing in its colour.
+int first_of_sewing(const sim::Pattern& pattern, int seam);
+
 // One seam of each sewing among the seams: the first of it in the order of the pattern.
 std::vector<int> one_of_each_sewing(const sim::Pattern& pattern, const std::set<int>& seams);
 // The same of all seams of the pattern.

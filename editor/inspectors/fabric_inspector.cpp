@@ -279,7 +279,7 @@ void draw_file_buttons(InspectorContext& context, const std::string& name, const
 }
 
 void draw_use_buttons(InspectorContext& context, const std::string& shown) {
-    const std::set<std::string> selected = context.selection().panels;  // a copy: commands may change it
+    const std::set<std::string>& selected = context.selection().panels;
     ButtonRow row(context);
     if (row.button({.name = "material.fabric.garment",
                     .title = "Use for the garment",
@@ -292,7 +292,9 @@ void draw_use_buttons(InspectorContext& context, const std::string& shown) {
                     .title = title.c_str(),
                     .tip = selected.empty() ? "Select panels first." : "The selected panels are made of it.",
                     .is_enabled = !selected.empty()})) {
-        for (const std::string& name : selected) context.workspace.run(SetFabric{.panel = name, .fabric = shown});
+        std::vector<Command> commands;
+        for (const std::string& name : selected) commands.push_back(SetFabric{.panel = name, .fabric = shown});
+        context.workspace.run_together(commands);
     }
 }
 

@@ -300,9 +300,10 @@ void draw_grain(InspectorContext& context) {
     if (selected.size() == 1 || grain.phase != EditPhase::Commit) {
         return apply_edit(context, grain, SetGrain{.panel = *selected.begin(), .angle = grain.value.value_or(0)});
     }
-    for (const std::string& name : selected) {
-        context.workspace.run(SetGrain{.panel = name, .angle = grain.value.value_or(0)});
-    }
+    std::vector<Command> commands;
+    for (const std::string& name : selected)
+        commands.push_back(SetGrain{.panel = name, .angle = grain.value.value_or(0)});
+    context.workspace.run_together(commands);
 }
 
 void match(InspectorContext& context) {

@@ -246,6 +246,13 @@ void draw_parts(InspectorContext& context, const std::string& panel, const std::
     }
 }
 
+// Whether a dart of the panel is being named.
+bool is_dart_named_in(const InspectorContext& context, const ListedPanel& listed) {
+    return std::ranges::any_of(listed.parts, [&](const ListedPart& part) {
+        return part.kind == PartKind::Dart && is_naming(context, "objects.seam." + std::to_string(part.index));
+    });
+}
+
 void draw_panel(InspectorContext& context, const ListedPanel& listed) {
     const std::string panel = context.pattern().panels[static_cast<std::size_t>(listed.index)].name;
     const std::string row = "objects.panel." + panel;
@@ -261,7 +268,7 @@ void draw_panel(InspectorContext& context, const ListedPanel& listed) {
                                           .is_selected = context.selection().panels.contains(panel),
                                           .is_leaf = listed.parts.empty(),
                                           .is_faint = states.hidden.contains(panel),
-                                          .is_opened = !listed.is_found,
+                                          .is_opened = !listed.is_found || is_dart_named_in(context, listed),
                                           .right_px = 2 * side_px()});
     draw_switches(context, row, {panel});
     use_row(context, use, {.panel = panel}, [&](Selection& selection) { toggle(selection.panels, panel); });
@@ -273,8 +280,8 @@ void draw_panel(InspectorContext& context, const ListedPanel& listed) {
 
 bool is_named_in(const InspectorContext& context, const PanelGroup& group) {
     return std::ranges::any_of(group.panels, [&](const ListedPanel& listed) {
-        return is_naming(context,
-                         "objects.panel." + context.pattern().panels[static_cast<std::size_t>(listed.index)].name);
+        const std::string& panel = context.pattern().panels[static_cast<std::size_t>(listed.index)].name;
+        return is_naming(context, "objects.panel." + panel) || is_dart_named_in(context, listed);
     });
 }
 
@@ -350,11 +357,23 @@ void draw_grouping(InspectorContext& context) {
     }
 }
 
-// Begins to name the selected panel or seam.
+bool has_row(const ObjectTree& tree, const sim::Pattern& pattern, const std::string& row) {
+    const auto is_seam = [&](int seam) { return row == "objects.seam." + std::to_string(seam); };
+    const auto is_dart = [&](const ListedPart& part) { return part.kind == PartKind::Dart && is_seam(part.index); };
+    return std::ranges::any_of(tree.seams, is_seam) || std::ranges::any_of(tree.groups, [&](const PanelGroup& group) {
+               return std::ranges::any_of(group.panels, [&](const ListedPanel& listed) {
+                   return row == "objects.panel." + pattern.panels[static_cast<std::size_t>(listed.index)].name ||
+                          std::ranges::any_of(listed.parts, is_dart);
+               });
+           });
+}
+
+// Begins to name the selected panel or seam. A search that does not find it is cleared.
 void begin_naming(ObjectsState& state, const sim::Pattern& pattern, const Selection& selection) {
     if (selection.panels.size() == 1) state.naming = {.row = "objects.panel." + *selection.panels.begin()};
     if (selection.panels.empty() && one_of_each_sewing(pattern, selection.seams).size() == 1)
         state.naming = {.row = "objects.seam." + std::to_string(*selection.seams.begin())};
+    if (!has_row(list_objects(pattern, state.grouping, state.wanted), pattern, state.naming.row)) state.wanted.clear();
 }
 
 }  // namespace
@@ -362,9 +381,9 @@ void begin_naming(ObjectsState& state, const sim::Pattern& pattern, const Select
 void draw_objects(InspectorContext& context) {
     ObjectsState& state = context.state.objects;
     if (context.pattern().panels.empty()) return paragraph(context, "No panels yet. Draw one, or open a garment.");
+    if (std::exchange(state.wants_naming, false)) begin_naming(state, context.pattern(), context.selection());
     const std::string wanted = draw_find_box(context);
     draw_grouping(context);
-    if (std::exchange(state.wants_naming, false)) begin_naming(state, context.pattern(), context.selection());
     const ObjectListing listing{context.workspace.document->revision(), state.grouping, wanted};
     if (state.listing != listing) {
         state.tree = list_objects(context.pattern(), state.grouping, wanted);

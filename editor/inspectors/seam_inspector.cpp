@@ -24,12 +24,12 @@ std::string lengths_text(const SeamMeasures& measures) {
     return measures.is_uneven ? first + " : " + second : second;
 }
 
-void draw_chip(int seam, float side_px) {
+void draw_chip(const InspectorContext& context, int seam, float side_px) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float top = low.y + (ImGui::GetTextLineHeight() - side_px) / 2;
-    ImGui::GetWindowDrawList()->AddRectFilled(
-        {low.x, top}, {low.x + side_px, top + side_px},
-        ImGui::GetColorU32(to_colour(render::line_colour(static_cast<std::size_t>(seam)))), side_px / 4);
+    const auto first = static_cast<std::size_t>(first_of_sewing(context.pattern(), seam));
+    ImGui::GetWindowDrawList()->AddRectFilled({low.x, top}, {low.x + side_px, top + side_px},
+                                              ImGui::GetColorU32(to_colour(render::line_colour(first))), side_px / 4);
     ImGui::Dummy({side_px, ImGui::GetTextLineHeight()});
 }
 
@@ -86,7 +86,7 @@ void draw_seam_row(InspectorContext& context, int seam, const SeamMeasures& meas
     }
     right = right_aligned(lengths_text(measures), right, context.theme.faint) - gap;
     back_to(left);
-    draw_chip(seam, chip);
+    draw_chip(context, seam, chip);
     ImGui::SameLine(0, gap);
     ImGui::TextUnformatted(elided(measures.name, right - left - chip - gap).c_str());
 }

@@ -195,7 +195,9 @@ void draw_surface(InspectorContext& context) {
             SetSurface{.panel = selected.empty() ? "" : *selected.begin(), .surface = edit.surface});
     if (edit.phase != EditPhase::Commit) return;
     if (selected.empty()) context.workspace.run(SetSurface{.surface = edit.surface});
-    for (const std::string& name : selected) context.workspace.run(SetSurface{.panel = name, .surface = edit.surface});
+    std::vector<Command> commands;
+    for (const std::string& name : selected) commands.push_back(SetSurface{.panel = name, .surface = edit.surface});
+    context.workspace.run_together(commands);
 }
 
 }  // namespace selvedge::editor

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "editor/frame/item.h"
 #include "editor/geometry/seam_edit.h"
+#include "editor/geometry/sewing.h"
 #include "editor/sheet/sheet_labels.h"
 #include "editor/tools/sewing_tools.h"
 #include "editor/tools/sheet_pick.h"
@@ -272,7 +274,7 @@ SeamLook look_of(const SheetLook& look, int index, double difference) {
     SeamLook drawn;
     drawn.is_uneven = std::abs(difference) > kUnevenSeam && !seam.is_eased;
     drawn.is_marked = look.selection.seams.contains(index) || look.hover.seam == index;
-    const sim::Rgb8 kind = render::line_colour(static_cast<std::size_t>(index));
+    const sim::Rgb8 kind = render::line_colour(static_cast<std::size_t>(first_of_sewing(look.pattern, index)));
     drawn.colour = drawn.is_uneven ? look.pen.colours.error : render::Rgba8{kind[0], kind[1], kind[2], 255};
     const bool stands_out = drawn.is_marked || look.overlay.shows_sewing;
     drawn.width = drawn.is_marked ? 3.4 : stands_out ? 2.6 : 1.8;
@@ -475,6 +477,16 @@ void draw_lit_places(const SheetLook& look, const std::vector<PartLocation>& pla
     }
 }
 
+ImVec2 bubble_corner(const SheetCamera& camera, const Vec2d& cursor, const Vec2d& size, double beside) {
+    Vec2d corner = cursor + Vec2d(beside, beside);
+    const Vec2d most = camera.view_low + camera.view_size - size;
+    for (int i = 0; i < 2; ++i) {
+        if (corner[i] > most[i]) corner[i] = cursor[i] - beside - size[i];
+        corner[i] = std::round(std::max(camera.view_low[i], std::min(corner[i], most[i])));
+    }
+    return {float(corner.x()), float(corner.y())};
+}
+
 void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& overlay, const ToolHost& tools) {
     const TypedInput& typed = tools.typed();
     const bool is_typing = tools.is_asking() || !typed.is_empty();
@@ -482,6 +494,7 @@ void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& ov
     if (!overlay.problem.empty()) lines.insert(lines.begin(), overlay.problem);
     if (lines.empty() && !is_typing) return;
     const float line_height = ImGui::GetTextLineHeight() + pen.px(2), margin = pen.px(7);
+    for (std::string& line : lines) line = elided(line, float(pen.camera.view_size.x()) - 2 * margin);
     float width = 0;
     for (const std::string& line : lines) width = std::max(width, ImGui::CalcTextSize(line.c_str()).x);
     const float large = ImGui::GetFontSize() * 1.25F;
@@ -489,11 +502,7 @@ void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& ov
     const ImVec2 typed_size = ImGui::GetFont()->CalcTextSizeA(large, 1e6F, 0, typed_text.c_str());
     if (is_typing) width = std::max(width, typed_size.x + pen.px(6));
     const float height = line_height * static_cast<float>(lines.size()) + (is_typing ? large + pen.px(8) : 0);
-    const Vec2d high = pen.camera.view_low + pen.camera.view_size;
-    ImVec2 low{float(cursor.x()) + pen.px(18), float(cursor.y()) + pen.px(18)};
-    if (low.x + width + 2 * margin > float(high.x())) low.x = float(cursor.x()) - pen.px(18) - width - 2 * margin;
-    if (low.y + height + 2 * margin > float(high.y())) low.y = float(cursor.y()) - pen.px(18) - height - 2 * margin;
-    low = {std::round(low.x), std::round(low.y)};
+    const ImVec2 low = bubble_corner(pen.camera, cursor, {width + 2 * margin, height + 2 * margin}, double(pen.px(18)));
     pen.list.AddRectFilled(low, {low.x + width + 2 * margin, low.y + height + 1.4F * margin},
                            packed(pen.colours.bubble), pen.px(5));
     ImVec2 at{low.x + margin, low.y + 0.7F * margin};

@@ -35,6 +35,10 @@ std::vector<ImVec2> inset_line(std::span<const ImVec2> line, float inset, float 
 void draw_overlay(const SheetLook& look);
 void draw_lit_places(const SheetLook& look, const std::vector<PartLocation>& places);
 
+// px, the upper left corner of a box beside the cursor: below and to the right of it; on the other side where it would
+// leave the view; in the view where neither side has room. `beside`: px from the cursor.
+ImVec2 bubble_corner(const SheetCamera& camera, const Vec2d& cursor, const Vec2d& size, double beside);
+
 // Shows the typed text in large letters and the tool's problem and readout beside the cursor. `cursor` in px.
 void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& overlay, const ToolHost& tools);
 

@@ -67,7 +67,7 @@ void ProposalTool::refresh(const ToolContext& context) {
     if (is_of_now(document) || document.is_previewing()) return;
     revision_ = document.revision();
     states_ = document.panel_states();
-    proposals_ = propose_seams(document.pattern(), {.least_confidence = kLeastConfidence});
+    proposals_ = propose_seams(document.pattern(), {.least_confidence = kLeastConfidence, .hints = document.hints()});
     std::erase_if(proposals_, [&](const sim::SeamProposal& proposal) {
         return std::ranges::find(refused_, proposal.parts.front()) != refused_.end() ||
                !may_be_sewn(document.pattern(), states_, proposal);

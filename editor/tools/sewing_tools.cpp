@@ -221,7 +221,7 @@ void SewingTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
 std::string SewingTool::hint(const ToolContext& context) const {
     if (first_) return "Click the other edge near the end that meets the first click; R turns it round";
     if (!context.document.selection().seams.empty())
-        return "R or a click on its mark reverses the seam, Delete takes it out, a drag along it slides its ends";
+        return "R: reverse the seam, Delete: remove it, drag along it: slide its ends";
     return "Click an edge near one of its ends";
 }
 

@@ -402,9 +402,9 @@ void duplicate_selected(AppState& state) {
 }
 
 void for_each_panel(AppState& state, const std::function<Command(const std::string&)>& make) {
-    for (const std::string& name : std::set<std::string>(selected(state).panels)) {
-        if (!state.workspace.run(make(name))) return;
-    }
+    std::vector<Command> commands;
+    for (const std::string& name : selected(state).panels) commands.push_back(make(name));
+    state.workspace.run_together(commands);
 }
 
 void mirror_panels(AppState& state, const Vec2d& axis) {

@@ -65,6 +65,7 @@ void show_message(AppState& state, float width) {
         return show_line(colour, message->text, width);
     }
     show_line(state.theme.faint, state.tools.hint(tool_host_context(state.workspace)), width);
+    note_widget(state.widgets, "status.hint");
 }
 
 // px left for the question's text beside its answers.

@@ -130,6 +130,7 @@ void import_file(AppState& state, const std::string& file) {
         try_to(current, [&] {
             ImportedDrawing imported = current.services.import_drawing(file);
             show_document(current, std::move(imported.garment), "", true);
+            current.workspace.document->set_hints(std::move(imported.hints));
             for (const std::string& note : imported.notes) current.workspace.messages.note(note);
             current.workspace.messages.note("Imported '" + name_in_folder(file) + "': " + imported.sewn);
         });
@@ -184,7 +185,12 @@ void lay_photo(AppState& state, const std::string& file) {
 
 void wear_over(AppState& state, const std::string& file) {
     state.workspace.document->commit();
-    try_to(state, [&] { state.workspace.wear_over(state.services.load(file)); });
+    try_to(state, [&] {
+        const sim::PatternDocument outer = state.services.load(file);
+        if (outer.pattern.panels.empty())
+            return state.workspace.messages.warn("'" + name_in_folder(file) + "' has no panels: nothing to wear");
+        state.workspace.wear_over(outer);
+    });
 }
 
 void open_example(AppState& state, const Example& example) {
@@ -203,7 +209,7 @@ sim::PatternDocument recovered_document(const AppState& state, const Recovery& r
         } catch (const sim::InputError&) {
         }
     }
-    return sim::parse_begun_pattern(recovery.text, recovery.file);
+    return sim::parse_pattern(recovery.text, recovery.file);
 }
 
 // Returns whether all drafts are back.
@@ -222,11 +228,15 @@ bool recover_drafts(Workspace& workspace, const std::map<std::string, sim::Fabri
     return are_all_back;
 }
 
+std::string lines_text(int count) {
+    return std::to_string(count) + (count == 1 ? " line" : " lines");
+}
+
 }  // namespace
 
 void recover_journal(AppState& state, const OrphanedJournal& journal) {
     const auto go_on = [journal](AppState& current) {
-        const Recovery& recovery = journal.recovery;
+        const Recovery& recovery = *journal.recovery;
         const bool is_open = try_to(current, [&] {
             show_document(current, recovered_document(current, recovery), recovery.file, recovery.has_changes());
         });
@@ -234,7 +244,14 @@ void recover_journal(AppState& state, const OrphanedJournal& journal) {
         if (recovery.has_changes())
             current.workspace.messages.note("Recovered '" + document_name(current) + "': save it to keep it");
         // The new journal has the document, and the drafts are noted in it: both can be recovered again.
-        if (recover_drafts(current.workspace, recovery.drafts)) current.services.discard_journal(journal.id);
+        if (!recover_drafts(current.workspace, recovery.drafts)) return;
+        if (recovery.unread_lines == 0) return current.services.discard_journal(journal.id);
+        try_to(current, [&] {
+            current.workspace.messages.warn("Recovered '" + document_name(current) + "' but for " +
+                                            lines_text(recovery.unread_lines) +
+                                            " that cannot be read: the journal is kept as '" +
+                                            current.services.set_aside_journal(journal.id) + "'");
+        });
     };
     after_asking(state, go_on);
 }
@@ -375,20 +392,22 @@ void browse_to_print(AppState& state, const std::string& ending) {
 namespace {
 
 void show_picture(AppState& state, const std::string& file) {
-    const std::set<std::string> selected = state.workspace.document->selection().panels;  // a copy
+    const std::set<std::string>& selected = state.workspace.document->selection().panels;
     try_to(state, [&] {
         state.services.read_photo(file);  // so that a file that is none is refused
-        const auto show = [&](const std::string& panel) {
+        const auto show = [&](const std::string& panel) -> Command {
             const auto& pattern = state.workspace.document->pattern();
             const std::optional<int> index = panel.empty() ? std::nullopt : panel_index(pattern, panel);
             const auto& before = index ? pattern.panels[static_cast<std::size_t>(*index)].surface : pattern.surface;
             sim::SurfaceDesign design = before.value_or(sim::SurfaceDesign{});
             design.kind = sim::DesignKind::Picture;
             design.source = state.services.full_path(file);
-            state.workspace.run(SetSurface{.panel = panel, .surface = design});
+            return SetSurface{.panel = panel, .surface = design};
         };
-        if (selected.empty()) show("");
-        for (const std::string& panel : selected) show(panel);
+        std::vector<Command> commands;
+        if (selected.empty()) commands.push_back(show(""));
+        for (const std::string& panel : selected) commands.push_back(show(panel));
+        state.workspace.run_together(commands);
     });
 }
 
@@ -457,12 +476,28 @@ std::string unsaved_text(const Recovery& recovery) {
     return text;
 }
 
+// It is kept: another version of the program, or a person, may make something of it.
+void report_damaged(AppState& state, const OrphanedJournal& journal) {
+    try_to(state, [&] {
+        const std::string file = state.services.set_aside_journal(journal.id);
+        state.questions.push_back({"The journal of an editor that ended " + journal.age +
+                                       " is damaged: nothing was recovered. It is kept as '" + file + "'.",
+                                   {{"OK", [](AppState&) {}}}});
+    });
+}
+
 }  // namespace
 
 void offer_recovery(AppState& state) {
     for (const OrphanedJournal& journal : state.services.orphaned_journals()) {
+        if (!journal.recovery) {
+            report_damaged(state, journal);
+            continue;
+        }
+        const int unread = journal.recovery->unread_lines;
+        const std::string damage = unread == 0 ? "" : " " + lines_text(unread) + " after that cannot be read.";
         state.questions.push_back(
-            {"The editor ended " + journal.age + " without saving " + unsaved_text(journal.recovery) + ".",
+            {"The editor ended " + journal.age + " without saving " + unsaved_text(*journal.recovery) + "." + damage,
              {{"Recover", [journal](AppState& current) { recover_journal(current, journal); }},
               {"Discard", [journal](AppState& current) { current.services.discard_journal(journal.id); }},
               {"Later", [](AppState&) {}}}});

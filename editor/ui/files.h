@@ -16,10 +16,10 @@ void new_document(AppState& state);
 void open_loaded(AppState& state, sim::PatternDocument source, const std::string& file);
 void open_file(AppState& state, const std::string& file);
 void open_example(AppState& state, const Example& example);
-void import_file(AppState& state, const std::string& file);  // a drawing of another program, or a photo
-void lay_photo(AppState& state, const std::string& file);    // under the sheet, to be traced
-void wear_over(AppState& state, const std::string& file);    // puts another garment over the document's
-void recover_journal(AppState& state, const OrphanedJournal& journal);
+void import_file(AppState& state, const std::string& file);             // a drawing of another program, or a photo
+void lay_photo(AppState& state, const std::string& file);               // under the sheet, to be traced
+void wear_over(AppState& state, const std::string& file);               // puts another garment over the document's
+void recover_journal(AppState& state, const OrphanedJournal& journal);  // Pre: it has something to recover
 
 // Opens a garment file, imports a drawing, lays a photo under the sheet or puts on a body file; reports any other file
 // as unknown.

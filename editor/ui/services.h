@@ -37,8 +37,8 @@ struct Example {
 // A journal of an editor that did not exit normally.
 struct OrphanedJournal {
     std::string id;
-    Recovery recovery;
-    std::string age;  // for example "3 minutes ago"
+    std::optional<Recovery> recovery;  // none: it is damaged, and nothing of it can be recovered
+    std::string age;                   // for example "3 minutes ago"
 };
 
 // How thick the cloth of an exported mesh is: not at all, as the fabric of each panel, or as given.
@@ -64,6 +64,7 @@ struct ImportedDrawing {
     sim::PatternDocument garment = {};
     std::string sewn = {};                // "8 seams were sewn, 3 more are possible"
     std::vector<std::string> notes = {};  // what was guessed, repaired and left out, one line each
+    std::string hints = {};               // its texts about the whole garment
 };
 
 struct Services {
@@ -98,6 +99,8 @@ struct Services {
     std::function<void()> end_journal;  // deletes the journal: nothing to recover
     std::function<std::vector<OrphanedJournal>()> orphaned_journals;
     std::function<void(const std::string& id)> discard_journal;
+    // Moves a damaged journal to where it is not offered again, and returns the name of the file.
+    std::function<std::string(const std::string& id)> set_aside_journal;
 };
 
 }  // namespace selvedge::editor

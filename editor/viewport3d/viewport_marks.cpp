@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "editor/geometry/sewing.h"
 #include "render/scene/colour.h"
 #include "render/scene/solids.h"
 
@@ -58,6 +59,19 @@ class Marker {
         return start_of(garment_.outlines()[*p], edge, garment_.mesh().x);
     }
 
+    // Whether the cloth at a vertex of the mesh is drawn: at a seam, of one of its panels.
+    bool is_drawn(const Vec3f& at) const {
+        const sim::DrawMesh& mesh = garment_.mesh();
+        if (undrawn_.empty() || mesh.x.empty()) return true;
+        const std::size_t vertex = vertex_near(at);
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            const std::size_t panel = sim::panel_of(mesh, t);
+            if (panel < mesh.panel_names.size() && undrawn_.contains(mesh.panel_names[panel])) continue;
+            if (std::ranges::find(mesh.triangles[t], vertex) != mesh.triangles[t].end()) return true;
+        }
+        return false;
+    }
+
     void pin(const Vec3f& at, const ViewportColours& colours) {
         const Vec3f head = at + kNeedleLength * size_ * normal_near(at);
         add_rod(solid_, at, head, kNeedle * size_, colours.needle);
@@ -73,14 +87,19 @@ class Marker {
         return std::nullopt;
     }
 
-    Vec3f normal_near(const Vec3f& at) const {
-        const sim::DrawMesh& mesh = garment_.mesh();
-        if (mesh.x.empty() || mesh.normals.size() != mesh.x.size()) return Vec3f::UnitY();
+    // Pre: the mesh has vertices.
+    std::size_t vertex_near(const Vec3f& at) const {
+        const std::vector<Vec3f>& x = garment_.mesh().x;
         const auto nearer = [&](const Vec3f& a, const Vec3f& b) {
             return (a - at).squaredNorm() < (b - at).squaredNorm();
         };
-        const auto nearest = std::min_element(mesh.x.begin(), mesh.x.end(), nearer);
-        return mesh.normals[static_cast<std::size_t>(nearest - mesh.x.begin())];
+        return static_cast<std::size_t>(std::min_element(x.begin(), x.end(), nearer) - x.begin());
+    }
+
+    Vec3f normal_near(const Vec3f& at) const {
+        const sim::DrawMesh& mesh = garment_.mesh();
+        if (mesh.x.empty() || mesh.normals.size() != mesh.x.size()) return Vec3f::UnitY();
+        return mesh.normals[vertex_near(at)];
     }
 
     const sim::Pattern& pattern_;
@@ -167,7 +186,9 @@ void mark_seam_lines(render::SolidItem& solid, const sim::Pattern& pattern, cons
                      const ViewportMarks& marks) {
     const auto draw = [&](const Thread& thread, std::size_t seam) {
         if (!marks.undrawn.empty() && is_undrawn(pattern, seam, marks.undrawn)) return;
-        add_rod(solid, thread[0], thread[1], kThread * marks.size, render::line_colour(seam));
+        const int first = seam < pattern.seams.size() ? first_of_sewing(pattern, static_cast<int>(seam)) : 0;
+        add_rod(solid, thread[0], thread[1], kThread * marks.size,
+                render::line_colour(static_cast<std::size_t>(first)));
     };
     if (garment.is_placed()) {
         for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
@@ -185,7 +206,9 @@ void mark_seam_lines(render::SolidItem& solid, const sim::Pattern& pattern, cons
 void mark_pins(Marker& marker, const sim::Pattern& pattern, const DisplayedGarment& garment,
                const ViewportColours& colours) {
     if (!garment.is_placed()) {
-        for (const Vec3f& pin : garment.frame().pins) marker.pin(pin, colours);
+        for (const Vec3f& pin : garment.frame().pins) {
+            if (marker.is_drawn(pin)) marker.pin(pin, colours);
+        }
     }
     for (const sim::Panel& panel : pattern.panels) {
         for (const int vertex : panel.pins) {

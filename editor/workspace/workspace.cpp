@@ -24,9 +24,10 @@ std::set<std::string> undrawn_panels(const sim::Pattern& pattern, const ViewOpti
     return undrawn;
 }
 
-bool Workspace::run(const Command& command) {
+bool Workspace::run_together(const std::vector<Command>& commands) {
+    if (commands.empty()) return true;
     try {
-        document->run(command);
+        document->run_together(commands);
         return true;
     } catch (const GeometryError& error) {
         messages.error(error);

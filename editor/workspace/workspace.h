@@ -252,7 +252,8 @@ struct Workspace {
     bool wear_over(const sim::PatternDocument& outer);
 
     // Applies a command; a GeometryError becomes a message. Returns whether the command was applied.
-    bool run(const Command& command);
+    bool run(const Command& command) { return run_together({command}); }
+    bool run_together(const std::vector<Command>& commands);  // as one step of the history; none: no effect
     bool preview(const Command& command);
 };
 

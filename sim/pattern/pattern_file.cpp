@@ -28,16 +28,16 @@ std::string garment_name(const std::string& file) {
     return name;
 }
 
-PatternReading examine(const Json& json, const std::string& file, NoPanels no_panels = NoPanels::Fault) {
-    PatternReading reading = read_pattern(json, file, no_panels);
+PatternReading examine(const Json& json, const std::string& file) {
+    PatternReading reading = read_pattern(json, file);
     check_shapes(reading, file, units_in_meter(json));
     reading.pattern.name = garment_name(file);
     resolve_named_files(reading.pattern, file);
     return reading;
 }
 
-PatternDocument accept(Json json, const std::string& file, NoPanels no_panels = NoPanels::Fault) {
-    PatternReading reading = examine(json, file, no_panels);
+PatternDocument accept(Json json, const std::string& file) {
+    PatternReading reading = examine(json, file);
     for (const Fault& fault : reading.faults) {
         if (fault.severity == Severity::Error) throw InputError(fault.file, fault.place, fault.problem);
     }
@@ -61,10 +61,6 @@ PatternDocument load_pattern(const std::filesystem::path& path) {
 
 PatternDocument parse_pattern(std::string_view text, const std::string& file) {
     return accept(parse_json(text, file), file);
-}
-
-PatternDocument parse_begun_pattern(std::string_view text, const std::string& file) {
-    return accept(parse_json(text, file), file, NoPanels::Allowed);
 }
 
 std::vector<Fault> check_pattern_file(const std::filesystem::path& path) {

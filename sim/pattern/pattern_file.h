@@ -18,12 +18,10 @@ struct PatternDocument {
     Json json;  // null for a pattern that was not read from a file
 };
 
-// Throws InputError for the first fault that is an error. Warnings are ignored; check_pattern_file() lists them.
+// Throws InputError for the first fault that is an error. Warnings are ignored; check_pattern_file() lists them. A
+// garment that was only begun may have no panels.
 PatternDocument load_pattern(const std::filesystem::path& path);
 PatternDocument parse_pattern(std::string_view text, const std::string& file);
-
-// The same for a garment that may have no panels yet.
-PatternDocument parse_begun_pattern(std::string_view text, const std::string& file);
 
 // All faults of a file: first those found while reading it, then those of outlines and seams as shapes. A file that
 // cannot be read or is not JSON gives one fault. Do not throw InputError.

@@ -36,8 +36,7 @@ using Node = JsonNode;
 
 class Reader : private FaultReader {
  public:
-    Reader(const Json& root, const std::string& file, NoPanels no_panels)
-        : FaultReader(file), root_{&root, ""}, no_panels_(no_panels) {}
+    Reader(const Json& root, const std::string& file) : FaultReader(file), root_{&root, ""} {}
 
     PatternReading read() {
         if (expect(root_, Json::Kind::Object)) read_root();
@@ -80,10 +79,10 @@ class Reader : private FaultReader {
         const Node panels = pattern.member("panels");
         if (!panels) return error(pattern, "no key 'panels'");
         if (!expect(panels, Json::Kind::Object)) return;
-        // A garment of which there is only a photo to trace so far can be saved and opened.
+        // A garment that was only begun can be saved and opened; one with a photo to trace is at its usual beginning.
         const Json* own = root_.value->find("selvedge");
-        const bool may_be_empty = no_panels_ == NoPanels::Allowed || (own && own->find("underlays"));
-        if (panels.value->members().empty() && !may_be_empty) error(panels, "no panels");
+        const bool has_photos = own && own->find("underlays");
+        if (panels.value->members().empty() && !has_photos) warn(panels, "no panels");
         for (const Json::Member& member : panels.value->members()) {
             const Node node{&member.value, json_path(panels.path, member.key)};
             panel_index_[member.key] = static_cast<int>(out_.pattern.panels.size());
@@ -471,7 +470,6 @@ class Reader : private FaultReader {
     };
 
     Node root_;
-    NoPanels no_panels_;
     PatternReading out_;
     bool is_relative_ = true;
     std::map<std::string, int> panel_index_;
@@ -495,8 +493,8 @@ Eigen::Matrix3d rotation_from_degrees(const Vec3d& angles_deg) {
         .toRotationMatrix();
 }
 
-PatternReading read_pattern(const Json& root, const std::string& file, NoPanels no_panels) {
-    return Reader(root, file, no_panels).read();
+PatternReading read_pattern(const Json& root, const std::string& file) {
+    return Reader(root, file).read();
 }
 
 namespace {

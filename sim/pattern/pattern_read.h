@@ -18,11 +18,8 @@ struct PatternReading {
     std::vector<int> seam_indices;    // per seam of the pattern: its index in the file
 };
 
-// Whether a pattern without panels has a fault. One that has only photos to trace has none.
-enum class NoPanels { Fault, Allowed };
-
 // Reads the pattern and records faults in the JSON. Does not check shapes: see check_shapes().
-PatternReading read_pattern(const Json& root, const std::string& file, NoPanels no_panels = NoPanels::Fault);
+PatternReading read_pattern(const Json& root, const std::string& file);
 
 // Adds faults of the shapes of outlines and seams: edges of zero length, crossings, seams with sides of unequal length.
 // units: file units per metre, for coordinates in messages.

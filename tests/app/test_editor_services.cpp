@@ -1,9 +1,12 @@
 // The editor's file and export services.
 #include <gtest/gtest.h>
+#include <imgui.h>
 #include <filesystem>
 #include <fstream>
 
 #include "app/editor_services.h"
+#include "editor/tools/tool_host.h"
+#include "editor/tools/tool_table.h"
 #include "editor/ui/app_state.h"
 #include "editor/ui/editor.h"
 #include "editor/ui/files.h"
@@ -218,6 +221,81 @@ TEST_F(CrashedEditor, gives_back_a_garment_with_its_fabric_when_the_next_one_sta
     EXPECT_NE(content_of(file).find("\"fabric\": \"mine.json\""), std::string::npos);
 }
 
+// Writes a journal that an editor left. Returns its file.
+fs::path leave_journal(const fs::path& state, const std::string& text) {
+    fs::create_directories(state / "journals");
+    std::ofstream(state / "journals/1.journal") << text;
+    return state / "journals/1.journal";
+}
+
+fs::path only_file_of(const fs::path& folder, const std::string& ending) {
+    fs::path found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        if (!entry.path().string().ends_with(ending)) continue;
+        EXPECT_TRUE(found.empty()) << found << " and " << entry.path();
+        found = entry.path();
+    }
+    return found;
+}
+
+TEST_F(CrashedEditor, keeps_a_journal_of_which_nothing_can_be_recovered_and_names_its_file) {
+    const std::string head = editor::journal_head("shirt.json", services_.examples[1].text) + "\n";
+    for (const std::string& text :
+         {std::string("damaged\n"), head.substr(0, head.size() / 2), head + "{\"do\": 7}\n", std::string(100, '\0')}) {
+        const fs::path journal = leave_journal(folder_.path() / "state", text);
+        std::unique_ptr<editor::Editor> editor;
+        start(editor);
+        EXPECT_FALSE(fs::exists(journal));
+        const fs::path kept = only_file_of(journal.parent_path(), ".damaged");
+        ASSERT_FALSE(kept.empty());
+        EXPECT_EQ(content_of(kept), text);
+        ASSERT_EQ(editor->state().questions.size(), 1U);
+        EXPECT_NE(editor->state().questions[0].text.find(kept.string()), std::string::npos);
+        recover(editor->state());  // "OK"
+        start(editor);
+        EXPECT_TRUE(editor->state().questions.empty()) << "it is told once";
+        fs::remove(kept);
+    }
+}
+
+TEST_F(CrashedEditor, gives_back_what_stands_before_a_damaged_line_and_keeps_the_journal) {
+    const auto line = [](double length) {
+        return write_json(journal_line(editor::SetEdgeLength{.length = length}), -1) + "\n";
+    };
+    const std::string text = editor::journal_head("", services_.examples[1].text) + "\n" + line(0.03) +
+                             "{\"do\": 7}\n" + line(0.04) + "{\"torn";
+    const fs::path journal = leave_journal(folder_.path() / "state", text);
+    std::unique_ptr<editor::Editor> editor;
+    start(editor);
+    ASSERT_EQ(editor->state().questions.size(), 1U);
+    EXPECT_NE(editor->state().questions[0].text.find("(1 change). 2 lines after that cannot be read."),
+              std::string::npos)
+        << editor->state().questions[0].text;
+    recover(editor->state());
+    EXPECT_EQ(editor->state().workspace.document->pattern().edge_length, 0.03);
+    EXPECT_FALSE(fs::exists(journal));
+    const fs::path kept = only_file_of(journal.parent_path(), ".damaged");
+    ASSERT_FALSE(kept.empty());
+    EXPECT_EQ(content_of(kept), text);
+    EXPECT_NE(editor->state().workspace.messages.all().back().text.find(kept.string()), std::string::npos);
+}
+
+TEST_F(EditorServices, a_garment_without_panels_is_saved_and_opened_again) {
+    const std::string file = folder_ / "begun.json";
+    editor::Editor editor(std::move(services_), {.drive = sim::SessionDrive::Caller, .is_steady = true});
+    editor::AppState& state = editor.state();
+    new_document(state);
+    state.workspace.run(editor::SetBody{.body = "mannequin:sex=male"});
+    save_as(state, file);
+    new_document(state);
+    open_file(state, file);
+    EXPECT_EQ(state.workspace.file, file);
+    EXPECT_EQ(state.workspace.document->pattern().body, "mannequin:sex=male");
+    EXPECT_TRUE(state.workspace.document->pattern().panels.empty());
+    wear_over(state, file);
+    EXPECT_EQ(state.workspace.messages.all().back().text, "'begun.json' has no panels: nothing to wear");
+}
+
 TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_has_none) {
     const fs::path journal = folder_.path() / "state/journals/none.journal";
     const std::string head = editor::journal_head("shirt.json", services_.examples[1].text);
@@ -229,14 +307,14 @@ TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_h
     const std::vector<editor::OrphanedJournal> left = services_.orphaned_journals();
     ASSERT_EQ(left.size(), 1U);
     EXPECT_EQ(left[0].id, journal.string());
-    EXPECT_EQ(left[0].recovery.changes, 1) << "but for the torn line";
+    EXPECT_EQ(left[0].recovery->changes, 1) << "but for the torn line";
     EXPECT_EQ(left[0].age, "a moment ago");
     services_.discard_journal(left[0].id);
     EXPECT_FALSE(fs::exists(journal));
     // What was recovered and is in no file is offered again, though nothing was changed since.
     std::ofstream(journal) << editor::journal_head("shirt.json", services_.examples[1].text, true) << '\n';
     ASSERT_EQ(services_.orphaned_journals().size(), 1U);
-    EXPECT_TRUE(services_.orphaned_journals()[0].recovery.was_unsaved);
+    EXPECT_TRUE(services_.orphaned_journals()[0].recovery->was_unsaved);
 }
 
 TEST_F(EditorServices, fabrics_are_read_by_name_or_file_and_written_whole) {
@@ -263,6 +341,31 @@ TEST_F(EditorServices, a_body_file_may_be_called_mannequin) {
         FAIL();
     } catch (const sim::InputError& error) {
         EXPECT_EQ(error.file(), "mannequin.obj") << error.what();
+    }
+}
+
+// A hint that is too long for the status bar ends with dots, which is narrower than its whole text.
+TEST_F(EditorServices, hints_of_tools_are_whole_in_a_window_of_1280_px) {
+    editor::Editor editor(std::move(services_),
+                          {.drive = sim::SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true});
+    editor::AppState& state = editor.state();
+    open_example(state, state.services.examples.front());
+    for (const float scale : {1.0F, 1.5F}) {
+        for (const editor::ToolInfo& tool : editor::all_tools()) {
+            state.workspace.messages.dismiss();
+            state.tools.choose(tool_host_context(state.workspace), tool);
+            editor::Selection selection;
+            selection.seams = {0};
+            for (const editor::Selection& chosen : {editor::Selection{}, selection}) {
+                state.workspace.document->select(chosen);
+                for (int i = 0; i < 2; ++i)
+                    editor.frame({}, {.width_px = 1280, .height_px = 800, .scale = scale}, 0.03);
+                const std::string hint = state.tools.hint(tool_host_context(state.workspace));
+                const editor::WidgetBox& shown = state.widgets.at("status.hint");
+                const float whole = ImGui::CalcTextSize(hint.c_str()).x;
+                EXPECT_NEAR(shown.high.x() - shown.low.x(), whole, 1) << hint << " at scale " << scale;
+            }
+        }
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <set>
 
 #include "sim/core/error.h"
 #include "tests/app/run_program.h"
@@ -125,6 +126,21 @@ TEST(JournalStore, what_is_left_comes_newest_first_and_half_written_ones_are_pas
     EXPECT_EQ(left[0].text, "newer\n{\"torn");
     EXPECT_EQ(left[1].text, "older");
     EXPECT_GT(left[1].age_seconds, 7000);
+}
+
+TEST(JournalStore, a_damaged_journal_is_kept_under_another_name) {
+    const ScratchFolder folder;
+    JournalStore store(folder.path());
+    std::set<fs::path> kept;
+    for (const char* text : {"damaged", "damaged too"}) {
+        write(folder / "1.journal", text);
+        const fs::path file = JournalStore::set_aside(folder / "1.journal");
+        EXPECT_EQ(content_of(file), text);
+        kept.insert(file);
+        EXPECT_TRUE(store.left().empty());
+    }
+    EXPECT_EQ(kept.size(), 2U) << "each has a name of its own";
+    EXPECT_THROW(JournalStore::set_aside(folder / "1.journal"), sim::InputError) << "there is none";
 }
 
 TEST(JournalStore, a_folder_that_cannot_be_made_is_an_input_error) {

@@ -134,6 +134,26 @@ TEST(Usage, values_that_mannequin_cannot_use_get_one_line) {
         expect_one_line_and_exit_2(std::string("mannequin ") + option);
 }
 
+// The editor saves a garment that was only begun; what needs panels says that there are none.
+TEST(Usage, a_garment_without_panels_is_opened_by_the_editor_and_refused_by_what_needs_panels) {
+    const ScratchFolder folder;
+    const std::string garment = folder / "begun.json", script = folder / "save.txt", again = folder / "again.json";
+    const std::string edit = "edit --state '" + folder / "state" + "' --script '" + script + "'";
+    std::ofstream(script) << "new\nsave \"" << garment << "\"\n";
+    EXPECT_EQ(run_selvedge(edit).exit_code, 0);
+    std::ofstream(script) << "save \"" << again << "\"\n";
+    const ProgramResult opened = run_selvedge(edit + " '" + garment + "'");
+    EXPECT_EQ(opened.exit_code, 0) << opened.err;
+    EXPECT_EQ(content_of(again), content_of(garment));
+    const ProgramResult checked = run_selvedge("check '" + garment + "'");
+    EXPECT_EQ(checked.exit_code, 0);
+    EXPECT_NE(checked.out.find("pattern.panels: warning: no panels"), std::string::npos) << checked.out;
+    EXPECT_EQ(run_selvedge("check --strict '" + garment + "'").exit_code, 1);
+    expect_one_line_and_exit_2("dress '" + garment + "' --render '" + folder / "a.png" + "'");
+    expect_one_line_and_exit_2("animate '" + garment + "' --film '" + folder / "a.gif" + "'");
+    expect_one_line_and_exit_2("print '" + garment + "' -o '" + folder / "a.pdf" + "'");
+}
+
 TEST(Usage, a_file_that_is_no_picture_gets_one_line) {
     const ScratchFolder folder;
     std::ofstream(folder / "text.png") << "no picture\n";

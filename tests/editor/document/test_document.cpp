@@ -42,6 +42,61 @@ TEST(Document, a_command_is_undone_and_redone_byte_for_byte) {
     EXPECT_FALSE(document.can_redo());
 }
 
+TEST(Document, several_commands_are_one_step_or_none) {
+    Document document(shipped("tshirt.json"));
+    const std::string before = document.text();
+    document.run_together(
+        {SetFabric{.panel = "front", .fabric = "silk"}, SetFabric{.panel = "back", .fabric = "silk"}});
+    EXPECT_EQ(panel_named(document, "front").fabric, "silk");
+    EXPECT_EQ(panel_named(document, "back").fabric, "silk");
+    ASSERT_EQ(document.history().size(), 1U);
+    EXPECT_EQ(document.history()[0].label, "Change fabric");
+    document.undo();
+    EXPECT_EQ(document.text(), before);
+    EXPECT_THROW(document.run_together({SetLayer{.panel = "front", .layer = 1}, SetLayer{.panel = "nobody"}}),
+                 GeometryError);
+    EXPECT_THROW(document.run_together({SetLayer{.panel = "front", .layer = 1}, RenamePanel{"front", "vorn"}}),
+                 GeometryError);
+    EXPECT_EQ(document.text(), before);
+}
+
+// A shape that is locked stays as it is: the change of the panel that it mirrors is refused.
+TEST(Document, a_locked_panel_does_not_follow_its_mirror_image) {
+    for (const bool is_image_locked : {true, false}) {
+        Document document(shipped("two_squares.json"));
+        document.run(SymmetricCopy{.panels = {"front"}, .is_linked = true});
+        const std::string image = document.pattern().panels.back().name;
+        ASSERT_EQ(document.pattern().panels.back().mirror_of, "front");
+        const std::string locked = is_image_locked ? image : "front", other = is_image_locked ? "front" : image;
+        document.set_panel_states({.hidden = {}, .locked = {locked}});
+        const std::string before = document.text();
+        const std::vector<Command> refused{move_point(other, 0, Vec2d(-0.01, 0)),
+                                           AddDart{.panel = other, .edge = 0, .width = 0.02, .depth = 0.08},
+                                           SetFabric{.panel = other, .fabric = "silk"}};
+        for (const Command& command : refused) {
+            try {
+                document.run(command);
+                FAIL() << label_of(command);
+            } catch (const GeometryError& error) {
+                EXPECT_EQ(std::string(error.what()), "'" + locked + "' is locked and linked to its mirror image '" +
+                                                         other + "': unlock or unlink it first");
+                EXPECT_EQ(error.places().at(0).panel, locked);
+            }
+            EXPECT_THROW(document.preview(command), GeometryError);
+            EXPECT_FALSE(document.is_previewing());
+            EXPECT_EQ(document.text(), before);
+        }
+        document.run(TranslateAll{.by = Vec3d(0.1, 0, 0)});  // is about all panels
+        document.run(move_point("back", 0, Vec2d(-0.01, 0)));
+        document.run(UnlinkPanel{locked});
+        document.run(move_point(other, 0, Vec2d(-0.01, 0)));
+        document.undo();
+        document.undo();
+        document.set_panel_states({});
+        document.run(move_point(other, 0, Vec2d(-0.01, 0)));
+    }
+}
+
 TEST(Document, a_garment_is_put_over_taken_off_and_both_are_undone) {
     Document document(shipped("tshirt.json"));
     const std::string alone = document.text();

@@ -72,7 +72,7 @@ TEST(Journal, gives_back_a_garment_that_was_just_begun) {
     const auto recovery = recover(journaled.text);
     ASSERT_TRUE(recovery);
     EXPECT_EQ(recovery->changes, 1);
-    EXPECT_EQ(sim::parse_begun_pattern(recovery->text, "").pattern.body, "mannequin:sex=male");
+    EXPECT_EQ(sim::parse_pattern(recovery->text, "").pattern.body, "mannequin:sex=male");
 }
 
 TEST(Journal, gives_back_what_was_edited_of_fabrics_and_not_saved) {
@@ -94,6 +94,17 @@ TEST(Journal, gives_back_what_was_edited_of_fabrics_and_not_saved) {
     EXPECT_EQ(recovery->changes, 1) << "of the document";
     EXPECT_EQ(recovery->text, journaled.document.text());
     EXPECT_EQ(recovery->drafts, (std::map<std::string, sim::Fabric>{{"/f/mine.json", mine}, {"silk", silk}}));
+}
+
+TEST(Journal, gives_back_several_commands_as_one_step) {
+    Journaled journaled("two_squares.json");
+    const std::string before = journaled.document.text();
+    journaled.document.run_together(
+        {SetFabric{.panel = "front", .fabric = "silk"}, SetLayer{.panel = "back", .layer = 2}});
+    EXPECT_EQ(recover(journaled.text)->text, journaled.document.text());
+    EXPECT_EQ(recover(journaled.text)->changes, 1);
+    journaled.document.undo();
+    EXPECT_EQ(recover(journaled.text)->text, before);
 }
 
 TEST(Journal, gives_back_a_drag_that_was_under_way) {
@@ -125,12 +136,14 @@ TEST(Journal, lines_that_are_no_journals_end_it) {
     Journaled journaled("two_squares.json");
     journaled.document.run(SetEdgeLength{.length = 0.03});
     const std::string sound = journaled.document.text();
-    for (const char* line :
-         {"nonsense", "{\"do\": {\"fly\": {}}}", "{\"do\": {\"set_layer\": {\"panel\": 3}}}", "{}"}) {
-        const auto recovery = recover(journaled.text + line + "\n{\"undo\":true}\n");
+    for (const char* line : {"nonsense", "{\"do\": {\"fly\": {}}}", "{\"do\": {\"set_layer\": {\"panel\": 3}}}", "{}",
+                             "{\"do\": []}", "{\"try\": {\"rename_panel\": {\"panel\": \"front\", \"to\": \"a\"}}}"}) {
+        const auto recovery = recover(journaled.text + line + "\n{\"undo\":true}\n{\"torn");
         ASSERT_TRUE(recovery) << line;
         EXPECT_EQ(recovery->text, sound) << line;
+        EXPECT_EQ(recovery->unread_lines, 2) << line;
     }
+    EXPECT_EQ(recover(journaled.text + "{\"torn")->unread_lines, 0) << "as a crash leaves it";
     EXPECT_FALSE(recover(""));
     EXPECT_FALSE(recover("{\"selvedge_journal\": 1}\n"));
     EXPECT_FALSE(recover("{\"selvedge_journal\": 2, \"file\": \"\", \"text\": \"{}\"}\n"));

@@ -38,6 +38,8 @@ TEST(Sewing, of_one_edge_to_two_is_one_and_of_one_to_one_is_none) {
     EXPECT_EQ(pattern.seams[2].sewing, "");
     EXPECT_EQ(sewing_of(pattern, 2), std::vector<int>{2});
     EXPECT_EQ(one_of_each_sewing(pattern, {0, 1, 2}), (std::vector<int>{0, 2}));
+    EXPECT_EQ(first_of_sewing(pattern, 1), 0);
+    EXPECT_EQ(first_of_sewing(pattern, 2), 2);
     sew_runs(pattern, {{0, 3}}, {{1, 0, 0, 0.5}, {1, 0, 0.6, 1}}, true);
     EXPECT_EQ(pattern.seams[3].sewing, "sewing 2");
     EXPECT_TRUE(can_be_saved(pattern));

@@ -162,6 +162,20 @@ TEST_F(FabricInspector, tells_of_a_broken_file_and_reads_it_again) {
     EXPECT_TRUE(fabrics().find("/f/mine.json").draft);
 }
 
+TEST_F(FabricInspector, is_used_for_several_panels_by_one_step_of_undo) {
+    Selection selection;
+    for (const sim::Panel& panel : inspector_.document().pattern().panels) selection.panels.insert(panel.name);
+    ASSERT_EQ(selection.panels.size(), 2U);
+    inspector_.document().select(selection);
+    fabrics().show("denim");
+    inspector_.frame();
+    inspector_.click("material.fabric.panels");
+    for (const sim::Panel& panel : inspector_.document().pattern().panels) EXPECT_EQ(panel.fabric, "denim");
+    EXPECT_EQ(inspector_.document().history().size(), 1U);
+    inspector_.document().undo();
+    for (const sim::Panel& panel : inspector_.document().pattern().panels) EXPECT_EQ(panel.fabric, "");
+}
+
 TEST_F(FabricInspector, stays_inside_a_narrow_window) {
     InspectorFixture narrow(shipped_pattern("skirt.json"), draw_fabric, {.width_px = 17 * 13});
     narrow.click("material.fabric.edit");

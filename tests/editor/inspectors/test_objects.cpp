@@ -194,6 +194,33 @@ TEST_F(ObjectInspector, the_selected_seam_gets_a_name) {
     EXPECT_EQ(inspector.document().pattern().seams[2].name, "side");
 }
 
+// The rows of darts stand under their panels, which are closed at first; a search may hide any row.
+TEST_F(ObjectInspector, what_is_to_be_named_is_shown_though_its_panel_is_closed_or_a_search_hides_it) {
+    inspector.document().run(AddDart{.panel = "front", .edge = 0, .t = 0.5, .width = 0.02, .depth = 0.08});
+    const int dart = static_cast<int>(inspector.document().pattern().seams.size()) - 1;
+    const auto begin_naming = [&](const Selection& selection) {
+        inspector.document().select(selection);
+        inspector.state.objects.wants_naming = true;  // as F2 does
+        for (int i = 0; i < 5; ++i) inspector.frame();
+    };
+    settle();
+    ASSERT_FALSE(inspector.widgets.contains("objects.seam." + std::to_string(dart))) << "its panel is closed";
+    begin_naming({.panels = {}, .vertices = {}, .edges = {}, .internal_lines = {}, .notches = {}, .seams = {dart}});
+    ASSERT_TRUE(inspector.widgets.contains("objects.seam." + std::to_string(dart) + ".name"));
+    inspector.type("bust dart");
+    inspector.key(ImGuiKey_Enter);
+    EXPECT_EQ(inspector.document().pattern().seams.back().name, "bust dart");
+    inspector.state.objects.wanted = "back";
+    settle();
+    ASSERT_FALSE(inspector.widgets.contains("objects.panel.front"));
+    begin_naming({.panels = {"front"}, .vertices = {}, .edges = {}, .internal_lines = {}, .notches = {}, .seams = {}});
+    EXPECT_TRUE(inspector.widgets.contains("objects.panel.front.name"));
+    inspector.key(ImGuiKey_Escape);
+    inspector.state.objects.wanted = "front";
+    begin_naming({.panels = {"front"}, .vertices = {}, .edges = {}, .internal_lines = {}, .notches = {}, .seams = {}});
+    EXPECT_EQ(inspector.state.objects.wanted, "front") << "it finds the panel";
+}
+
 TEST_F(ObjectInspector, lists_only_what_is_found_while_it_is_typed) {
     inspector.state.objects.wants_find = true;  // as Ctrl+F does
     for (int i = 0; i < 5; ++i) inspector.frame();

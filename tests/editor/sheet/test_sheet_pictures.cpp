@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "editor/sheet/sheet_paint.h"
 #include "editor/sheet/sheet_pen.h"
 #include "render/image/image.h"
 #include "render/scene/colour.h"
@@ -194,6 +195,37 @@ TEST(SheetPictures, a_drag_that_would_make_the_outline_cross_itself) {
     stage.release();
     const int after = SheetPicture(stage, "refused_after").pixels_of(kColours.warning);  // seams have such colours, too
     EXPECT_GT(picture.pixels_of(kColours.warning), after + 200) << "the outline that is not possible";
+}
+
+TEST(SheetBubble, stands_beside_the_cursor_and_inside_of_the_view) {
+    const SheetCamera camera{.view_low = Vec2d(40, 30), .view_size = Vec2d(500, 400)};
+    const auto corner = [&](const Vec2d& cursor, const Vec2d& size) {
+        const ImVec2 low = bubble_corner(camera, cursor, size, 18);
+        return Vec2d(low.x, low.y);
+    };
+    const Vec2d size(300, 50);
+    EXPECT_EQ(corner({100, 100}, size), Vec2d(118, 118));
+    EXPECT_EQ(corner({500, 100}, size), Vec2d(182, 118)) << "on the left";
+    EXPECT_EQ(corner({100, 400}, size), Vec2d(118, 332)) << "above";
+    EXPECT_EQ(corner({300, 100}, size), Vec2d(40, 118)) << "neither side has room";
+    EXPECT_EQ(corner({300, 100}, {600, 50}), Vec2d(40, 118)) << "wider than the view: its beginning shows";
+}
+
+TEST(SheetPictures, a_sewing_of_several_parts_has_one_colour) {
+    sim::PatternDocument source = shipped_pattern("two_squares");
+    source.pattern.seams.clear();
+    SheetFixture stage(source);
+    stage.document.run(SewRuns{.first = {{"front", 1}}, .second = {{"back", 3, 0, 0.5}, {"back", 3, 0.5, 1}}});
+    ASSERT_EQ(stage.document.pattern().seams.size(), 2U);
+    stage.document.select({});
+    stage.frame();
+    const SheetPicture picture(stage, "sewing_of_two_parts");
+    const auto pixels = [&](std::size_t seam) {
+        const sim::Rgb8 colour = render::line_colour(seam);
+        return picture.pixels_of({colour[0], colour[1], colour[2], 255});
+    };
+    EXPECT_GT(pixels(0), 100);
+    EXPECT_LT(pixels(1), pixels(0) / 20);
 }
 
 TEST(SheetPictures, a_polygon_with_a_typed_number) {

@@ -73,6 +73,23 @@ TEST(ProposalTool, proposes_no_seam_to_a_hidden_or_locked_panel) {
     EXPECT_GE(user.shown(), 3U);
 }
 
+// The drawing of a garment may say in its title what its panels do not.
+TEST(ProposalTool, proposes_what_the_texts_of_the_drawing_suggest) {
+    const auto first_with = [](const std::string& hints) {
+        SheetUser user(two_bodices());
+        user.document.set_hints(hints);
+        user.tools.choose(user.host(), proposal_tool());
+        user.move({0.6, 0.2});
+        return user.overlay().readout;
+    };
+    sim::Pattern pattern = two_bodices().pattern;
+    const auto proposals = propose_seams(pattern, {.least_confidence = 0.15, .hints = "trousers"});
+    ASSERT_FALSE(proposals.empty());
+    const std::string expected = describe(pattern, proposals.front());
+    EXPECT_EQ(first_with("trousers").at(0), expected.substr(0, expected.find(':')));
+    EXPECT_NE(first_with("trousers"), first_with(""));
+}
+
 TEST(ProposalTool, delete_refuses_tab_goes_on_and_r_turns_round) {
     ProposalUser user;
     const std::size_t before = user.shown();

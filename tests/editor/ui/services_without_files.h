@@ -21,6 +21,7 @@ inline Services services_without_files() {
     services.end_journal = [] {};
     services.orphaned_journals = [] { return std::vector<OrphanedJournal>(); };
     services.discard_journal = [](const std::string&) {};
+    services.set_aside_journal = [](const std::string& id) { return id; };
     return services;
 }
 

@@ -20,6 +20,32 @@
 namespace selvedge::editor {
 namespace {
 
+// Two triangles of two panels that meet at vertex 2, and a pin at each vertex.
+TEST(ViewportMarks, pins_of_panels_that_are_not_drawn_are_not_drawn) {
+    auto frame = std::make_shared<sim::SessionFrame>();
+    sim::DrawMesh& mesh = frame->mesh;
+    mesh.x = {{0, 0, 0}, {0.2F, 0, 0}, {0.3F, 0.2F, 0}, {0.4F, 0, 0}, {0.6F, 0, 0}};
+    mesh.normals.assign(5, Vec3f(0, 0, 1));
+    mesh.triangles = {{0, 1, 2}, {2, 3, 4}};
+    mesh.u = {{Vec2f(0, 0), Vec2f(0.2F, 0), Vec2f(0.3F, 0.2F)}, {Vec2f(0, 0.2F), Vec2f(0.1F, 0), Vec2f(0.3F, 0)}};
+    mesh.panel = {0, 1};
+    mesh.panel_names = {"front", "back"};
+    frame->stage = sim::SessionStage::Settled;
+    frame->pins = mesh.x;
+    DisplayedGarment garment;
+    garment.update({}, 1, frame, GarmentState::AsItIs);
+    const auto pins_without = [&](const std::set<std::string>& undrawn) {
+        ViewportMarks marks;
+        marks.undrawn = undrawn;
+        return make_marks({}, garment, {}, marks, {}).triangles.size();
+    };
+    const std::size_t all = pins_without({});
+    ASSERT_GT(all, 0U);
+    EXPECT_EQ(pins_without({"front"}) * 5, all * 3) << "the one at the seam is drawn";
+    EXPECT_EQ(pins_without({"back"}) * 5, all * 3);
+    EXPECT_EQ(pins_without({"front", "back"}), 0U);
+}
+
 class ViewportSceneTest : public testing::Test {
  protected:
     std::shared_ptr<const render::Scene> update() {

@@ -266,9 +266,16 @@ TEST(CheckFile, refuses_an_outline_of_one_edge) {
 TEST(CheckFile, refuses_what_is_no_specification) {
     EXPECT_EQ(faults_of("[]"), Lines{"f.json: an array where an object should be"});
     EXPECT_EQ(faults_of("{}"), Lines{"f.json: no key 'pattern': not a garment specification"});
-    EXPECT_EQ(faults_of(R"({"pattern":{"panels":{}}})"), Lines{"f.json: pattern.panels: no panels"});
+    EXPECT_EQ(faults_of(R"({"pattern":{}})"), Lines{"f.json: pattern: no key 'panels'"});
     EXPECT_EQ(faults_of("{").size(), 1U);
     EXPECT_EQ(faults_of(std::string(100, '[')).size(), 1U);
+}
+
+// A garment that was only begun can be saved, and opened again.
+TEST(CheckFile, allows_a_garment_without_panels_with_a_warning) {
+    const std::string text = R"({"pattern":{"panels":{}}})";
+    EXPECT_EQ(faults_of(text), Lines{"f.json: pattern.panels: warning: no panels"});
+    EXPECT_TRUE(parse_pattern(text, "f.json").pattern.panels.empty());
 }
 
 TEST(CheckFile, is_silent_about_a_sound_file) {
