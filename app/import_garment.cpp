@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fstream>
 #include <numeric>
+#include <span>
 
 #include "app/measured_body.h"
 #include "app/options.h"
@@ -67,8 +68,20 @@ void lay_aside_folded(sim::Pattern& pattern, const std::vector<sim::PanelRole>& 
     }
 }
 
+// Of a sleeve that no seam joins: the one that is worn in its place; empty: there is none.
+std::string sleeve_instead_of(std::size_t sleeve, const sim::Pattern& pattern,
+                              const std::vector<sim::PanelRole>& roles) {
+    if (roles[sleeve].part != sim::GarmentPart::Sleeve) return {};
+    for (std::size_t p = 0; p < roles.size(); ++p) {
+        const bool is_seen = roles[p].flank == roles[sleeve].flank || roles[p].flank == sim::Flank::None;
+        if (p != sleeve && roles[p].part == sim::GarmentPart::Sleeve && pattern.panels[p].is_worn && is_seen)
+            return pattern.panels[p].name;
+    }
+    return {};
+}
+
 // Panels that no seam joins to the garment would fall off the body.
-void lay_aside_loose(sim::Pattern& pattern, std::vector<std::string>& notes) {
+void lay_aside_loose(sim::Pattern& pattern, const std::vector<sim::PanelRole>& roles, std::vector<std::string>& notes) {
     constexpr double kSmall = 0.4;  // of the largest part's area: less is no garment of its own
     sim::DisjointSets sets(pattern.panels.size());
     const auto is_worn = [&](int p) { return pattern.panels[static_cast<std::size_t>(p)].is_worn; };
@@ -81,12 +94,17 @@ void lay_aside_loose(sim::Pattern& pattern, std::vector<std::string>& notes) {
             area[static_cast<std::size_t>(sets.find(static_cast<int>(p)))] += outline_area(pattern.panels[p]);
     }
     const double largest = *std::ranges::max_element(area);
+    std::vector<std::size_t> loose;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-        sim::Panel& panel = pattern.panels[p];
-        if (!panel.is_worn || area[static_cast<std::size_t>(sets.find(static_cast<int>(p)))] >= kSmall * largest)
-            continue;
-        panel.is_worn = false;
-        notes.push_back(panel.name + ": no seam joins it to the garment: on the sheet, but not worn");
+        const bool is_loose = area[static_cast<std::size_t>(sets.find(static_cast<int>(p)))] < kSmall * largest;
+        if (is_worn(static_cast<int>(p)) && is_loose) loose.push_back(p);
+    }
+    for (const std::size_t p : loose) pattern.panels[p].is_worn = false;
+    for (const std::size_t p : loose) {
+        const std::string other = sleeve_instead_of(p, pattern, roles);
+        notes.push_back(pattern.panels[p].name + ": no seam joins it to the garment" +
+                        (other.empty() ? "" : ", where '" + other + "' is sewn in as the sleeve") +
+                        ": on the sheet, but not worn");
     }
 }
 
@@ -94,8 +112,8 @@ std::string without_suffix(const std::string& name, const std::string& suffix) {
     return name.ends_with(suffix) ? name.substr(0, name.size() - suffix.size()) : name;
 }
 
-// sleeve and sleeve_mirrored become left_sleeve and right_sleeve, whichever they are.
-void name_sides(sim::Pattern& pattern, const std::vector<sim::PanelRole>& roles) {
+// sleeve and sleeve_mirrored become left_sleeve and right_sleeve, whichever they are; also in notes about panels.
+void name_sides(sim::Pattern& pattern, const std::vector<sim::PanelRole>& roles, std::span<std::string> notes) {
     for (std::size_t p = 0; p < roles.size(); ++p) {
         sim::Panel& panel = pattern.panels[p];
         const std::string old = panel.name;
@@ -106,6 +124,11 @@ void name_sides(sim::Pattern& pattern, const std::vector<sim::PanelRole>& roles)
         const std::string name = side + without_suffix(old, "_mirrored");
         if (std::ranges::any_of(pattern.panels, [&](const sim::Panel& other) { return other.name == name; })) continue;
         panel.name = name;
+        for (std::string& note : notes) {
+            if (note.starts_with(old + ": ")) note.replace(0, old.size(), name);
+            if (const std::size_t at = note.find("'" + old + "'"); at != note.npos)
+                note.replace(at + 1, old.size(), name);
+        }
         for (sim::Panel& other : pattern.panels) {
             if (other.mirror_of == old) other.mirror_of = name;
         }
@@ -120,6 +143,12 @@ std::string describe_panel(const sim::Panel& panel, const sim::PanelRole& role) 
     if (role.face != sim::Face::None) text += role.face == sim::Face::Front ? ", front" : ", back";
     if (!panel.is_worn) text += ", not worn";
     return text + size.data();
+}
+
+std::vector<std::string> describe_all(const sim::Pattern& pattern, const std::vector<sim::SeamProposal>& proposals) {
+    std::vector<std::string> lines;
+    for (const sim::SeamProposal& proposal : proposals) lines.push_back(describe(pattern, proposal));
+    return lines;
 }
 
 // The body round which the panels are placed: as asked, else of measurements, else the female mannequin.
@@ -140,24 +169,27 @@ ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, 
     sim::PanelsOfDrawing made = make_panels(drawing, files.front().string(), options.panels);
     std::ranges::move(made.notes, std::back_inserter(out.notes));
     out.pattern = std::move(made.pattern);
+    std::vector<sim::SeamProposal> sewn, possible;
     if (out.pattern.seams.empty()) {
         const std::string hints = made.hints;
-        std::vector<sim::SeamProposal> accepted;
         for (sim::SeamProposal& proposal :
              propose_seams(out.pattern, {.accepted = options.least_confidence, .hints = hints})) {
             const bool is_sewn = proposal.confidence >= options.least_confidence;
-            (is_sewn ? out.sewn : out.possible).push_back(describe(out.pattern, proposal));
-            if (is_sewn) accepted.push_back(std::move(proposal));
+            (is_sewn ? sewn : possible).push_back(std::move(proposal));
         }
-        accept_proposals(out.pattern, accepted);
+        accept_proposals(out.pattern, sewn);
     }
-    lay_aside_folded(out.pattern, roles_of(out.pattern, made.hints), out.notes);
-    if (!out.pattern.seams.empty()) lay_aside_loose(out.pattern, out.notes);
+    const std::size_t read = out.notes.size();  // those before it are about the parts of the files
+    const std::vector<sim::PanelRole> roles = roles_of(out.pattern, made.hints);
+    lay_aside_folded(out.pattern, roles, out.notes);
+    if (!out.pattern.seams.empty()) lay_aside_loose(out.pattern, roles, out.notes);
     out.pattern.body = body_of(drawing, options, out.body);
     const BodyWithNotes body = make_body({.source = out.pattern.body, .load = {}});
     sim::Arrangement arrangement = arrange_pattern(out.pattern, body.body, made.hints);
     std::ranges::move(arrangement.notes, std::back_inserter(out.notes));
-    name_sides(out.pattern, arrangement.roles);
+    name_sides(out.pattern, arrangement.roles, std::span(out.notes).subspan(read));
+    out.sewn = describe_all(out.pattern, after_acceptance(sewn, sewn));
+    out.possible = describe_all(out.pattern, after_acceptance(possible, sewn));
     for (std::size_t p = 0; p < out.pattern.panels.size(); ++p)
         out.panels.push_back(describe_panel(out.pattern.panels[p], arrangement.roles[p]));
     return out;
