@@ -15,6 +15,7 @@
 #include "sim/paper/path_builder.h"
 #include "sim/paper/polyline_outline.h"
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/fabric_file.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
 #include "sim/proposals/panel_role.h"
@@ -242,11 +243,13 @@ class PartReader {
     }
 
     void check_outline() {
-        if (panel_.edges.size() < 2 || std::abs(outline_area(panel_)) < kSmallestArea)
-            throw InputError(file_, part_.name, "the outline encloses no area");
         if (panel_.edges.size() > kMaxEdges)
             throw InputError(file_, part_.name, std::to_string(panel_.edges.size()) + " edges: at most 5000");
-        const auto crossings = find_outline_crossings(panel_, {.most = 1});
+        std::vector<OutlineCrossing> crossings;
+        if (panel_.edges.size() > 1) crossings = find_outline_crossings(panel_, {.most = 1});
+        // The two halves of a bow cancel out: its place is told, not its area.
+        if (panel_.edges.size() < 2 || (crossings.empty() && std::abs(outline_area(panel_)) < kSmallestArea))
+            throw InputError(file_, part_.name, "the outline encloses no area");
         if (crossings.empty()) return;
         const Vec2d at = in_file(crossings[0].place);
         std::array<char, 96> text{};
@@ -378,11 +381,15 @@ class PanelMaker {
             if (!part.size.empty() && part.size != out_.pattern.size) continue;
             add_part(part);
         }
-        if (out_.pattern.panels.empty())
-            throw InputError(file_, "", "no closed outline: nothing that could be a panel");
+        if (out_.pattern.panels.empty()) {
+            throw InputError(
+                file_, "",
+                "no closed outline: " + (first_open_.empty() ? "nothing that could be a panel" : first_open_));
+        }
         if (!drawing_.is_upright && drawing_.seams.empty()) set_upright();
         add_seams(first_panel);
         finish_pairs();
+        share_fabric();
         if (drawing_.allowance) out_.pattern.allowance = std::clamp(*drawing_.allowance, 0.0, kWidestAllowance);
         return std::move(out_);
     }
@@ -437,16 +444,34 @@ class PanelMaker {
         }
         out_.notes.insert(out_.notes.end(), reader.notes.begin(), reader.notes.end());
         if (!panel) {
-            out_.notes.push_back(part.name + ": no closed outline, left out");
+            const std::string open = open_outline(part);
+            out_.notes.push_back(part.name + ": no closed outline, left out" + (open.empty() ? "" : ": " + open));
+            if (first_open_.empty()) first_open_ = open;
             return;
         }
         panel->name = free_name(panel->name.empty() ? "panel" : panel->name);
-        if (is_other_material(part.cut.material)) {
+        if (is_shipped_fabric(part.cut.material)) {
+            panel->fabric = part.cut.material;
+        } else if (is_other_material(part.cut.material)) {
             panel->is_worn = false;
             out_.notes.push_back(panel->name + ": cut from " + part.cut.material + ", not worn");
         }
         is_pair_.push_back(is_pair(part));
         out_.pattern.panels.push_back(std::move(*panel));
+    }
+
+    // "parts.front.paths.seam is open by 3 mm": of the part's longest open line that could be its outline; empty: it
+    // has none.
+    std::string open_outline(const DrawnPart& part) const {
+        const DrawnPath* longest = nullptr;
+        for (const DrawnPath& path : part.paths) {
+            const bool may_be =
+                path.kind == LineKind::Sew || path.kind == LineKind::Cut || path.kind == LineKind::Unknown;
+            if (!may_be || path.is_closed || path.edges.size() < 2) continue;
+            if (!longest || extent(path) > extent(*longest)) longest = &path;
+        }
+        if (!longest) return {};
+        return longest->place + " is " + open_by(gap_of(*longest), scale_);
     }
 
     // Whether the part is cut twice, once mirrored; none: the drawing does not say.
@@ -548,6 +573,15 @@ class PanelMaker {
         has_seams_ = !drawing_.seams.empty();
     }
 
+    // What all panels are cut from is the fabric of the garment.
+    void share_fabric() {
+        const std::string fabric = out_.pattern.panels.front().fabric;
+        if (!std::ranges::all_of(out_.pattern.panels, [&](const Panel& panel) { return panel.fabric == fabric; }))
+            return;
+        out_.pattern.fabric = fabric;
+        for (Panel& panel : out_.pattern.panels) panel.fabric.clear();
+    }
+
     // Adds the second panel of each mirrored pair. The drawing's own seams tell that all panels are drawn.
     void finish_pairs() {
         if (has_seams_) return;
@@ -619,6 +653,7 @@ class PanelMaker {
     const MakePanelsOptions& options_;
     double scale_ = 1;
     bool has_seams_ = false;
+    std::string first_open_;                    // place and gap of the first outline that is open
     std::vector<std::optional<bool>> is_pair_;  // per panel of the drawing
     PanelsOfDrawing out_;
 };

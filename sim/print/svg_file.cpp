@@ -8,6 +8,7 @@
 
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/enum_names.h"
+#include "sim/pattern/fabric_file.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
@@ -161,6 +162,8 @@ class SvgWriter {
                 attribute("inkscape:label", own.name) + attribute("data-selvedge-panel", own.name) +
                 attribute("data-selvedge-pieces", std::to_string(own.pieces));
         if (!pattern_.size.empty()) out_ += attribute("data-selvedge-size", pattern_.size);
+        const std::string& fabric = own.fabric.empty() ? pattern_.fabric : own.fabric;
+        if (is_shipped_fabric(fabric)) out_ += attribute("data-selvedge-fabric", fabric);
         out_ += attribute("style", "fill:none;stroke:black;stroke-linejoin:round;stroke-linecap:round") + ">\n";
         for (const LayerLook& look : kLooks) {
             if (has(look.layer)) write_layer(look, piece, place, panel);
