@@ -68,13 +68,13 @@ void lay_aside_folded(sim::Pattern& pattern, const std::vector<sim::PanelRole>& 
     }
 }
 
-// Of a sleeve that no seam joins: the one that is worn in its place; empty: there is none.
+// Of a sleeve that no seam joins: the one of its side that is worn in its place; empty: there is none.
 std::string sleeve_instead_of(std::size_t sleeve, const sim::Pattern& pattern,
                               const std::vector<sim::PanelRole>& roles) {
     if (roles[sleeve].part != sim::GarmentPart::Sleeve) return {};
     for (std::size_t p = 0; p < roles.size(); ++p) {
-        const bool is_seen = roles[p].flank == roles[sleeve].flank || roles[p].flank == sim::Flank::None;
-        if (p != sleeve && roles[p].part == sim::GarmentPart::Sleeve && pattern.panels[p].is_worn && is_seen)
+        const bool is_of_its_side = pattern.panels[p].mirror_of.empty() == pattern.panels[sleeve].mirror_of.empty();
+        if (roles[p].part == sim::GarmentPart::Sleeve && pattern.panels[p].is_worn && is_of_its_side)
             return pattern.panels[p].name;
     }
     return {};

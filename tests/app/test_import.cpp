@@ -109,6 +109,35 @@ TEST(ImportCommand, names_panels_and_edges_of_seams_as_the_garment_has_them) {
     }
 }
 
+// A sleeve for the shirt, mm: 475 mm round its cap.
+std::string sleeve(const std::string& name, int length) {
+    const std::string hem = std::to_string(length);
+    return R"(, "test.)" + name + R"(": {"paths": {"seam": {"class": "fabric", "ops": [
+  {"type": "move", "to": [-150, )" +
+           hem + R"(]}, {"type": "line", "to": [150, )" + hem + R"(]},
+  {"type": "line", "to": [180, 0]},
+  {"type": "curve", "to": [0, -140], "cp1": [110, 0], "cp2": [90, -140]},
+  {"type": "curve", "to": [-180, 0], "cp1": [-90, -140], "cp2": [-110, 0]},
+  {"type": "line", "to": [-150, )" +
+           hem + R"(]}, {"type": "close"}]}}})";
+}
+
+TEST(ImportCommand, tells_which_of_two_sleeves_that_fit_is_sewn_in) {
+    const ScratchFolder folder;
+    const std::string drawn = folder / "shirt.json", garment = folder / "garment.json";
+    const std::string text = half_shirt();
+    sim::write_file_atomically(drawn, text.substr(0, text.rfind("}}")) + sleeve("short_sleeve", 150) +
+                                          sleeve("long_sleeve", 450) + text.substr(text.rfind("}}")));
+    const ProgramResult result = run_selvedge("import '" + drawn + "' -o '" + garment + "'");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(
+        result.out.find("long_sleeve: no seam joins it to the garment, where 'left_short_sleeve' is sewn in as the "
+                        "sleeve: on the sheet, but not worn"),
+        std::string::npos)
+        << result.out;
+    EXPECT_NE(result.out.find("'right_short_sleeve' is sewn in"), std::string::npos) << result.out;
+}
+
 TEST(ImportCommand, refuses_wrong_input_on_one_line_and_writes_nothing) {
     const ScratchFolder folder;
     const std::string drawn = folder / "a.svg", garment = folder / "garment.json";
