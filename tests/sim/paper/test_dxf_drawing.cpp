@@ -91,7 +91,7 @@ TEST(Dxf, names_the_line_of_what_is_wrong) {
     EXPECT_EQ(problem("0\nSECTION\n2\nBLOCKS\n0\nENDSEC\n"), "a.dxf: no closed line: nothing that could be a panel");
     std::string open = one_piece();
     open.replace(open.find("70\n1\n"), 5, "70\n0\n");
-    EXPECT_EQ(problem(open), "a.dxf: line 11: the outline of 'FRONT' is open by 400 units");
+    EXPECT_EQ(problem(open), "a.dxf: line 11: the outline of 'FRONT' is open by 400 mm");
 }
 
 // A polyline of a file without blocks.
