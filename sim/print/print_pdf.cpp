@@ -313,7 +313,7 @@ OnPage things_on(const PagedSheet& paged, const SheetView& view, const LayerChoi
 
 // Where the page's own text lies over nothing, the upper left corner first, then to the right and down.
 Vec2d free_place(const PagedSheet& paged, const Page& page, const std::string& text, const LayerChoice& layers) {
-    constexpr double kClear = 0.002, kStep = 0.008;  // m
+    constexpr double kClear = 0.003, kStep = 0.008;  // m
     const PageGrid& grid = paged.grid;
     const Box area = grid.area(page.column, page.row);
     const OnPage things = things_on(paged, {{area.min().x(), area.max().y()}, Vec2d::Constant(grid.margin), 1}, layers);
