@@ -121,8 +121,11 @@ using MissedLimbs = std::array<MissedLimb, kLimbCount>;
 
 void add_mismatch(MissedLimbs& missed, const Mismatch& mismatch, const std::string& opening) {
     for (std::size_t i = 0; i < kLimbCount; ++i) {
-        if (mismatch.missing[i]) missed[i].missing.push_back(opening);
-        if (mismatch.extra[i]) missed[i].holding.push_back(opening);
+        for (auto [is_so, openings] :
+             {std::pair(mismatch.missing[i], &missed[i].missing), std::pair(mismatch.extra[i], &missed[i].holding)}) {
+            // Both ends of a sleeve may have one name.
+            if (is_so && std::ranges::find(*openings, opening) == openings->end()) openings->push_back(opening);
+        }
     }
 }
 

@@ -81,7 +81,11 @@ std::string halves_of_a_shirt() {
     std::string text = half_shirt();
     for (std::size_t at = text.find("cutOnFoldAnd"); at != text.npos; at = text.find("cutOnFoldAnd"))
         text.erase(at, 12);
-    return text;
+    for (std::size_t at = text.find("\"cutonfold\""); at != text.npos; at = text.find("\"cutonfold\""))
+        text.replace(at, 11, "\"grain\"");
+    // The back is no mirror image of the front.
+    const std::string neck = "\"to\": [0, 100]";
+    return text.replace(text.rfind(neck), neck.size(), "\"to\": [0, 60]");
 }
 
 TEST(ImportCommand, names_panels_and_edges_of_seams_as_the_garment_has_them) {
@@ -95,7 +99,7 @@ TEST(ImportCommand, names_panels_and_edges_of_seams_as_the_garment_has_them) {
     EXPECT_TRUE(std::ranges::count(pattern.panels, "left_front", &sim::Panel::name) == 1) << result.out;
     const std::vector<std::string> seams = lines_below(result.out, "Seams:");
     std::vector<std::string> all = lines_below(result.out, "Possible, not sewn:");
-    EXPECT_FALSE(seams.empty() || all.empty()) << result.out;
+    EXPECT_FALSE(seams.empty()) << result.out;
     all.insert(all.end(), seams.begin(), seams.end());
     for (const std::string& line : all) {
         std::istringstream words(line.substr(0, line.find('(')));
@@ -131,11 +135,11 @@ TEST(ImportCommand, tells_which_of_two_sleeves_that_fit_is_sewn_in) {
     const ProgramResult result = run_selvedge("import '" + drawn + "' -o '" + garment + "'");
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_NE(
-        result.out.find("long_sleeve: no seam joins it to the garment, where 'left_short_sleeve' is sewn in as the "
+        result.out.find("short_sleeve: no seam joins it to the garment, where 'left_long_sleeve' is sewn in as the "
                         "sleeve: on the sheet, but not worn"),
         std::string::npos)
         << result.out;
-    EXPECT_NE(result.out.find("'right_short_sleeve' is sewn in"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("'right_long_sleeve' is sewn in"), std::string::npos) << result.out;
 }
 
 TEST(ImportCommand, refuses_wrong_input_on_one_line_and_writes_nothing) {
