@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fstream>
 #include <numeric>
+#include <span>
 
 #include "app/measured_body.h"
 #include "app/options.h"
@@ -67,6 +68,18 @@ void lay_aside_folded(sim::Pattern& pattern, const std::vector<sim::PanelRole>& 
     }
 }
 
+// Of a sleeve that no seam joins: the one of its side that is worn in its place; empty: there is none.
+std::string sleeve_instead_of(std::size_t sleeve, const sim::Pattern& pattern,
+                              const std::vector<sim::PanelRole>& roles) {
+    if (roles[sleeve].part != sim::GarmentPart::Sleeve) return {};
+    for (std::size_t p = 0; p < roles.size(); ++p) {
+        const bool is_of_its_side = pattern.panels[p].mirror_of.empty() == pattern.panels[sleeve].mirror_of.empty();
+        if (roles[p].part == sim::GarmentPart::Sleeve && pattern.panels[p].is_worn && is_of_its_side)
+            return pattern.panels[p].name;
+    }
+    return {};
+}
+
 // Panels that no seam joins to the garment would fall off the body.
 void lay_aside_loose(sim::Pattern& pattern, const std::vector<sim::PanelRole>& roles, std::vector<std::string>& notes) {
     constexpr double kSmall = 0.4;  // of the largest part's area: less is no garment of its own
@@ -81,13 +94,18 @@ void lay_aside_loose(sim::Pattern& pattern, const std::vector<sim::PanelRole>& r
             area[static_cast<std::size_t>(sets.find(static_cast<int>(p)))] += outline_area(pattern.panels[p]);
     }
     const double largest = *std::ranges::max_element(area);
+    std::vector<std::size_t> loose;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-        sim::Panel& panel = pattern.panels[p];
         const double own = area[static_cast<std::size_t>(sets.find(static_cast<int>(p)))];
         const bool is_accessory = roles[p].part == sim::GarmentPart::Accessory && own < largest;
-        if (!panel.is_worn || (own >= kSmall * largest && !is_accessory)) continue;
-        panel.is_worn = false;
-        notes.push_back(panel.name + ": no seam joins it to the garment: on the sheet, but not worn");
+        if (is_worn(static_cast<int>(p)) && (own < kSmall * largest || is_accessory)) loose.push_back(p);
+    }
+    for (const std::size_t p : loose) pattern.panels[p].is_worn = false;
+    for (const std::size_t p : loose) {
+        const std::string other = sleeve_instead_of(p, pattern, roles);
+        notes.push_back(pattern.panels[p].name + ": no seam joins it to the garment" +
+                        (other.empty() ? "" : ", where '" + other + "' is sewn in as the sleeve") +
+                        ": on the sheet, but not worn");
     }
 }
 
@@ -95,8 +113,8 @@ std::string without_suffix(const std::string& name, const std::string& suffix) {
     return name.ends_with(suffix) ? name.substr(0, name.size() - suffix.size()) : name;
 }
 
-// sleeve and sleeve_mirrored become left_sleeve and right_sleeve, whichever they are.
-void name_sides(sim::Pattern& pattern, const std::vector<sim::PanelRole>& roles) {
+// sleeve and sleeve_mirrored become left_sleeve and right_sleeve, whichever they are; also in notes about panels.
+void name_sides(sim::Pattern& pattern, const std::vector<sim::PanelRole>& roles, std::span<std::string> notes) {
     for (std::size_t p = 0; p < roles.size(); ++p) {
         sim::Panel& panel = pattern.panels[p];
         const std::string old = panel.name;
@@ -107,6 +125,11 @@ void name_sides(sim::Pattern& pattern, const std::vector<sim::PanelRole>& roles)
         const std::string name = side + without_suffix(old, "_mirrored");
         if (std::ranges::any_of(pattern.panels, [&](const sim::Panel& other) { return other.name == name; })) continue;
         panel.name = name;
+        for (std::string& note : notes) {
+            if (note.starts_with(old + ": ")) note.replace(0, old.size(), name);
+            if (const std::size_t at = note.find("'" + old + "'"); at != note.npos)
+                note.replace(at + 1, old.size(), name);
+        }
         for (sim::Panel& other : pattern.panels) {
             if (other.mirror_of == old) other.mirror_of = name;
         }
@@ -121,6 +144,12 @@ std::string describe_panel(const sim::Panel& panel, const sim::PanelRole& role) 
     if (role.face != sim::Face::None) text += role.face == sim::Face::Front ? ", front" : ", back";
     if (!panel.is_worn) text += ", not worn";
     return text + size.data();
+}
+
+std::vector<std::string> describe_all(const sim::Pattern& pattern, const std::vector<sim::SeamProposal>& proposals) {
+    std::vector<std::string> lines;
+    for (const sim::SeamProposal& proposal : proposals) lines.push_back(describe(pattern, proposal));
+    return lines;
 }
 
 // The body round which the panels are placed: as asked, else of measurements, else the female mannequin.
@@ -145,6 +174,7 @@ void forget_place(sim::Panel& panel) {
 
 // Puts round the body what can be worn of the garment.
 std::vector<sim::PanelRole> place(ImportedGarment& out, const sim::Drawing& drawing, const ImportOptions& options) {
+    const std::size_t read = out.notes.size();  // those before it are about the parts of the files
     std::ranges::for_each(out.pattern.panels, forget_place);
     const std::vector<sim::PanelRole> roles = roles_of(out.pattern, out.hints);
     lay_aside_folded(out.pattern, roles, out.notes);
@@ -153,7 +183,7 @@ std::vector<sim::PanelRole> place(ImportedGarment& out, const sim::Drawing& draw
     const BodyWithNotes body = make_body({.source = out.pattern.body, .load = {}});
     sim::Arrangement arrangement = arrange_pattern(out.pattern, body.body, out.hints);
     std::ranges::move(arrangement.notes, std::back_inserter(out.notes));
-    name_sides(out.pattern, arrangement.roles);
+    name_sides(out.pattern, arrangement.roles, std::span(out.notes).subspan(read));
     return std::move(arrangement.roles);
 }
 
@@ -166,19 +196,20 @@ ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, 
     std::ranges::move(made.notes, std::back_inserter(out.notes));
     out.pattern = std::move(made.pattern);
     out.hints = std::move(made.hints);
+    std::vector<sim::SeamProposal> sewn, possible;
     if (out.pattern.seams.empty() && !made.is_placed) {
-        std::vector<sim::SeamProposal> accepted;
         for (sim::SeamProposal& proposal :
              propose_seams(out.pattern, {.accepted = options.least_confidence, .hints = out.hints})) {
             const bool is_sewn = proposal.confidence >= options.least_confidence;
-            (is_sewn ? out.sewn : out.possible).push_back(describe(out.pattern, proposal));
-            if (is_sewn) accepted.push_back(std::move(proposal));
+            (is_sewn ? sewn : possible).push_back(std::move(proposal));
         }
-        accept_proposals(out.pattern, accepted);
+        accept_proposals(out.pattern, sewn);
     }
     const bool is_placed = made.is_placed && options.body.empty() && options.measurements.empty();
     const std::vector<sim::PanelRole> roles =
         is_placed ? roles_of(out.pattern, out.hints) : place(out, drawing, options);
+    out.sewn = describe_all(out.pattern, after_acceptance(sewn, sewn));
+    out.possible = describe_all(out.pattern, after_acceptance(possible, sewn));
     for (std::size_t p = 0; p < out.pattern.panels.size(); ++p)
         out.panels.push_back(describe_panel(out.pattern.panels[p], roles[p]));
     return out;

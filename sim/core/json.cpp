@@ -48,8 +48,12 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
         return true;
     }
     bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& error) override {
-        const std::string what = error.what();
-        if (error.id == 406) fail(what.substr(what.find("number")));
+        std::string what = error.what();
+        // The parser quotes the whole token that it read last: of a file that ends early, all that is left of it.
+        constexpr std::size_t kMostQuoted = 48;
+        const std::size_t quote = what.find("; last read: '");
+        if (quote != std::string::npos && what.size() - quote > kMostQuoted) what.resize(quote);
+        if (error.id == 406) fail(what.substr(what.find("number"), kMostQuoted));
         // what() reads "[json.exception.parse_error.101] parse error at line 3, column 1: ..."
         const std::size_t from = what.find(" at ");
         throw InputError(file_, "", "not JSON" + (from == std::string::npos ? ": " + what : what.substr(from)));

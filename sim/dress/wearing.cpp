@@ -110,14 +110,55 @@ std::optional<Mismatch> compare(LimbSet expected, LimbSet found, LimbSet known) 
     return Mismatch{.expected = expected, .extra = found & ~expected, .missing = expected & ~found};
 }
 
-// "the hem of 'skirt_front' holds the left arm"
-std::string describe(const Mismatch& mismatch, const std::string& opening) {
+// The openings that miss a limb, and those that hold it but should not: "the hem of 'skirt_front'".
+struct MissedLimb {
+    std::vector<std::string> missing;
+    std::vector<std::string> holding;
+
+    bool operator==(const MissedLimb&) const = default;
+};
+using MissedLimbs = std::array<MissedLimb, kLimbCount>;
+
+void add_mismatch(MissedLimbs& missed, const Mismatch& mismatch, const std::string& opening) {
+    for (std::size_t i = 0; i < kLimbCount; ++i) {
+        for (auto [is_so, openings] :
+             {std::pair(mismatch.missing[i], &missed[i].missing), std::pair(mismatch.extra[i], &missed[i].holding)}) {
+            // Both ends of a sleeve may have one name.
+            if (is_so && std::ranges::find(*openings, opening) == openings->end()) openings->push_back(opening);
+        }
+    }
+}
+
+std::string joined(const std::vector<std::string>& texts, const std::string& word) {
     std::string text;
-    if (mismatch.extra.any()) text = opening + " holds " + list_limbs(mismatch.extra);
-    if (mismatch.missing.none()) return text;
-    const bool is_one = mismatch.missing.count() == 1;
-    const std::string lacks = (is_one ? " does" : " do") + std::string(" not pass through ");
-    return (text.empty() ? "" : text + "; ") + list_limbs(mismatch.missing) + lacks + (text.empty() ? opening : "it");
+    for (const std::string& one : texts) text += (text.empty() ? "" : " " + word + " ") + one;
+    return text;
+}
+
+// "the left arm does not pass through the cuff of 'sleeve'; the hem of 'front' holds it"
+std::string describe(LimbSet limbs, const MissedLimb& missed) {
+    const bool is_one = limbs.count() == 1;
+    std::string text;
+    if (!missed.missing.empty()) {
+        text = list_limbs(limbs) + (is_one ? " does" : " do") + " not pass through " + joined(missed.missing, "or");
+        if (missed.holding.empty()) return text;
+        text += "; ";
+    }
+    const std::string held = missed.missing.empty() ? list_limbs(limbs) : is_one ? "it" : "them";
+    return text + joined(missed.holding, "and") + (missed.holding.size() == 1 ? " holds " : " hold ") + held;
+}
+
+// One fault for all limbs that miss the same openings.
+void report_missed(const MissedLimbs& missed, DressReport& report) {
+    LimbSet told;
+    for (std::size_t i = 0; i < kLimbCount; ++i) {
+        if (told[i] || missed[i] == MissedLimb{}) continue;
+        LimbSet alike;
+        for (std::size_t k = i; k < kLimbCount; ++k) alike[k] = missed[k] == missed[i];
+        told |= alike;
+        report.faults.push_back(
+            {.kind = "limb_missed", .place = describe(alike, missed[i]), .value = static_cast<double>(alike.count())});
+    }
 }
 
 // The body for which a garment was placed, and the one that wears it.
@@ -169,6 +210,7 @@ void validate_openings(const WornGarment& garment, const PanelVertices& panels, 
             is_cuff_known = is_cuff_known || (arms[j] == arms[i] && is_for(meant.limbs.through[j], *arms[i]));
         if (!is_cuff_known) known[index_of(*arms[i])] = false;
     }
+    MissedLimbs missed;
     for (std::size_t i = 0; i < openings.size(); ++i) {
         const auto mismatch = compare(meant.limbs.through[i], found.through[i], known);
         if (!mismatch) continue;
@@ -176,10 +218,9 @@ void validate_openings(const WornGarment& garment, const PanelVertices& panels, 
         const std::string place = place_on_body(bodies.meant_for, centre_of(openings[i], garment.closed.x));
         const std::string name = "the " + std::string(call_opening(mismatch->expected, place, arms[i].has_value())) +
                                  " of '" + garment.panels.panel_names[panel] + "'";
-        report.faults.push_back({.kind = "limb_missed",
-                                 .place = describe(*mismatch, name),
-                                 .value = static_cast<double>((mismatch->extra | mismatch->missing).count())});
+        add_mismatch(missed, *mismatch, name);
     }
+    report_missed(missed, report);
 }
 
 // The heights of a body's joints, ascending, m: floor, hips, waist, chest, neck, top.

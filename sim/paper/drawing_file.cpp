@@ -9,12 +9,25 @@
 #include "sim/paper/svg_drawing.h"
 
 namespace selvedge::sim {
+namespace {
+
+// Of Selvedge or GarmentCode.
+bool is_garment(const Json& root) {
+    const Json* pattern = root.find("pattern");
+    return pattern != nullptr && pattern->find("panels") != nullptr;
+}
+
+}  // namespace
 
 Drawing parse_drawing(std::string_view text, const std::string& file) {
     const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
     if (first == std::string_view::npos) throw InputError(file, "", "the file is empty");
     if (text[first] == '{') {
         const Json root = parse_json(text, file);
+        if (is_garment(root)) {
+            throw InputError(file, "",
+                             "a garment file already, not a drawing: open it with selvedge dress or selvedge edit");
+        }
         if (!looks_like_freesewing(root)) throw InputError(file, "parts", "missing: no draft of FreeSewing");
         return read_freesewing(root, file);
     }

@@ -279,11 +279,25 @@ class DxfReader {
         for (const DxfPiece& piece : pieces_) add_part(piece, has_sewing_lines);
         add_seams();
         name_again();
-        if (drawing_.parts.empty()) throw InputError(file_, "", "no closed line: nothing that could be a panel");
+        if (drawing_.parts.empty()) refuse_open();
         return std::move(drawing_);
     }
 
  private:
+    // Where no line is closed: names the largest of those that were meant to be.
+    [[noreturn]] void refuse_open() const {
+        const DxfLine* found = nullptr;
+        for (const DxfLine& line : loose_.lines) {
+            if (!line.is_closed && line.points.size() > 2 && (!found || extent(line) > extent(*found))) found = &line;
+        }
+        if (!found) throw InputError(file_, "", "no closed line: nothing that could be a panel");
+        throw InputError(file_, "line " + std::to_string(found->line),
+                         open_by(gap_of(*found), drawing_.metres_per_unit) +
+                             ", and no other line is closed: nothing that could be a panel");
+    }
+
+    static double gap_of(const DxfLine& line) { return (line.points.front() - line.points.back()).norm(); }
+
     void read_sections() {
         std::string_view section;
         std::vector<DxfEntity> entities;
@@ -345,7 +359,8 @@ class DxfReader {
     // Files without blocks: each closed line that lies in no other is a piece, with what lies in it.
     void split_loose() {
         std::vector<Eigen::AlignedBox2d> boxes;
-        for (const DxfLine& line : loose_.lines) {
+        for (DxfLine& line : loose_.lines) {
+            close(line);
             Eigen::AlignedBox2d box;
             for (const Vec2d& p : line.points) box.extend(p);
             boxes.push_back(box);
@@ -373,6 +388,20 @@ class DxfReader {
                 if (boxes[o].contains(point.second)) piece.points.push_back(point);
             }
             pieces_.push_back(std::move(piece));
+        }
+        note_open_outlines(outer, boxes);
+    }
+
+    // Of loose lines that lie in no piece, and whose ends nearly meet.
+    void note_open_outlines(const std::vector<std::size_t>& outer, const std::vector<Eigen::AlignedBox2d>& boxes) {
+        constexpr double kNearly = 0.1;  // of the line's size
+        for (std::size_t i = 0; i < loose_.lines.size(); ++i) {
+            const DxfLine& line = loose_.lines[i];
+            if (line.is_closed || line.points.size() < 4 || gap_of(line) > kNearly * extent(line)) continue;
+            if (std::ranges::any_of(outer, [&](std::size_t o) { return boxes[o].contains(boxes[i].center()); }))
+                continue;
+            drawing_.notes.push_back("line " + std::to_string(line.line) + ": " +
+                                     open_by(gap_of(line), drawing_.metres_per_unit) + ", left out");
         }
     }
 
@@ -405,7 +434,7 @@ class DxfReader {
     // Ends that nearly meet are one; returns false if the line stays open.
     bool close(DxfLine& line) {
         if (line.is_closed) return true;
-        const double gap = (line.points.front() - line.points.back()).norm();
+        const double gap = gap_of(line);
         constexpr double kGap = 0.2e-3;  // m
         if (line.points.size() < 4 || gap * unit() > kGap) return false;
         line.points.back() = line.points.front();
@@ -447,8 +476,9 @@ class DxfReader {
         for (DxfLine& line : piece.lines) {
             const bool is_outline = line.layer == 1 || line.layer == 14;
             if (!close(line) && is_outline && line.points.size() > 3) {
-                throw InputError(file_, "line " + std::to_string(line.line),
-                                 "the outline of '" + piece.name + "' is open");
+                throw InputError(
+                    file_, "line " + std::to_string(line.line),
+                    "the outline of '" + piece.name + "' is " + open_by(gap_of(line), drawing_.metres_per_unit));
             }
         }
         DrawnPart part{.name = piece.name};

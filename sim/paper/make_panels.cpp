@@ -17,6 +17,7 @@
 #include "sim/paper/placement_record.h"
 #include "sim/paper/polyline_outline.h"
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/fabric_file.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
 #include "sim/proposals/panel_role.h"
@@ -249,14 +250,16 @@ class PartReader {
     }
 
     void check_outline() {
-        if (panel_.edges.size() < 2 || std::abs(outline_area(panel_)) < kSmallestArea)
-            throw InputError(file_, part_.name, "the outline encloses no area");
         if (panel_.edges.size() > kMaxEdges)
             throw InputError(file_, part_.name, std::to_string(panel_.edges.size()) + " edges: at most 5000");
-        const double size = outline_box(panel_).sizes().maxCoeff();
-        if (size > kLargestPanel)
-            throw InputError(file_, part_.name, "the outline is " + in_cm(size) + " long: no panel is");
-        const auto crossings = find_outline_crossings(panel_, {.most = 1});
+        if (!panel_.edges.empty() && outline_box(panel_).sizes().maxCoeff() > kLargestPanel)
+            throw InputError(file_, part_.name,
+                             "the outline is " + in_cm(outline_box(panel_).sizes().maxCoeff()) + " long: no panel is");
+        std::vector<OutlineCrossing> crossings;
+        if (panel_.edges.size() > 1) crossings = find_outline_crossings(panel_, {.most = 1});
+        // The two halves of a bow cancel out: its place is told, not its area.
+        if (panel_.edges.size() < 2 || (crossings.empty() && std::abs(outline_area(panel_)) < kSmallestArea))
+            throw InputError(file_, part_.name, "the outline encloses no area");
         if (crossings.empty()) return;
         const Vec2d at = in_file(crossings[0].place);
         std::array<char, 96> text{};
@@ -395,12 +398,16 @@ class PanelMaker {
             if (!part.size.empty() && part.size != out_.pattern.size) continue;
             add_part(part);
         }
-        if (out_.pattern.panels.empty())
-            throw InputError(file_, "", "no closed outline: nothing that could be a panel");
+        if (out_.pattern.panels.empty()) {
+            throw InputError(
+                file_, "",
+                "no closed outline: " + (first_open_.empty() ? "nothing that could be a panel" : first_open_));
+        }
         if (!drawing_.is_upright && drawing_.seams.empty()) set_upright();
         add_seams(first_panel);
         finish_pairs();
         place_on_body();
+        share_fabric();
         if (drawing_.allowance) out_.pattern.allowance = std::clamp(*drawing_.allowance, 0.0, kWidestAllowance);
         return std::move(out_);
     }
@@ -455,17 +462,35 @@ class PanelMaker {
         }
         out_.notes.insert(out_.notes.end(), reader.notes.begin(), reader.notes.end());
         if (!panel) {
-            out_.notes.push_back(part.name + ": no closed outline, left out");
+            const std::string open = open_outline(part);
+            out_.notes.push_back(part.name + ": no closed outline, left out" + (open.empty() ? "" : ": " + open));
+            if (first_open_.empty()) first_open_ = open;
             return;
         }
         panel->name = free_name(panel->name.empty() ? "panel" : panel->name);
-        if (is_other_material(part.cut.material)) {
+        if (is_shipped_fabric(part.cut.material)) {
+            panel->fabric = part.cut.material;
+        } else if (is_other_material(part.cut.material)) {
             panel->is_worn = false;
             out_.notes.push_back(panel->name + ": cut from " + part.cut.material + ", not worn");
         }
         is_placed_ = is_placed_ && reader.is_placed;
         is_pair_.push_back(is_pair(part));
         out_.pattern.panels.push_back(std::move(*panel));
+    }
+
+    // "parts.front.paths.seam is open by 3 mm": of the part's longest open line that could be its outline; empty: it
+    // has none.
+    std::string open_outline(const DrawnPart& part) const {
+        const DrawnPath* longest = nullptr;
+        for (const DrawnPath& path : part.paths) {
+            const bool may_be =
+                path.kind == LineKind::Sew || path.kind == LineKind::Cut || path.kind == LineKind::Unknown;
+            if (!may_be || path.is_closed || path.edges.size() < 2) continue;
+            if (!longest || extent(path) > extent(*longest)) longest = &path;
+        }
+        if (!longest) return {};
+        return longest->place + " is " + open_by(gap_of(*longest), scale_);
     }
 
     // Whether the part is cut twice, once mirrored; none: the drawing does not say.
@@ -574,6 +599,15 @@ class PanelMaker {
         out_.pattern.body_height = drawing_.body->height;
     }
 
+    // What all panels are cut from is the fabric of the garment.
+    void share_fabric() {
+        const std::string fabric = out_.pattern.panels.front().fabric;
+        if (!std::ranges::all_of(out_.pattern.panels, [&](const Panel& panel) { return panel.fabric == fabric; }))
+            return;
+        out_.pattern.fabric = fabric;
+        for (Panel& panel : out_.pattern.panels) panel.fabric.clear();
+    }
+
     // Adds the second panel of each mirrored pair. A drawing with seams or a body of its own has all panels.
     void finish_pairs() {
         if (has_seams_ || drawing_.body) return;
@@ -646,6 +680,7 @@ class PanelMaker {
     double scale_ = 1;
     bool has_seams_ = false;
     bool is_placed_ = true;                     // so far, every panel
+    std::string first_open_;                    // place and gap of the first outline that is open
     std::vector<std::optional<bool>> is_pair_;  // per panel of the drawing
     PanelsOfDrawing out_;
 };

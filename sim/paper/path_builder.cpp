@@ -1,5 +1,7 @@
 #include "sim/paper/path_builder.h"
 
+#include <array>
+#include <cstdio>
 #include <utility>
 
 namespace selvedge::sim {
@@ -122,6 +124,25 @@ void transform(DrawnPath& path, const Eigen::Affine2d& map) {
         edge.arc_radius *= scale;
         if (is_mirror) edge.turns_right = edge.kind == CurveKind::Arc && !edge.turns_right;
     }
+}
+
+double gap_of(const DrawnPath& path) {
+    return path.is_closed || path.vertices.empty() ? 0 : (path.vertices.back() - path.vertices.front()).norm();
+}
+
+std::string open_by(double gap, const std::optional<double>& metres_per_unit) {
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "open by %.3g %s", metres_per_unit ? 1000 * *metres_per_unit * gap : gap,
+                  metres_per_unit ? "mm" : "units");
+    return text.data();
+}
+
+bool nearly_closes(const DrawnPath& path) {
+    constexpr double kNearly = 0.1;  // of its length
+    if (path.is_closed || path.edges.size() < 2) return false;
+    double length = 0;
+    for (const OutlineEdge& edge : path.edges) length += control_length(path, edge);
+    return path.vertices.size() > 2 && gap_of(path) < kNearly * length;
 }
 
 Panel as_panel(const DrawnPath& path) {

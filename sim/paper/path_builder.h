@@ -1,6 +1,7 @@
 #pragma once
 // Builds DrawnPaths from pen movements, as SVG paths and FreeSewing's operations give them: lines, Bezier curves and
 // circular arcs, in the units of the file.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,15 @@ void flip(DrawnPath& path);
 
 // The path under a map of the plane. Pre: the map is a similarity if the path has arcs.
 void transform(DrawnPath& path, const Eigen::Affine2d& map);
+
+// Of a path that is not closed, how far its ends lie apart, file units.
+double gap_of(const DrawnPath& path);
+
+// "open by 1.2 mm"; "open by 12 units" where the file names no unit.
+std::string open_by(double gap, const std::optional<double>& metres_per_unit);
+
+// Whether an open path was meant for an outline: it has corners, and its ends nearly meet.
+bool nearly_closes(const DrawnPath& path);
 
 // The path as an outline, for the functions of sim/pattern/outline.h. It may be open.
 Panel as_panel(const DrawnPath& path);

@@ -14,6 +14,7 @@
 #include "sim/paper/svg_path.h"
 #include "sim/paper/svg_shapes.h"
 #include "sim/pattern/enum_names.h"
+#include "sim/pattern/fabric_file.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
 
@@ -160,6 +161,8 @@ class OwnReader {
         DrawnPart& part = drawing_.parts.back();
         const std::vector<double> pieces = parse_numbers(value(group.data, "pieces"));
         if (!pieces.empty()) part.cut.pieces = static_cast<int>(std::clamp(pieces[0], 1.0, double(kMostPieces)));
+        if (const std::string fabric = value(group.data, "fabric"); is_shipped_fabric(fabric))
+            part.cut.material = fabric;
         part.cut.are_mirrored = false;  // mirror images are panels of their own
         part.placement = placement_of(value(group.data, "placement"));
         return part;
@@ -273,6 +276,14 @@ double area_of(const std::vector<Vec2d>& points) {
     return std::abs(twice) / 2;
 }
 
+// Whether points are off a line: of an outline that crosses itself, lobes that turn left and right may cancel out.
+bool has_lobes(const std::vector<Vec2d>& points) {
+    double area = 0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        area += std::abs(cross2(points[i] - points[0], points[i + 1] - points[0]));
+    return area > 0;
+}
+
 bool is_generated(const std::string& id) {
     if (id.empty()) return true;
     for (const std::string_view prefix :
@@ -301,6 +312,7 @@ class PlainReader {
         for (std::size_t a = 0; a < areas_.size(); ++a) {
             if (!areas_[a].parent) add_part(a);
         }
+        if (drawing_.parts.empty()) refuse_open();
         add_open_shapes();
         add_texts();
         name_parts();
@@ -323,6 +335,23 @@ class PlainReader {
         }
     }
 
+    // Where no path is closed: names the largest of those that were meant to be.
+    void refuse_open() const {
+        const DrawnPath* largest = nullptr;
+        double most = 0;
+        for (const SvgShape& shape : shapes_) {
+            Eigen::AlignedBox2d box;
+            for (const Vec2d& v : shape.path.vertices) box.extend(v);
+            if (shape.path.is_closed || shape.path.vertices.size() < 3 || !(box.sizes().sum() > most)) continue;
+            largest = &shape.path;
+            most = box.sizes().sum();
+        }
+        if (!largest) return;
+        throw InputError(file_, largest->place,
+                         open_by(gap_of(*largest), drawing_.metres_per_unit) +
+                             ", and no other path is closed: nothing that could be a panel");
+    }
+
     void find_areas() {
         for (std::size_t i = 0; i < shapes_.size(); ++i) {
             const DrawnPath& path = shapes_[i].path;
@@ -337,7 +366,7 @@ class PlainReader {
             }
             for (const Vec2d& p : area.points) area.box.extend(p);
             area.area = area_of(area.points);
-            if (area.area > 0) areas_.push_back(std::move(area));
+            if (area.area > 0 || has_lobes(area.points)) areas_.push_back(std::move(area));
             if (areas_.size() > kMostAreas) throw InputError(file_, "", "more than 3,000 closed paths");
         }
         for (std::size_t a = 0; a < areas_.size(); ++a) {
@@ -438,6 +467,10 @@ class PlainReader {
             DrawnPart* part = part_at((from + to) / 2);
             if (!part) part = part_at(from);
             if (!part) part = part_at(to);
+            if (!part && nearly_closes(shape.path)) {
+                drawing_.notes.push_back(shape.path.place + ": " +
+                                         open_by(gap_of(shape.path), drawing_.metres_per_unit) + ", left out");
+            }
             if (!part) continue;
             const std::string words = words_of(shape);
             const double length = unit * length_of(shape.path);

@@ -89,7 +89,8 @@ std::string decoded_id(std::string_view id) {
 
 class Walker {
  public:
-    Walker(const pugi::xml_document& document, const std::string& file) : file_(file) {
+    Walker(const pugi::xml_document& document, std::string_view text, const std::string& file)
+        : text_(text), file_(file) {
         for (const pugi::xml_node& node : document.children()) collect_ids(node, 0);
     }
 
@@ -116,6 +117,18 @@ class Walker {
         std::string place = "<" + std::string(local_name(node.name())) + ">";
         if (!id.empty()) place += " '" + std::string(id.substr(0, 60)) + "'";
         throw InputError(file_, place, problem);
+    }
+
+    // In the file, from 1.
+    std::size_t line_number(const pugi::xml_node& node) {
+        if (line_ends_.empty()) {
+            for (std::size_t i = 0; i < text_.size(); ++i) {
+                if (text_[i] == '\n') line_ends_.push_back(i);
+            }
+            line_ends_.push_back(text_.size());
+        }
+        const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, node.offset_debug()));
+        return static_cast<std::size_t>(std::ranges::lower_bound(line_ends_, at) - line_ends_.begin()) + 1;
     }
 
     void collect_ids(const pugi::xml_node& node, int depth) {
@@ -302,7 +315,8 @@ class Walker {
             }
             path.name = decoded_id(attribute(node, "id"));
             if (const std::string_view label = attribute(node, "inkscape:label"); !label.empty()) path.name = label;
-            path.place = "<" + std::string(name) + "> '" + path.name + "'";
+            path.place = "<" + std::string(name) + "> " +
+                         (path.name.empty() ? "in line " + std::to_string(line_number(node)) : "'" + path.name + "'");
             SvgShape shape{.path = std::move(path), .groups = place.groups};
             shape.classes = attribute(node, "class");
             shape.text_along = attribute(node, "data-text");
@@ -345,6 +359,8 @@ class Walker {
         }
     }
 
+    std::string_view text_;
+    std::vector<std::size_t> line_ends_;  // offsets; empty: not asked for yet
     const std::string& file_;
     std::map<std::string, pugi::xml_node, std::less<>> by_id_;
     int elements_ = 0;
@@ -371,7 +387,7 @@ SvgDocument read_svg_document(std::string_view text, const std::string& file) {
     if (!result) throw InputError(file, line_of(text, result.offset), std::string("not XML: ") + result.description());
     for (const pugi::xml_node& node : document.children()) {
         if (node.type() == pugi::node_element && local_name(node.name()) == "svg")
-            return Walker(document, file).walk(node);
+            return Walker(document, text, file).walk(node);
     }
     throw InputError(file, "", "no <svg> element");
 }

@@ -82,15 +82,21 @@ double cubic_length(const Cubic& p, double from, double to, int depth = 0) {
     return cubic_length(p, from, middle, depth + 1) + cubic_length(p, middle, to, depth + 1);
 }
 
-// The parameter at which the arc length from the start is the fraction t of the whole: lookup in a table of 16 cells,
-// then bisection within the cell.
-double parameter_at(const Cubic& p, double t) {
-    constexpr int kCells = 16;
-    std::array<double, kCells + 1> reached{};
+constexpr int kCells = 16;  // of the table of arc lengths
+
+EdgeLengths lengths_of(const Cubic& p) {
+    EdgeLengths lengths;
     for (int i = 0; i < kCells; ++i) {
         const auto cell = static_cast<std::size_t>(i);
-        reached[cell + 1] = reached[cell] + cubic_length(p, double(i) / kCells, double(i + 1) / kCells);
+        lengths.reached[cell + 1] = lengths.reached[cell] + cubic_length(p, double(i) / kCells, double(i + 1) / kCells);
     }
+    return lengths;
+}
+
+// The parameter at which the arc length from the start is the fraction t of the whole: lookup in the table, then
+// bisection within the cell.
+double parameter_at(const Cubic& p, const EdgeLengths& lengths, double t) {
+    const auto& reached = lengths.reached;
     const double wanted = t * reached.back();
     const auto above = std::upper_bound(reached.begin() + 1, reached.end() - 1, wanted);
     const auto cell = static_cast<std::size_t>(above - reached.begin() - 1);
@@ -130,13 +136,28 @@ Vec2d outline_point(const Panel& panel, const OutlineEdge& edge, double t) {
     if (edge.kind == CurveKind::Line) return start + t * (end - start);
     if (edge.kind == CurveKind::Arc) return arc_point(circle_of(start, end, edge), t);
     const Cubic cubic = as_cubic(start, end, edge);
-    return cubic_point(cubic, parameter_at(cubic, t));
+    return cubic_point(cubic, parameter_at(cubic, lengths_of(cubic), t));
+}
+
+EdgeLengths measure_lengths(const Panel& panel, const OutlineEdge& edge) {
+    if (edge.kind == CurveKind::Line || edge.kind == CurveKind::Arc) return {};
+    const auto [start, end] = ends_of(panel, edge);
+    return lengths_of(as_cubic(start, end, edge));
+}
+
+Vec2d outline_point(const Panel& panel, const OutlineEdge& edge, const EdgeLengths& lengths, double t) {
+    if (t <= 0 || t >= 1 || edge.kind == CurveKind::Line || edge.kind == CurveKind::Arc)
+        return outline_point(panel, edge, t);
+    const auto [start, end] = ends_of(panel, edge);
+    const Cubic cubic = as_cubic(start, end, edge);
+    return cubic_point(cubic, parameter_at(cubic, lengths, t));
 }
 
 double curve_parameter(const Panel& panel, const OutlineEdge& edge, double t) {
     if (t <= 0 || t >= 1 || edge.kind == CurveKind::Line || edge.kind == CurveKind::Arc) return std::clamp(t, 0.0, 1.0);
     const auto [start, end] = ends_of(panel, edge);
-    return parameter_at(as_cubic(start, end, edge), t);
+    const Cubic cubic = as_cubic(start, end, edge);
+    return parameter_at(cubic, lengths_of(cubic), t);
 }
 
 double curve_fraction(const Panel& panel, const OutlineEdge& edge, double s) {

@@ -2,6 +2,7 @@
 // The geometry of panel outlines: points and lengths of their edges (lines, quadratic and cubic Beziers, circular
 // arcs), area, self-intersection, and the limits for valid outlines and seams. Edges are parametrised by arc length, so
 // that equal steps give curve segments of equal length on both sides of a seam.
+#include <array>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,13 @@ namespace selvedge::sim {
 // The point at the fraction t in [0, 1] of the edge's length, in the panel frame, m.
 // t = 0 and t = 1 return the end vertices exactly.
 Vec2d outline_point(const Panel& panel, const OutlineEdge& edge, double t);
+
+// The same with the arc lengths of the edge measured once, for many points of it: same bits, less work.
+struct EdgeLengths {
+    std::array<double, 17> reached{};  // m, at the parameters 0, 1/16, ..., 1 of a Bezier; of other edges zero
+};
+EdgeLengths measure_lengths(const Panel& panel, const OutlineEdge& edge);
+Vec2d outline_point(const Panel& panel, const OutlineEdge& edge, const EdgeLengths& lengths, double t);
 
 // The length of the edge, m, with a relative error of about 1e-9.
 double outline_length(const Panel& panel, const OutlineEdge& edge);

@@ -40,6 +40,20 @@ std::string column_name(int column) {
     return name;
 }
 
+// A piece that the sheet turns keeps its label.
+void keep_labels_on_pages(PagedSheet& paged) {
+    for (std::size_t i = 0; i < paged.sheet.pieces.size(); ++i) {
+        const NestPlace& place = paged.sheet.places[i];
+        if (place.turn != 0) continue;
+        std::vector<Eigen::AlignedBox2d> boxes;
+        for (const Page& page : paged.pages) {
+            boxes.push_back(paged.grid.own_area(page.column, page.row));
+            boxes.back().translate(-place.shift);
+        }
+        move_label(paged.sheet.pieces[i], boxes);
+    }
+}
+
 }  // namespace
 
 PageSize parse_page_size(std::string_view text) {
@@ -70,6 +84,12 @@ Eigen::AlignedBox2d PageGrid::area(int column, int row) const {
     const Vec2d size = printable(), pitch = size - Vec2d::Constant(overlap);
     const Vec2d upper_left(column * pitch.x(), top - row * pitch.y());
     return {Vec2d(upper_left.x(), upper_left.y() - size.y()), Vec2d(upper_left.x() + size.x(), upper_left.y())};
+}
+
+Eigen::AlignedBox2d PageGrid::own_area(int column, int row) const {
+    const Eigen::AlignedBox2d all = area(column, row);
+    const Vec2d strip = Vec2d::Constant(overlap);
+    return {Vec2d(all.min() + strip), Vec2d(all.max() - strip)};
 }
 
 PageGrid grid_over(const PaperSheet& sheet, const Vec2d& paper) {
@@ -117,6 +137,7 @@ PagedSheet lay_out_pages(const Pattern& pattern, const std::vector<PaperPiece>& 
             if (best.pages.empty() || paged.pages.size() < best.pages.size()) best = std::move(paged);
         }
     }
+    keep_labels_on_pages(best);
     return best;
 }
 

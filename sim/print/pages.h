@@ -27,6 +27,8 @@ struct PageGrid {
 
     Vec2d printable() const { return paper - Vec2d::Constant(2 * margin); }
     Eigen::AlignedBox2d area(int column, int row) const;  // m, of the sheet: what the page shows
+    // The part of it that no neighbour overlaps.
+    Eigen::AlignedBox2d own_area(int column, int row) const;
 };
 
 struct Page {
@@ -41,7 +43,7 @@ struct PagedSheet {
     std::vector<Page> pages = {};  // those that show a part of a piece, row by row
 };
 
-// The pieces laid out for the fewest pages, upright or landscape.
+// The pieces laid out for the fewest pages, upright or landscape; each label on one page if that has room for it.
 PagedSheet lay_out_pages(const Pattern& pattern, const std::vector<PaperPiece>& pieces, const PageSize& paper);
 
 // The grid over a sheet, and its pages.

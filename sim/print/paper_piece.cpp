@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -83,23 +84,18 @@ std::vector<Vec2d> spots_in(const std::vector<Vec2d>& outline) {
     return spots;
 }
 
-Eigen::AlignedBox2d label_box(const PaperLabel& label) {
-    double longest = 0;
-    for (const std::string& line : label.lines) longest = std::max(longest, text_width(line));
-    Vec2d half(label.height * longest / 2, label.height * static_cast<double>(label.lines.size()) / 2);
-    if (label.runs_up) std::swap(half.x(), half.y());
-    return {label.at - half, label.at + half};
-}
+// Where a label may lie, as far as the caller says.
+using MayLie = std::function<bool(const Eigen::AlignedBox2d&)>;
 
 // Of the places where the label fits, the one farthest from the outline and from what is drawn inside.
 bool fit_label(PaperLabel& label, const std::vector<Vec2d>& outline, const Drawn& drawn,
-               const std::vector<Vec2d>& spots) {
+               const std::vector<Vec2d>& spots, const MayLie& may_lie = {}) {
     double farthest = -1;
     Vec2d best = Vec2d::Zero();
     for (const Vec2d& spot : spots) {
         label.at = spot;
         const Eigen::AlignedBox2d box = label_box(label);
-        if (!is_rectangle_inside(box, outline) || meets_box(drawn, box)) continue;
+        if (!is_rectangle_inside(box, outline) || meets_box(drawn, box) || (may_lie && !may_lie(box))) continue;
         const double distance = std::min(distance_to_outline(spot, outline), distance_to_drawn(spot, drawn));
         if (distance > farthest) farthest = distance, best = spot;
     }
@@ -354,6 +350,30 @@ double text_width(std::string_view line) {
     const auto characters =
         std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
     return kCharacterWidth * static_cast<double>(std::max<std::ptrdiff_t>(1, characters));
+}
+
+Eigen::AlignedBox2d label_box(const PaperLabel& label) {
+    double longest = 0;
+    for (const std::string& line : label.lines) longest = std::max(longest, text_width(line));
+    Vec2d half(label.height * longest / 2, label.height * static_cast<double>(label.lines.size()) / 2);
+    if (label.runs_up) std::swap(half.x(), half.y());
+    return {label.at - half, label.at + half};
+}
+
+void move_label(PaperPiece& piece, const std::vector<Eigen::AlignedBox2d>& boxes) {
+    constexpr double kLeast = 0.5;  // of its size
+    const auto is_allowed = [&](const Eigen::AlignedBox2d& label) {
+        return std::ranges::any_of(boxes, [&](const Eigen::AlignedBox2d& box) { return box.contains(label); });
+    };
+    if (is_allowed(label_box(piece.label))) return;
+    PaperLabel label = piece.label;
+    const Drawn drawn = drawn_inside(piece);
+    const std::vector<Vec2d> spots = spots_in(piece.sew);
+    for (const double height : kLabelHeights) {
+        if (height > piece.label.height || height < kLeast * piece.label.height) continue;
+        label.height = height;
+        if (fit_label(label, piece.sew, drawn, spots, is_allowed)) return void(piece.label = label);
+    }
 }
 
 double PaperLabel::angle(double turn) const {

@@ -36,6 +36,9 @@ struct PaperLabel {
     double angle(double turn = 0) const;
 };
 
+// What the lines of a label cover, in the panel frame, m.
+Eigen::AlignedBox2d label_box(const PaperLabel& label);
+
 // About the width of a line of text over its height: that of a mean of sans-serif faces.
 double text_width(std::string_view line);
 
@@ -66,6 +69,10 @@ std::optional<double> fold_axis(const std::vector<Vec2d>& line);
 
 // The part of a closed line at or to the right of an upright.  (Sutherland and Hodgman 1974)
 std::vector<Vec2d> right_of(const std::vector<Vec2d>& line, double x);
+
+// Moves the label to where the panel has room for it in one of the boxes, panel frame, m: clear of what is drawn
+// inside, and no smaller than half its size. It stays if it lies in one already, or if none has room.
+void move_label(PaperPiece& piece, const std::vector<Eigen::AlignedBox2d>& boxes);
 
 std::vector<PaperPiece> paper_pieces(const Pattern& pattern, const PaperPieceOptions& options = {});
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "sim/pattern/fabric_file.h"
+#include "sim/pattern/segment_distance.h"
 #include "sim/print/pdf_canvas.h"
 
 namespace selvedge::sim {
@@ -275,6 +276,58 @@ void draw_diamond(PdfCanvas& canvas, const Vec2d& at) {
     canvas.draw_line({at - Vec2d(0, kHalf), at + Vec2d(0, kHalf)}, false, {.width = 0.1e-3, .grey = 0.3});
 }
 
+constexpr double kPageTextHeight = 0.0045;  // m
+
+// What lies on a page, m, of the page.
+struct OnPage {
+    std::vector<std::vector<Vec2d>> lines = {};
+    std::vector<Box> labels = {};
+
+    bool meets(const Box& box) const {
+        const auto crosses = [&](const std::vector<Vec2d>& line) {
+            for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+                if (segment_meets_box(line[i], line[i + 1], box)) return true;
+            }
+            return false;
+        };
+        return std::ranges::any_of(lines, crosses) ||
+               std::ranges::any_of(labels, [&](const Box& label) { return label.intersects(box); });
+    }
+};
+
+OnPage things_on(const PagedSheet& paged, const SheetView& view, const LayerChoice& layers) {
+    OnPage things;
+    for (const PaperStroke& stroke : strokes_of(paged.sheet, layers)) {
+        std::vector<Vec2d>& line = things.lines.emplace_back();
+        for (const Vec2d& p : stroke.points) line.push_back(view.to_page(p));
+        if (stroke.is_closed) line.push_back(line.front());
+    }
+    for (std::size_t i = 0; i < paged.sheet.pieces.size() && has(layers, PaperLayer::Labels); ++i) {
+        const Box label = label_box(paged.sheet.pieces[i].label);
+        Box& box = things.labels.emplace_back();
+        for (const auto corner : {Box::BottomLeft, Box::BottomRight, Box::TopLeft, Box::TopRight})
+            box.extend(view.to_page(paged.sheet.places[i].at(label.corner(corner))));
+    }
+    return things;
+}
+
+// Where the page's own text lies over nothing, the upper left corner first, then to the right and down.
+Vec2d free_place(const PagedSheet& paged, const Page& page, const std::string& text, const LayerChoice& layers) {
+    constexpr double kClear = 0.003, kStep = 0.008;  // m
+    const PageGrid& grid = paged.grid;
+    const Box area = grid.area(page.column, page.row);
+    const OnPage things = things_on(paged, {{area.min().x(), area.max().y()}, Vec2d::Constant(grid.margin), 1}, layers);
+    const Vec2d size(kPageTextHeight * text_width(text), kPageTextHeight), clear = Vec2d::Constant(kClear);
+    const Vec2d first = Vec2d::Constant(grid.margin + grid.overlap + kClear), last = grid.paper - first - size;
+    for (double y = first.y(); y <= last.y(); y += kStep) {
+        for (double x = first.x(); x <= last.x(); x += kStep) {
+            const Vec2d at(x, y);
+            if (!things.meets(Box(at - clear, Vec2d(at + size + clear)))) return at;
+        }
+    }
+    return first;
+}
+
 void draw_page(PdfCanvas& canvas, const PagedSheet& paged, std::size_t index, const std::string& title,
                const LayerChoice& layers) {
     const Page& page = paged.pages[index];
@@ -302,7 +355,7 @@ void draw_page(PdfCanvas& canvas, const PagedSheet& paged, std::size_t index, co
     }
     const std::string text = page.name + "   page " + std::to_string(index + 1) + " of " +
                              std::to_string(paged.pages.size()) + "   " + title;
-    canvas.draw_text(text, corner + Vec2d(2 * strip + 0.002, 2 * strip + 0.002), {.height = 0.0045, .grey = 0.4});
+    canvas.draw_text(text, free_place(paged, page, text, layers), {.height = kPageTextHeight, .grey = 0.4});
 }
 
 // ---- One large page.

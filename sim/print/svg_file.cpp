@@ -9,6 +9,7 @@
 #include "sim/paper/placement_record.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/enum_names.h"
+#include "sim/pattern/fabric_file.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
@@ -157,6 +158,8 @@ class SvgWriter {
             for (const std::string& phrase : placement_phrases(own)) phrases += (phrases.empty() ? "" : "; ") + phrase;
             out_ += attribute("data-selvedge-placement", phrases);
         }
+        const std::string& fabric = own.fabric.empty() ? pattern_.fabric : own.fabric;
+        if (is_shipped_fabric(fabric)) out_ += attribute("data-selvedge-fabric", fabric);
         out_ += attribute("style", "fill:none;stroke:black;stroke-linejoin:round;stroke-linecap:round") + ">\n";
         for (const LayerLook& look : kLooks) {
             if (has(look.layer)) write_layer(look, piece, place, panel);

@@ -1,6 +1,7 @@
 #include "sim/proposals/open_boundary.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -16,19 +17,18 @@ std::size_t as_size(int index) {
     return static_cast<std::size_t>(index);
 }
 
-const OutlineEdge& edge_of(const Pattern& pattern, const EdgeSpan& span) {
-    return pattern.panels[as_size(span.panel)].edges[as_size(span.edge)];
-}
-
 }  // namespace
 
-OpenBoundary::OpenBoundary(const Pattern& pattern) : pattern_(&pattern), of_panel_(pattern.panels.size()) {
-    std::vector<std::vector<int>> atom_of(pattern.panels.size());
+OpenBoundary::OpenBoundary(const Pattern& pattern)
+    : pattern_(&pattern),
+      of_panel_(pattern.panels.size()),
+      points_(std::make_shared<PanelPoints>(pattern.panels.size())) {
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
         const Panel& panel = pattern.panels[p];
         if (!panel.is_worn) continue;
         for (std::size_t e = 0; e < panel.edges.size(); ++e) {
             of_panel_[p].push_back(atom_count());
+            (*points_)[p].push_back({.lengths = measure_lengths(panel, panel.edges[e])});
             atoms_.push_back({{static_cast<int>(p), static_cast<int>(e), 0, 1}, outline_length(panel, panel.edges[e])});
         }
     }
@@ -47,20 +47,30 @@ int OpenBoundary::after_in_panel(int atom) const {
 
 Vec2d OpenBoundary::point(int atom, double t) const {
     const EdgeSpan& span = this->atom(atom).span;
-    const Panel& panel = pattern_->panels[as_size(span.panel)];
-    return outline_point(panel, edge_of(*pattern_, span), span.from + t * (span.to - span.from));
+    return point_of_edge(span, span.from + t * (span.to - span.from));
+}
+
+const OutlineEdge& OpenBoundary::edge_of(const EdgeSpan& span) const {
+    return pattern_->panels[as_size(span.panel)].edges[as_size(span.edge)];
+}
+
+Vec2d OpenBoundary::point_of_edge(const EdgeSpan& span, double t) const {
+    EdgePoints& points = (*points_)[as_size(span.panel)][as_size(span.edge)];
+    const auto [known, is_new] = points.known.try_emplace(std::bit_cast<std::uint64_t>(t));
+    if (is_new) known->second = outline_point(pattern_->panels[as_size(span.panel)], edge_of(span), points.lengths, t);
+    return known->second;
 }
 
 Vec2d OpenBoundary::direction(int atom, double t) const {
     const EdgeSpan& span = this->atom(atom).span;
     const double at = span.from + t * (span.to - span.from);
     const Panel& panel = pattern_->panels[as_size(span.panel)];
-    const OutlineEdge& edge = edge_of(*pattern_, span);
+    const OutlineEdge& edge = edge_of(span);
     if (at <= 0) return curve_direction(panel, edge, EdgeEnd::Start);
     if (at >= 1) return curve_direction(panel, edge, EdgeEnd::End);
     constexpr double kStep = 1e-4;
-    const Vec2d before = outline_point(panel, edge, std::max(0.0, at - kStep));
-    return (outline_point(panel, edge, std::min(1.0, at + kStep)) - before).normalized();
+    const Vec2d before = point_of_edge(span, std::max(0.0, at - kStep));
+    return (point_of_edge(span, std::min(1.0, at + kStep)) - before).normalized();
 }
 
 double OpenBoundary::corner_angle(int atom) const {

@@ -6,10 +6,14 @@
 //        shoulder seam
 //     front )|( back         ) ( are one chain, because the angles of both panels at the seam's end make 180 degrees
 //           )|(
+#include <cstdint>
+#include <memory>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "sim/pattern/outline.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::sim {
@@ -77,6 +81,16 @@ class OpenBoundary {
     void sew(int first, int second);
 
  private:
+    // The points of an edge that were asked for, by the bits of their fraction of its length. A search asks for the
+    // same ones again and again, and each costs many arc lengths.
+    struct EdgePoints {
+        EdgeLengths lengths = {};
+        std::unordered_map<std::uint64_t, Vec2d> known = {};
+    };
+    using PanelPoints = std::vector<std::vector<EdgePoints>>;  // per panel and edge
+
+    const OutlineEdge& edge_of(const EdgeSpan& span) const;
+    Vec2d point_of_edge(const EdgeSpan& span, double t) const;
     int after_in_panel(int atom) const;
     Vec2d direction(int atom, double t) const;
     double corner_angle(int atom) const;  // inside the panel, between the atom and the next of its panel
@@ -84,6 +98,7 @@ class OpenBoundary {
     const Pattern* pattern_;
     std::vector<Atom> atoms_;
     std::vector<std::vector<int>> of_panel_;  // per panel: its atoms in order
+    std::shared_ptr<PanelPoints> points_;     // copies share it: used by one thread
 };
 
 }  // namespace selvedge::sim

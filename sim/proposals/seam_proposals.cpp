@@ -304,39 +304,58 @@ class Search {
 // The edges that a panel's proposals need, and where each stretch comes to lie.
 class SpanCutter {
  public:
-    explicit SpanCutter(Pattern& pattern) : pattern_(pattern) {}
-
-    void add(const EdgeSpan& span) {
-        std::set<double>& stops = stops_[{span.panel, span.edge}];
-        for (const double t : {span.from, span.to}) {
-            if (t > 1e-9 && t < 1 - 1e-9) stops.insert(t);
+    explicit SpanCutter(const std::vector<SeamProposal>& proposals) {
+        for (const SeamProposal& proposal : proposals) {
+            for (const auto& [first, second] : proposal.parts) {
+                add(first);
+                add(second);
+            }
         }
     }
 
     // Edges of higher index are cut first, so that those of lower index keep theirs.
-    void cut() {
+    void cut(Pattern& pattern) const {
         for (auto at = stops_.rbegin(); at != stops_.rend(); ++at) {
-            Panel& panel = pattern_.panels[as_size(at->first.first)];
+            Panel& panel = pattern.panels[as_size(at->first.first)];
             double end = 1;
             for (auto stop = at->second.rbegin(); stop != at->second.rend(); ++stop) {
                 split_edge(panel, at->first.second, *stop / end);
                 end = *stop;
             }
         }
-        for (Seam& seam : pattern_.seams) {
+        for (Seam& seam : pattern.seams) {
             for (SeamSide* side : {&seam.first, &seam.second}) side->edge += shift(side->panel, side->edge);
         }
     }
 
-    SeamSide side(const EdgeSpan& span) const {
-        int before = 0;
+    // The stretch as one of the edge that it lies on when all are cut.
+    EdgeSpan after_cut(const EdgeSpan& span) const {
+        EdgeSpan out{span.panel, span.edge + shift(span.panel, span.edge)};
+        double low = 0, high = 1;
         if (const auto found = stops_.find({span.panel, span.edge}); found != stops_.end()) {
-            for (const double t : found->second) before += t <= span.from + 1e-9 ? 1 : 0;
+            for (const double t : found->second) {
+                out.edge += t <= span.from + kSame ? 1 : 0;
+                if (t <= span.from + kSame) low = t;
+                if (t >= span.to - kSame) high = std::min(high, t);
+            }
         }
-        return {span.panel, span.edge + shift(span.panel, span.edge) + before};
+        out.from = std::clamp((span.from - low) / (high - low), 0.0, 1.0);
+        out.to = std::clamp((span.to - low) / (high - low), 0.0, 1.0);
+        return out;
     }
 
+    SeamSide side(const EdgeSpan& span) const { return {span.panel, after_cut(span).edge}; }
+
  private:
+    static constexpr double kSame = 1e-9;  // of an edge's length
+
+    void add(const EdgeSpan& span) {
+        std::set<double>& stops = stops_[{span.panel, span.edge}];
+        for (const double t : {span.from, span.to}) {
+            if (t > kSame && t < 1 - kSame) stops.insert(t);
+        }
+    }
+
     // How many edges are new before this one.
     int shift(int panel, int edge) const {
         int count = 0;
@@ -346,8 +365,7 @@ class SpanCutter {
         return count;
     }
 
-    Pattern& pattern_;
-    std::map<std::pair<int, int>, std::set<double>> stops_;
+    std::map<std::pair<int, int>, std::set<double>> stops_;  // per panel and edge
 };
 
 }  // namespace
@@ -357,14 +375,8 @@ std::vector<SeamProposal> propose_seams(const Pattern& pattern, const ProposalOp
 }
 
 void accept_proposals(Pattern& pattern, const std::vector<SeamProposal>& proposals) {
-    SpanCutter cutter(pattern);
-    for (const SeamProposal& proposal : proposals) {
-        for (const auto& [first, second] : proposal.parts) {
-            cutter.add(first);
-            cutter.add(second);
-        }
-    }
-    cutter.cut();
+    const SpanCutter cutter(proposals);
+    cutter.cut(pattern);
     for (const SeamProposal& proposal : proposals) {
         const std::string sewing = proposal.parts.size() > 1 ? free_sewing_name(pattern) : std::string();
         for (const auto& [first, second] : proposal.parts) {
@@ -374,6 +386,18 @@ void accept_proposals(Pattern& pattern, const std::vector<SeamProposal>& proposa
             pattern.seams.push_back(seam);
         }
     }
+}
+
+std::vector<SeamProposal> after_acceptance(std::vector<SeamProposal> proposals,
+                                           const std::vector<SeamProposal>& accepted) {
+    const SpanCutter cutter(accepted);
+    for (SeamProposal& proposal : proposals) {
+        for (auto& [first, second] : proposal.parts) {
+            first = cutter.after_cut(first);
+            second = cutter.after_cut(second);
+        }
+    }
+    return proposals;
 }
 
 std::string describe(const Pattern& pattern, const SeamProposal& proposal) {

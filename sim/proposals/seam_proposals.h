@@ -39,7 +39,11 @@ std::vector<SeamProposal> propose_seams(const Pattern& pattern, const ProposalOp
 // stay in place. Pre: the proposals are of this pattern, and no two of them sew the same stretch.
 void accept_proposals(Pattern& pattern, const std::vector<SeamProposal>& proposals);
 
-// "front 3 to back 1 (71 %): lengths ..."
+// Proposals of a pattern as it was before `accepted` became seams, with the edges that it has since.
+std::vector<SeamProposal> after_acceptance(std::vector<SeamProposal> proposals,
+                                           const std::vector<SeamProposal>& accepted);
+
+// "front.3 to back.1 (71 %): lengths ..."
 std::string describe(const Pattern& pattern, const SeamProposal& proposal);
 
 }  // namespace selvedge::sim

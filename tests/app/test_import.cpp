@@ -1,12 +1,15 @@
 // selvedge import: the garment that it writes can be checked, and wrong files are refused on one line.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 #include "sim/core/file.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/app/selvedge_program.h"
 #include "tests/sim/paper/drawings.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::app {
 namespace {
@@ -85,6 +88,82 @@ TEST(ImportCommand, places_what_selvedge_printed_as_it_was_placed) {
     }
 }
 
+// The lines of what the program printed below a title.
+std::vector<std::string> lines_below(const std::string& text, const std::string& title) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text.substr(std::min(text.size(), text.find(title + "\n"))));
+    std::string line;
+    std::getline(stream, line);
+    while (std::getline(stream, line) && line.starts_with("  ")) lines.push_back(line.substr(2));
+    return lines;
+}
+
+// Halves that are not cut on the fold: left and right ones.
+std::string halves_of_a_shirt() {
+    std::string text = half_shirt();
+    for (std::size_t at = text.find("cutOnFoldAnd"); at != text.npos; at = text.find("cutOnFoldAnd"))
+        text.erase(at, 12);
+    for (std::size_t at = text.find("\"cutonfold\""); at != text.npos; at = text.find("\"cutonfold\""))
+        text.replace(at, 11, "\"grain\"");
+    // The back is no mirror image of the front.
+    const std::string neck = "\"to\": [0, 100]";
+    return text.replace(text.rfind(neck), neck.size(), "\"to\": [0, 60]");
+}
+
+TEST(ImportCommand, names_panels_and_edges_of_seams_as_the_garment_has_them) {
+    const ScratchFolder folder;
+    const std::string drawn = folder / "shirt.json", garment = folder / "garment.json";
+    sim::write_file_atomically(drawn, halves_of_a_shirt());
+    const ProgramResult result = run_selvedge("import '" + drawn + "' -o '" + garment + "' --list-all");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const sim::Pattern pattern = sim::load_pattern(garment).pattern;
+    ASSERT_EQ(pattern.panels.size(), 4U);
+    EXPECT_TRUE(std::ranges::count(pattern.panels, "left_front", &sim::Panel::name) == 1) << result.out;
+    const std::vector<std::string> seams = lines_below(result.out, "Seams:");
+    std::vector<std::string> all = lines_below(result.out, "Possible, not sewn:");
+    EXPECT_FALSE(seams.empty()) << result.out;
+    all.insert(all.end(), seams.begin(), seams.end());
+    for (const std::string& line : all) {
+        std::istringstream words(line.substr(0, line.find('(')));
+        for (std::string word; words >> word;) {
+            const std::size_t dot = word.find('.');
+            if (dot == word.npos) continue;
+            const auto panel = std::ranges::find(pattern.panels, word.substr(0, dot), &sim::Panel::name);
+            ASSERT_NE(panel, pattern.panels.end()) << line;
+            EXPECT_LT(std::stoul(word.substr(dot + 1)), panel->edges.size()) << line;
+        }
+    }
+}
+
+// A sleeve for the shirt, mm: 475 mm round its cap.
+std::string sleeve(const std::string& name, int length) {
+    const std::string hem = std::to_string(length);
+    return R"(, "test.)" + name + R"(": {"paths": {"seam": {"class": "fabric", "ops": [
+  {"type": "move", "to": [-150, )" +
+           hem + R"(]}, {"type": "line", "to": [150, )" + hem + R"(]},
+  {"type": "line", "to": [180, 0]},
+  {"type": "curve", "to": [0, -140], "cp1": [110, 0], "cp2": [90, -140]},
+  {"type": "curve", "to": [-180, 0], "cp1": [-90, -140], "cp2": [-110, 0]},
+  {"type": "line", "to": [-150, )" +
+           hem + R"(]}, {"type": "close"}]}}})";
+}
+
+TEST(ImportCommand, tells_which_of_two_sleeves_that_fit_is_sewn_in) {
+    const ScratchFolder folder;
+    const std::string drawn = folder / "shirt.json", garment = folder / "garment.json";
+    const std::string text = half_shirt();
+    sim::write_file_atomically(drawn, text.substr(0, text.rfind("}}")) + sleeve("short_sleeve", 150) +
+                                          sleeve("long_sleeve", 450) + text.substr(text.rfind("}}")));
+    const ProgramResult result = run_selvedge("import '" + drawn + "' -o '" + garment + "'");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(
+        result.out.find("short_sleeve: no seam joins it to the garment, where 'left_long_sleeve' is sewn in as the "
+                        "sleeve: on the sheet, but not worn"),
+        std::string::npos)
+        << result.out;
+    EXPECT_NE(result.out.find("'right_long_sleeve' is sewn in"), std::string::npos) << result.out;
+}
+
 TEST(ImportCommand, refuses_wrong_input_on_one_line_and_writes_nothing) {
     const ScratchFolder folder;
     const std::string drawn = folder / "a.svg", garment = folder / "garment.json";
@@ -97,6 +176,12 @@ TEST(ImportCommand, refuses_wrong_input_on_one_line_and_writes_nothing) {
     };
     EXPECT_NE(refused("").find("the file is empty"), std::string::npos);
     EXPECT_NE(refused("hello").find("neither SVG, DXF nor a draft of FreeSewing"), std::string::npos);
+    EXPECT_EQ(refused(sim::read_file(source_folder() + "/patterns/tshirt.json", 1000000)),
+              "selvedge: " + drawn +
+                  ": a garment file already, not a drawing: open it with selvedge dress or selvedge edit\n");
+    const std::string cut_off = refused(half_shirt().substr(0, 400));
+    EXPECT_NE(cut_off.find(": not JSON at line "), std::string::npos) << cut_off;
+    EXPECT_LT(cut_off.size(), drawn.size() + 150) << cut_off;
     EXPECT_NE(refused(half_shirt(), "--unit ell").find("'ell' is none of mm, cm, m, in, pt, px"), std::string::npos);
     EXPECT_NE(refused(half_shirt(), "--size 40").find("the file names no sizes"), std::string::npos);
 }

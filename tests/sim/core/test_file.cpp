@@ -182,6 +182,14 @@ TEST(Json, names_the_line_where_the_text_stops_being_json) {
     EXPECT_NE(complaint("[\"\xff\"]"), "");
 }
 
+TEST(Json, tells_what_is_wrong_on_a_short_line_however_long_the_broken_token_is) {
+    const std::string cut_off = complaint("{\n\"a\": \"" + std::string(5000, 'x'));
+    EXPECT_LT(cut_off.size(), 160U) << cut_off;
+    EXPECT_TRUE(cut_off.starts_with("f.json: not JSON at line 2, column 500")) << cut_off;
+    EXPECT_LT(complaint("[1" + std::string(5000, '0') + "e999]").size(), 160U);
+    EXPECT_NE(complaint("[tru]").find("last read: '[tru]'"), std::string::npos) << complaint("[tru]");
+}
+
 TEST(Json, refuses_more_than_64_megabytes_and_more_than_four_million_values) {
     EXPECT_NE(complaint(std::string((std::size_t{64} << 20) + 1, ' ')).find("over 64 MB"), std::string::npos);
     std::string many = "[0";

@@ -185,12 +185,12 @@ TEST(Wearing, only_notes_a_hem_that_is_long_enough_to_lie_on_the_floor) {
 TEST(Wearing, finds_a_garment_beside_the_body) {
     const DressReport report = report_on(
         skirt(), [](const Vec3d& x) { return Vec3d(x + Vec3d(0, 0, 0.8)); }, mannequin());
-    ASSERT_EQ(report.faults.size(), 2U) << list(report);
-    for (const DressFault& fault : report.faults) {
-        EXPECT_EQ(fault.kind, "limb_missed");
-        EXPECT_NE(fault.place.find("the left leg and the right leg do not pass through the "), std::string::npos)
-            << fault.place;
-    }
+    // One fault, although the legs miss both openings.
+    ASSERT_EQ(report.faults.size(), 1U) << list(report);
+    EXPECT_EQ(report.faults[0].kind, "limb_missed");
+    EXPECT_EQ(report.faults[0].place,
+              "the left leg and the right leg do not pass through the hem of 'front' or the waist of 'front'");
+    EXPECT_EQ(report.faults[0].value, 2);
 }
 
 TEST(Wearing, finds_a_hem_that_holds_an_arm) {
@@ -252,7 +252,7 @@ TEST(Wearing, lets_an_arm_go_through_the_sleeve_beside_which_it_was) {
 // The garment was placed round an arm that hangs at an angle, and is worn on one that is level.
 TEST(Wearing, expects_the_same_arm_in_a_sleeve_whatever_the_pose) {
     const DressReport missed = report_on(sleeve(), stays, mannequin_in_t_pose());
-    EXPECT_EQ(std::ranges::count(missed.faults, "limb_missed", &DressFault::kind), 2) << list(missed);
+    EXPECT_EQ(std::ranges::count(missed.faults, "limb_missed", &DressFault::kind), 1) << list(missed);
     const auto turned = [](const Vec3d& x) {
         const auto arm_a = find_limbs(mannequin())[LimbKind::LeftArm].joints;
         static const auto arm_t = find_limbs(mannequin_in_t_pose())[LimbKind::LeftArm].joints;

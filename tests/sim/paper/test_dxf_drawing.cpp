@@ -91,7 +91,28 @@ TEST(Dxf, names_the_line_of_what_is_wrong) {
     EXPECT_EQ(problem("0\nSECTION\n2\nBLOCKS\n0\nENDSEC\n"), "a.dxf: no closed line: nothing that could be a panel");
     std::string open = one_piece();
     open.replace(open.find("70\n1\n"), 5, "70\n0\n");
-    EXPECT_EQ(problem(open), "a.dxf: line 11: the outline of 'FRONT' is open");
+    EXPECT_EQ(problem(open), "a.dxf: line 11: the outline of 'FRONT' is open by 400 mm");
+}
+
+// A polyline of a file without blocks.
+std::string loose(std::initializer_list<Vec2d> points, bool is_closed) {
+    std::string text = polyline("1", points);
+    if (!is_closed) text.replace(text.find("70\n1\n"), 5, "70\n0\n");
+    return text;
+}
+
+TEST(Dxf, tells_which_loose_line_is_open_and_how_far) {
+    const std::string head = groups({{0, "SECTION"}, {2, "ENTITIES"}, {0, "TEXT"}, {1, "UNITS: METRIC"}});
+    const std::string end = groups({{0, "ENDSEC"}, {0, "EOF"}});
+    const std::string open = loose({{0, 0}, {300, 0}, {300, 400}, {0, 400}, {0, 2.5}}, false);
+    EXPECT_EQ(problem_of(head + open + end, [](const std::string& text) { return read_dxf(text, "a.dxf"); }),
+              "a.dxf: line 9: open by 2.5 mm, and no other line is closed: nothing that could be a panel");
+    const Drawing drawing = read_dxf(head + loose({{500, 0}, {800, 0}, {800, 400}}, true) + open + end, "a.dxf");
+    EXPECT_EQ(drawing.parts.size(), 1U);
+    ASSERT_EQ(drawing.notes.size(), 1U);
+    EXPECT_TRUE(drawing.notes[0].ends_with(": open by 2.5 mm, left out")) << drawing.notes[0];
+    // A gap of 0.1 mm is closed, as in blocks.
+    EXPECT_EQ(read_dxf(head + loose({{0, 0}, {300, 0}, {300, 400}, {0, 0.1}}, false) + end, "").parts.size(), 1U);
 }
 
 TEST(Dxf, reads_damaged_files_or_refuses_them) {

@@ -129,6 +129,28 @@ TEST(MakePanels, refuse_an_outline_that_crosses_itself_and_name_the_place) {
     }
 }
 
+TEST(MakePanels, tell_the_crossing_of_a_bow_whose_halves_cancel_out) {
+    DrawnPart part{.name = "bow", .paths = {rectangle(LineKind::Sew, {0, 0}, {300, 400})}};
+    std::swap(part.paths[0].vertices[2], part.paths[0].vertices[3]);
+    EXPECT_EQ(problem_of("", [&](const std::string&) { return make_panels(one_part(part), "a.svg"); }),
+              "a.svg: bow: the outline crosses or touches itself near (150, 200)");
+}
+
+TEST(MakePanels, tell_which_outline_is_open_and_how_far) {
+    DrawnPath path = rectangle(LineKind::Sew, {0, 0}, {300, 400});
+    path.is_closed = false;
+    path.vertices.push_back({0, 3});
+    path.edges.back().end = 4;
+    path.place = "parts.front.paths.seam";
+    Drawing drawing = one_part({.name = "front", .paths = {path}});
+    EXPECT_EQ(problem_of("", [&](const std::string&) { return make_panels(drawing, "a.json"); }),
+              "a.json: no closed outline: parts.front.paths.seam is open by 3 mm");
+    drawing.parts.push_back({.name = "back", .paths = {rectangle(LineKind::Sew, {0, 0}, {300, 400})}});
+    const std::vector<std::string> notes = make_panels(drawing, "a.json").notes;
+    EXPECT_NE(std::ranges::find(notes, "front: no closed outline, left out: parts.front.paths.seam is open by 3 mm"),
+              notes.end());
+}
+
 DrawnPath polygon(std::vector<Vec2d> corners) {
     DrawnPath path{.kind = LineKind::Sew, .vertices = std::move(corners), .edges = {}};
     const int count = static_cast<int>(path.vertices.size());

@@ -121,6 +121,28 @@ TEST(Svg, says_what_is_wrong_and_where) {
     EXPECT_EQ(problem(svg("")), "a.svg: no closed path: nothing that could be a panel");
 }
 
+TEST(Svg, tells_which_outline_is_open_and_how_far) {
+    const auto problem = [](const std::string& wrong) {
+        return problem_of(wrong, [](const std::string& text) { return read_svg(text, "a.svg"); });
+    };
+    EXPECT_EQ(problem(svg("<path id='hem' d='M0,0H50'/><path id='back' d='M0,0H50V50H0V10'/>")),
+              "a.svg: <path> 'back': open by 10 mm, and no other path is closed: nothing that could be a panel");
+    EXPECT_EQ(problem(svg("<g>\n<path d='M0,0H50V50H0V1.25'/></g>")),
+              "a.svg: <path> in line 4: open by 1.25 mm, and no other path is closed: nothing that could be a panel");
+    EXPECT_EQ(problem("<svg xmlns='http://www.w3.org/2000/svg'><path d='M0,0H50V50H0V10'/></svg>"),
+              "a.svg: <path> in line 1: open by 10 units, and no other path is closed: nothing that could be a panel");
+    // Beside closed ones it is left out, and told.
+    const Drawing drawing = read_svg(
+        svg("<path id='front' d='M0,0H50V50H0Z'/><path id='back' d='M100,0H150V50H100V1.2'/><path d='M0,90H99'/>"), "");
+    EXPECT_EQ(drawing.parts.size(), 1U);
+    EXPECT_EQ(drawing.notes, std::vector<std::string>{"<path> 'back': open by 1.2 mm, left out"});
+}
+
+TEST(Svg, reads_a_bow_whose_halves_cancel_out) {
+    EXPECT_EQ(read_svg(svg("<path id='bow' d='M0,0L50,50H0L50,0Z'/>"), "").parts.size(), 1U);
+    EXPECT_THROW(read_svg(svg("<path d='M0,0L50,50L20,20Z'/>"), ""), InputError);  // only forth and back
+}
+
 TEST(Svg, reads_damaged_files_or_refuses_them) {
     const std::string text =
         svg("<g transform='rotate(3) scale(1.1)'><path id='a' d='M10,10h20V30l-5 5C20,40 15,40 12,35A5,5 0 0 1 9,9z'/>"

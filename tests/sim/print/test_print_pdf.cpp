@@ -255,6 +255,27 @@ TEST(Pages, every_point_of_a_cut_line_is_on_a_page_and_no_page_is_empty) {
     }
 }
 
+TEST(Pages, labels_lie_on_one_page_each) {
+    for (const std::filesystem::path& file : shipped_patterns()) {
+        const Pattern pattern = load_pattern(file).pattern;
+        const PagedSheet paged = lay_out_pages(pattern, paper_pieces(pattern), parse_page_size("a4"));
+        for (std::size_t i = 0; i < paged.sheet.pieces.size(); ++i) {
+            const PaperPiece& piece = paged.sheet.pieces[i];
+            Eigen::AlignedBox2d box = label_box(piece.label);
+            box.translate(paged.sheet.places[i].shift);
+            EXPECT_TRUE(std::ranges::any_of(
+                paged.pages,
+                [&](const Page& page) { return paged.grid.own_area(page.column, page.row).contains(box); }))
+                << file.filename().string() << " " << piece.label.lines[0];
+            EXPECT_GE(piece.label.height, 0.004);
+            for (const PaperLine& line : piece.lines) {
+                for (std::size_t k = 0; k + 1 < line.points.size(); ++k)
+                    EXPECT_FALSE(segment_meets_box(line.points[k], line.points[k + 1], label_box(piece.label)));
+            }
+        }
+    }
+}
+
 TEST(PrintPdf, same_pattern_gives_the_same_bytes) {
     const PrintOptions options{.paper = parse_page_size("a4")};
     const PrintedPdf a = print_pdf(sample_pattern(), options), b = print_pdf(sample_pattern(), options);

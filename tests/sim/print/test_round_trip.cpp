@@ -139,6 +139,29 @@ TEST(RoundTrip, shipped_patterns_come_back_from_svg_and_dxf) {
     }
 }
 
+TEST(RoundTrip, fabrics_that_are_shipped_come_back) {
+    Pattern pattern = sample_pattern();
+    const auto read_back = [&](const std::string& text) { return make_panels(parse_drawing(text, ""), "").pattern; };
+    pattern.fabric = "linen";
+    for (const Pattern& read : {read_back(svg_of(pattern)), read_back(dxf_of(pattern))}) {
+        EXPECT_EQ(read.fabric, "linen");
+        for (const Panel& panel : read.panels) EXPECT_EQ(panel.fabric, "");
+    }
+    pattern.panels[1].fabric = "denim";
+    for (const Pattern& read : {read_back(svg_of(pattern)), read_back(dxf_of(pattern))}) {
+        EXPECT_EQ(read.fabric, "");
+        EXPECT_EQ(read.panels[0].fabric, "linen");
+        EXPECT_EQ(read.panels[1].fabric, "denim");
+    }
+    // A fabric of one's own is a file elsewhere.
+    pattern.panels[1].fabric.clear();
+    pattern.fabric = "/fabrics/my_linen.json";
+    for (const Pattern& read : {read_back(svg_of(pattern)), read_back(dxf_of(pattern))}) {
+        EXPECT_EQ(read.fabric, "");
+        EXPECT_TRUE(read.panels[1].fabric.empty() && read.panels[1].is_worn);
+    }
+}
+
 TEST(RoundTrip, notches_at_corners_keep_their_edge) {
     Pattern pattern = darted_pattern();
     pattern.allowance = 0.01;

@@ -63,5 +63,22 @@ TEST(OpenBoundary, is_divided_where_a_seam_ends) {
     EXPECT_LT((boundary.point(rest, 0.5) - Vec2d(0.625, 0)).norm(), 1e-9);
 }
 
+TEST(OpenBoundary, has_the_points_of_the_outline_to_the_bit_however_often_it_is_asked) {
+    Pattern pattern;
+    pattern.panels = {square("a")};
+    OutlineEdge& edge = pattern.panels[0].edges[1];
+    edge.kind = CurveKind::Cubic;
+    edge.control = {Vec2d(1.4, 0.2), Vec2d(0.7, 0.9)};
+    OpenBoundary boundary(pattern);
+    const int rest = boundary.split(1, 0.3);
+    const OpenBoundary copy = boundary;
+    for (int ask = 0; ask < 2; ++ask) {
+        for (const double t : {0.0, 0.1, 0.5, 0.99, 1.0}) {
+            EXPECT_EQ(boundary.point(1, t), outline_point(pattern.panels[0], edge, 0 + t * (0.3 - 0)));
+            EXPECT_EQ(copy.point(rest, t), outline_point(pattern.panels[0], edge, 0.3 + t * (1 - 0.3)));
+        }
+    }
+}
+
 }  // namespace
 }  // namespace selvedge::sim

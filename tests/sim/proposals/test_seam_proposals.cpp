@@ -126,6 +126,15 @@ TEST(SeamProposals, divide_a_seam_with_ease_evenly_whatever_edges_its_sides_have
     EXPECT_GE(between, 8);
 }
 
+// What is told of a proposal is where it lies once others are sewn.
+TEST(SeamProposals, name_edges_as_they_are_after_others_divided_them) {
+    const SeamProposal sewn{.parts = {{{0, 1, 0.25, 0.75}, {1, 0, 0, 0.5}}}};
+    const SeamProposal other{.parts = {{{0, 1, 0.75, 1}, {0, 3, 0, 1}}, {{0, 0, 0, 1}, {1, 0, 0.5, 0.75}}}};
+    const std::vector<SeamProposal> now = after_acceptance({sewn, other}, {sewn});
+    EXPECT_EQ(now[0].parts, (decltype(sewn.parts){{{0, 2, 0, 1}, {1, 0, 0, 1}}}));
+    EXPECT_EQ(now[1].parts, (decltype(sewn.parts){{{0, 3, 0, 1}, {0, 5, 0, 1}}, {{0, 0, 0, 1}, {1, 1, 0, 0.5}}}));
+}
+
 TEST(SeamProposals, leave_sewn_edges_and_unworn_panels_alone) {
     Pattern pattern = load_pattern(shipped("tshirt")).pattern;
     EXPECT_TRUE(propose_seams(pattern, {.least_confidence = 0.5}).empty());
