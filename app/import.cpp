@@ -45,6 +45,11 @@ int run(ImportArguments& arguments) {
     if (!arguments.unit.empty()) options.panels.metres_per_unit = metres_of_unit(arguments.unit);
     if (arguments.allowance_mm) options.panels.allowance = *arguments.allowance_mm / 1000;
     if (!arguments.body.source.empty()) options.body = arguments.body.source;
+    for (const std::filesystem::path& file : arguments.files) {
+        std::error_code error;
+        if (std::filesystem::equivalent(file, arguments.output, error))
+            throw sim::InputError(arguments.output.string(), "", "cannot write: it is one of the files that are read");
+    }
     const ImportedGarment garment = import_garment(arguments.files, options);
     print_list("Read:", garment.notes);
     print_list("Body:", garment.body);
@@ -68,7 +73,8 @@ int run(ImportArguments& arguments) {
 void add_import_command(CLI::App& app, int& exit_code) {
     auto arguments = std::make_shared<ImportArguments>();
     CLI::App* command = app.add_subcommand("import", "Make a garment of patterns that other programs drew");
-    command->add_option("FILES", arguments->files, "SVG, or a draft of FreeSewing as JSON; several make one garment")
+    command
+        ->add_option("FILES", arguments->files, "SVG, DXF, or a draft of FreeSewing as JSON; several make one garment")
         ->required()
         ->type_name("FILE");
     command->add_option("-o,--output", arguments->output, "Garment file to write")->required()->type_name("FILE");

@@ -33,8 +33,11 @@ sim::Drawing read_drawings(const std::vector<std::filesystem::path>& files, std:
     sim::Drawing all;
     for (const std::filesystem::path& file : files) {
         if (is_photo_file(file)) {
+            const std::string ending = file.extension().string();
+            const bool is_named_so = ending == ".png" || ending == ".jpg" || ending == ".jpeg";
             throw sim::InputError(file.string(), "",
-                                  "a photo: trace it in the editor, selvedge edit '" + file.string() + "'");
+                                  is_named_so ? "a photo: trace it in the editor, selvedge edit '" + file.string() + "'"
+                                              : "a photo: name it .png or .jpg, and trace it in the editor");
         }
         sim::Drawing one = sim::read_drawing(file);
         notes.push_back(file.string() + ": " + one.format + ", " + std::to_string(one.parts.size()) +
@@ -45,6 +48,7 @@ sim::Drawing read_drawings(const std::vector<std::filesystem::path>& files, std:
         }
         if (one.metres_per_unit != all.metres_per_unit)
             throw sim::InputError(file.string(), "", "its unit differs from that of " + files.front().string());
+        if (one.body != all.body) all.body.reset();  // they are placed anew, round one body
         const int first = static_cast<int>(all.parts.size());
         for (sim::DrawnSeam& seam : one.seams) {
             seam.first.panel += first;
@@ -187,6 +191,17 @@ std::vector<sim::PanelRole> place(ImportedGarment& out, const sim::Drawing& draw
     return std::move(arrangement.roles);
 }
 
+// Whether the body that a drawing names can be made; if not, a note says why.
+bool is_mannequin(const std::string& body, std::vector<std::string>& notes) {
+    try {
+        make_body({.source = body, .load = {}});
+        return true;
+    } catch (const sim::InputError& error) {
+        notes.push_back(std::string("the file's body is not used: ") + error.what());
+        return false;
+    }
+}
+
 }  // namespace
 
 ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, const ImportOptions& options) {
@@ -205,7 +220,8 @@ ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, 
         }
         accept_proposals(out.pattern, sewn);
     }
-    const bool is_placed = made.is_placed && options.body.empty() && options.measurements.empty();
+    const bool is_placed = made.is_placed && options.body.empty() && options.measurements.empty() &&
+                           is_mannequin(out.pattern.body, out.notes);
     const std::vector<sim::PanelRole> roles =
         is_placed ? roles_of(out.pattern, out.hints) : place(out, drawing, options);
     out.sewn = describe_all(out.pattern, after_acceptance(sewn, sewn));

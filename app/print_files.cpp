@@ -87,7 +87,7 @@ bool has_allowance(const sim::Pattern& pattern) {
 }  // namespace
 
 Printed print_pattern(const sim::Pattern& pattern, const std::filesystem::path& file, const PrintSettings& settings) {
-    if (pattern.panels.empty()) throw sim::InputError(file.string(), "", "no panels: nothing to print");
+    if (pattern.panels.empty()) throw sim::InputError(pattern.name, "", "no panels: nothing to print");
     Printed printed;
     if (!has_allowance(pattern)) printed.notes.emplace_back("no seam allowance: the sewing line is cut");
     std::string extension = file.extension().string();

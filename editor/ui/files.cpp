@@ -244,8 +244,11 @@ void recover_journal(AppState& state, const OrphanedJournal& journal) {
         if (recovery.has_changes())
             current.workspace.messages.note("Recovered '" + document_name(current) + "': save it to keep it");
         // The new journal has the document, and the drafts are noted in it: both can be recovered again.
-        if (!recover_drafts(current.workspace, recovery.drafts)) return;
-        if (recovery.unread_lines == 0) return current.services.discard_journal(journal.id);
+        const bool are_all_back = recover_drafts(current.workspace, recovery.drafts);
+        if (recovery.unread_lines == 0) {
+            if (are_all_back) current.services.discard_journal(journal.id);
+            return;
+        }
         try_to(current, [&] {
             current.workspace.messages.warn("Recovered '" + document_name(current) + "' but for " +
                                             lines_text(recovery.unread_lines) +

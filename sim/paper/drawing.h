@@ -4,9 +4,9 @@
 // pattern of it.
 //
 // Coordinates are those of the file, turned so that y points up; metres_per_unit converts them.
-#include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/core/math.h"
@@ -62,12 +62,12 @@ struct CutInstructions {
     bool operator==(const CutInstructions&) const = default;
 };
 
-// How a panel starts round the body, as files of Selvedge say it. Two places of the outline tell where the panel frame
-// lies on the paper, wherever another program moved or turned the piece.
+// How a panel starts round the body, as files of Selvedge say it. Places of the outline tell where the panel frame lies
+// on the paper, wherever another program moved or turned the piece.
 struct DrawnPlacement {
-    std::array<int, 2> edges{0, 0};                             // of the outline, as DrawnSeam counts them
-    std::array<Vec2d, 2> starts{Vec2d::Zero(), Vec2d::Zero()};  // m, where these begin in the panel frame
-    Vec3d translation = Vec3d::Zero();                          // this and all below: as in Panel
+    std::vector<std::pair<int, Vec2d>> starts = {};  // edges, as DrawnSeam counts them, and where they begin in the
+                                                     // panel frame, m
+    Vec3d translation = Vec3d::Zero();  // this and all below: as in Panel
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     bool is_mirrored = false;
     double wrap_radius = 0;

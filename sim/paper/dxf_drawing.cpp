@@ -278,6 +278,7 @@ class DxfReader {
         for (const DxfPiece& piece : pieces_) has_sewing_lines |= find_sewing_line(piece) != nullptr;
         for (const DxfPiece& piece : pieces_) add_part(piece, has_sewing_lines);
         add_seams();
+        drawing_.body = read_body_phrase(body_text_);
         name_again();
         if (drawing_.parts.empty()) refuse_open();
         return std::move(drawing_);
@@ -599,7 +600,7 @@ class DxfReader {
         if (text.starts_with("SELVEDGE SEAM ")) seam_texts_.push_back(text);
         if (text.starts_with("SELVEDGE SEWING ")) sewing_texts_.push_back(text);
         constexpr std::string_view body = "SELVEDGE BODY ";
-        if (text.starts_with(body)) drawing_.body = read_body_phrase(std::string_view(text).substr(body.size()));
+        if (text.starts_with(body)) body_text_ += text.substr(body.size());
     }
 
     void read_texts(DxfPiece& piece, DrawnPart& part) {
@@ -661,6 +662,7 @@ class DxfReader {
     std::vector<DxfPiece> pieces_;
     DxfPiece loose_;
     std::vector<std::string> seam_texts_, sewing_texts_;
+    std::string body_text_;
     std::string_view version_;
     Drawing drawing_;
 };

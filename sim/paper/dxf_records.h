@@ -1,12 +1,16 @@
 #pragma once
-// What DXF files of Selvedge say beyond the standards, as texts of a piece on layer 15, in order; lengths in mm:
-//   SELVEDGE EDGE x y LINE | QUADRATIC x y | CUBIC x y x y | ARC radius large right    an edge from (x, y), and its
-//   curve SELVEDGE NOTCH edge t kind count                                                    on the sewing line
-//   SELVEDGE LINE mark|fold NAME                                                        the next line of layer 8
-//   SELVEDGE PLACED phrase                                                              see placement_record.h
-// and of the file:
-//   SELVEDGE BODY height TEXT                                                           see placement_record.h
-//   SELVEDGE SEAM panel:edge panel:edge reversed|same eased|exact NAME                  panels and edges from 0
+// What DXF files of Selvedge say beyond the standards, as texts on layer 15, lengths in mm. Of a piece, in order:
+//   SELVEDGE EDGE x y LINE
+//   SELVEDGE EDGE x y QUADRATIC x y
+//   SELVEDGE EDGE x y CUBIC x y x y
+//   SELVEDGE EDGE x y ARC radius large right      an edge of the sewing line from (x, y), and its curve
+//   SELVEDGE NOTCH edge t kind count              on the sewing line
+//   SELVEDGE LINE mark|fold NAME                  the next line of layer 8
+//   SELVEDGE PLACED phrase                        see placement_record.h
+// Of the file:
+//   SELVEDGE BODY height TEXT                     see placement_record.h; in several texts if it is long
+//   SELVEDGE SEAM panel:edge panel:edge reversed|same eased|exact NAME    panels and edges from 0
+//   SELVEDGE SEWING panel:edge number NAME        that the seam with this first side is a part of
 #include <optional>
 #include <string>
 #include <vector>

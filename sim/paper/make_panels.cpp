@@ -157,7 +157,8 @@ class PartReader {
     }
 
     std::vector<std::string> notes;
-    bool is_placed = false;  // as the part says
+    bool is_placed = false;    // as the part says
+    bool is_mirrored = false;  // the sewing line runs clockwise: its edges are in the opposite order
 
  private:
     Vec2d in_file(const Vec2d& place) const { return Vec2d(place.x(), down_ * place.y()) / scale_; }
@@ -205,6 +206,7 @@ class PartReader {
             joined_ = joined->used;
         }
         if (sewn) {
+            is_mirrored = sewn->edges.size() > 1 && outline_area(as_panel(scaled(*sewn, scale_))) < 0;
             Panel panel = mended(outline_of(scaled(*sewn, scale_)));
             if (panel.edges.size() >= 2) add_allowances(panel);
             if (!path || panel.edges.size() < 2 || find_outline_crossings(panel, {.most = 1}).empty()) return panel;
@@ -358,6 +360,7 @@ class PartReader {
         if (!part_.placement) return;
         const DrawnPath* outline = largest(LineKind::Sew);
         is_placed = outline && place_as_drawn(panel_, scaled(*outline, scale_), *part_.placement);
+        if (!is_placed) note("scaled, mirrored or changed since it was printed: the garment is placed anew");
     }
 
     bool has_grain_line() const {
@@ -475,6 +478,7 @@ class PanelMaker {
             out_.notes.push_back(panel->name + ": cut from " + part.cut.material + ", not worn");
         }
         is_placed_ = is_placed_ && reader.is_placed;
+        is_mirrored_.push_back(reader.is_mirrored);
         is_pair_.push_back(is_pair(part));
         out_.pattern.panels.push_back(std::move(*panel));
     }
@@ -586,8 +590,17 @@ class PanelMaker {
                 is_whole = is_whole && as_size(side->panel) < out_.pattern.panels.size() && side->edge >= 0 &&
                            as_size(side->edge) < out_.pattern.panels[as_size(side->panel)].edges.size();
             }
-            if (is_whole) out_.pattern.seams.push_back(std::move(seam));
-            if (!is_whole) out_.notes.push_back("a seam names an edge that is not there: left out");
+            if (!is_whole) {
+                out_.notes.push_back("a seam names an edge that is not there: left out");
+                continue;
+            }
+            for (SeamSide* side : {&seam.first, &seam.second}) {
+                if (!is_mirrored_[as_size(side->panel)]) continue;
+                // The same corners stay together.
+                side->edge = static_cast<int>(out_.pattern.panels[as_size(side->panel)].edges.size()) - 1 - side->edge;
+                seam.is_reversed = !seam.is_reversed;
+            }
+            out_.pattern.seams.push_back(std::move(seam));
         }
         has_seams_ = !drawing_.seams.empty();
     }
@@ -680,6 +693,7 @@ class PanelMaker {
     double scale_ = 1;
     bool has_seams_ = false;
     bool is_placed_ = true;                     // so far, every panel
+    std::vector<bool> is_mirrored_;             // per panel of the drawing: see PartReader
     std::string first_open_;                    // place and gap of the first outline that is open
     std::vector<std::optional<bool>> is_pair_;  // per panel of the drawing
     PanelsOfDrawing out_;

@@ -6,19 +6,21 @@
 #include <set>
 
 #include "sim/paper/decimal_text.h"
+#include "sim/paper/path_builder.h"
 #include "sim/paper/record_words.h"
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/fault.h"
+#include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_read.h"
 
 namespace selvedge::sim {
 namespace {
 
-constexpr double kMillimetre = 1e-3;                       // m
-constexpr double kFarthest = 100;                          // m, that a panel can be placed from the origin
-constexpr double kDegree = std::numbers::pi / 180;         // rad
-constexpr double kLeastSine = 0.01, kGreatestSine = 1;     // of a cone, as in garment files
-constexpr double kLeastHeight = 0.3, kGreatestHeight = 3;  // m, of a body, as in garment files
-constexpr double kShortest = 1e-6;                         // m, between two places that tell a direction
+constexpr double kMillimetre = 1e-3;                // m
+constexpr double kDegree = std::numbers::pi / 180;  // rad
+constexpr std::size_t kMostStarts = 16;             // that are written; all pairs of them are tried
+constexpr double kSame = 1e-4;                      // m, between two distances that agree
+constexpr double kLeastTurn = 1e-5;                 // rad: less is the rounding of the file
 
 std::size_t as_size(int index) {
     return static_cast<std::size_t>(index);
@@ -32,15 +34,11 @@ Vec2d start_of_edge(const Panel& panel, std::size_t edge) {
     return panel.vertices[as_size(panel.edges[edge].start)];
 }
 
-// The first edge, and the one that begins farthest from its start.
-std::string frame_phrase(const Panel& panel) {
-    std::size_t far = 0;
-    const auto distance = [&](std::size_t e) { return (start_of_edge(panel, e) - start_of_edge(panel, 0)).norm(); };
-    for (std::size_t e = 1; e < panel.edges.size(); ++e) {
-        if (distance(e) > distance(far)) far = e;
-    }
-    return "frame 0 " + in_mm(start_of_edge(panel, 0)) + " " + std::to_string(far) + " " +
-           in_mm(start_of_edge(panel, far));
+// Evenly spread over the outline.
+void add_starts(const Panel& panel, std::vector<std::string>& phrases) {
+    const std::size_t step = (panel.edges.size() + kMostStarts - 1) / kMostStarts;
+    for (std::size_t e = 0; e < panel.edges.size(); e += step)
+        phrases.push_back("start " + std::to_string(e) + " " + in_mm(start_of_edge(panel, e)));
 }
 
 // On one line, and without the sign that parts phrases in SVG.
@@ -55,13 +53,53 @@ bool read_wrap(std::string_view key, RecordWords& words, DrawnPlacement& placeme
     if (key == "cylinder") {
         placement.wrap_radius = kMillimetre * words.real();
         if (placement.wrap_radius < 0) words.refuse();
-        return words.is_good();
+        return words.is_good() && words.is_at_end();
     }
     const Vec2d apex = kMillimetre * words.point();
     const double sine = words.real();
-    if (!(std::abs(sine) >= kLeastSine && std::abs(sine) <= kGreatestSine)) return false;
+    if (!(std::abs(sine) >= kLeastConeSine && std::abs(sine) <= 1)) return false;
     placement.wrap_cone = WrapCone{apex, sine};
-    return words.is_good();
+    return words.is_good() && words.is_at_end();
+}
+
+// From the paper to the panel frame: by the two starts whose distance is as it was and that put the most others in
+// place; of equal ones, the farthest apart. Where a few corners were moved, the others tell. None: no two agree.
+std::optional<Eigen::Affine2d> map_to_frame(const DrawnPath& outline,
+                                            const std::vector<std::pair<int, Vec2d>>& starts) {
+    std::vector<std::pair<Vec2d, Vec2d>> pairs;  // on the paper, in the frame
+    for (const auto& [edge, in_frame] : starts) {
+        if (as_size(edge) >= outline.edges.size()) return std::nullopt;
+        pairs.emplace_back(outline.vertices[as_size(outline.edges[as_size(edge)].start)], in_frame);
+    }
+    std::optional<Eigen::Affine2d> best;
+    std::pair<std::ptrdiff_t, double> most{0, 0};  // in place, and distance, m
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        for (std::size_t j = i + 1; j < pairs.size(); ++j) {
+            const Vec2d from = pairs[j].first - pairs[i].first, to = pairs[j].second - pairs[i].second;
+            if (to.norm() < 10 * kSame || std::abs(from.norm() - to.norm()) > kSame) continue;
+            const double turn = std::atan2(cross2(from, to), from.dot(to));
+            Eigen::Affine2d map = Eigen::Affine2d::Identity();
+            map.translate(pairs[i].second);
+            if (std::abs(turn) > kLeastTurn) map.rotate(turn);
+            map.translate(-pairs[i].first);
+            const auto count = std::ranges::count_if(
+                pairs, [&](const auto& pair) { return (map * pair.first - pair.second).norm() < 2 * kSame; });
+            if (std::pair(count, to.norm()) <= most) continue;
+            most = {count, to.norm()};
+            best = map;
+        }
+    }
+    return best;
+}
+
+// Whether a garment file may have such a panel.
+bool is_near_origin(const Panel& panel) {
+    Eigen::AlignedBox2d box = outline_box(panel);
+    if (panel.wrap_cone) box.extend(panel.wrap_cone->apex);
+    for (const OutlineEdge& edge : panel.edges) {
+        for (const Vec2d& control : edge.control) box.extend(control);
+    }
+    return box.min().cwiseAbs().maxCoeff() < kMaxCoordinate && box.max().cwiseAbs().maxCoeff() < kMaxCoordinate;
 }
 
 }  // namespace
@@ -71,7 +109,8 @@ bool has_portable_placement(const Pattern& pattern) {
 }
 
 std::vector<std::string> placement_phrases(const Panel& panel) {
-    std::vector<std::string> phrases{frame_phrase(panel)};
+    std::vector<std::string> phrases;
+    add_starts(panel, phrases);
     const Vec3d at = panel.translation / kMillimetre;
     phrases.push_back("at " + decimal_text(at.x()) + " " + decimal_text(at.y()) + " " + decimal_text(at.z()));
     if (!panel.rotation.isIdentity(1e-12)) {
@@ -101,16 +140,17 @@ bool read_placement_phrase(std::string_view phrase, DrawnPlacement& placement) {
     const std::string_view key = words.word();
     if (key == "cylinder" || key == "cone") return read_wrap(key, words, placement);
     if (key == "label") return placement.label = words.rest(), true;
-    if (key == "mirrored") return placement.is_mirrored = true;
-    if (key == "unworn") return placement.is_worn = false, true;
-    if (key == "frame") {
-        for (const std::size_t k : {0U, 1U}) {
-            placement.edges[k] = words.whole();
-            placement.starts[k] = kMillimetre * words.point();
-        }
+    if (key == "mirrored") {
+        placement.is_mirrored = true;
+    } else if (key == "unworn") {
+        placement.is_worn = false;
+    } else if (key == "start") {
+        const int edge = words.whole();
+        placement.starts.emplace_back(edge, kMillimetre * words.point());
+        if (placement.starts.size() > kMostStarts) words.refuse();
     } else if (key == "at") {
         placement.translation = kMillimetre * words.point_in_space();
-        if (placement.translation.cwiseAbs().maxCoeff() > kFarthest) words.refuse();
+        if (placement.translation.cwiseAbs().maxCoeff() > kMaxCoordinate) words.refuse();
     } else if (key == "turned") {
         placement.rotation = rotation_from_degrees(words.point_in_space());
     } else if (key == "layer") {
@@ -122,44 +162,36 @@ bool read_placement_phrase(std::string_view phrase, DrawnPlacement& placement) {
     } else {
         return false;
     }
-    return words.is_good();
+    return words.is_good() && words.is_at_end();
 }
 
 std::optional<DrawnBody> read_body_phrase(std::string_view phrase) {
     RecordWords words(phrase);
     const double height = kMillimetre * words.real();
     const std::string text = words.rest();
-    const bool is_height = height >= kLeastHeight && height <= kGreatestHeight;
+    const bool is_height = height >= kLeastBodyHeight && height <= kGreatestBodyHeight;
     if (!words.is_good() || !is_height || is_body_file(text)) return std::nullopt;
     return DrawnBody{.text = text, .height = height};
 }
 
 bool place_as_drawn(Panel& panel, const DrawnPath& outline, const DrawnPlacement& placement) {
-    const auto has = [&](int edge) { return as_size(edge) < outline.edges.size(); };
-    if (!has(placement.edges[0]) || !has(placement.edges[1]) || panel.edges.size() != outline.edges.size())
-        return false;
-    const auto drawn = [&](int edge) { return outline.vertices[as_size(outline.edges[as_size(edge)].start)]; };
-    const Vec2d from = drawn(placement.edges[1]) - drawn(placement.edges[0]);
-    const Vec2d to = placement.starts[1] - placement.starts[0];
-    if (from.norm() < kShortest || to.norm() < kShortest) return false;
-    const double turn = std::atan2(cross2(from, to), from.dot(to));
-    // What is drawn upright stays so to the last bit: a cone's axis must be parallel to y.
-    Eigen::Affine2d map = Eigen::Affine2d::Identity();
-    map.translate(placement.starts[0]);
-    if (std::abs(turn) > kDegree * 1e-3) map.rotate(turn);
-    map.translate(-drawn(placement.edges[0]));
-    panel = mapped_panel(panel, map);
-    panel.translation = placement.translation;
-    panel.rotation = placement.rotation;
-    panel.is_mirrored = placement.is_mirrored;
-    panel.wrap_cone = placement.wrap_cone;
-    panel.wrap_radius = placement.wrap_cone ? 0 : placement.wrap_radius;
-    panel.layer = placement.layer;
-    panel.label = placement.label;
-    panel.is_worn = placement.is_worn;
+    if (panel.edges.size() != outline.edges.size() || outline_area(as_panel(outline)) <= 0) return false;
+    const std::optional<Eigen::Affine2d> map = map_to_frame(outline, placement.starts);
+    if (!map) return false;
+    Panel placed = mapped_panel(panel, *map);
+    placed.translation = placement.translation;
+    placed.rotation = placement.rotation;
+    placed.is_mirrored = placement.is_mirrored;
+    placed.wrap_cone = placement.wrap_cone;
+    placed.wrap_radius = placement.wrap_cone ? 0 : placement.wrap_radius;
+    placed.layer = placement.layer;
+    placed.label = placement.label;
+    placed.is_worn = placement.is_worn;
     for (const int edge : std::set(placement.pinned_edges.begin(), placement.pinned_edges.end())) {
-        if (has(edge)) panel.pins.push_back(panel.edges[as_size(edge)].start);
+        if (as_size(edge) < placed.edges.size()) placed.pins.push_back(placed.edges[as_size(edge)].start);
     }
+    if (!is_near_origin(placed)) return false;
+    panel = std::move(placed);
     return true;
 }
 

@@ -231,22 +231,39 @@ class OwnReader {
         const auto outline = std::ranges::find_if(
             part.paths, [](const DrawnPath& path) { return path.kind == LineKind::Sew && path.is_closed; });
         if (outline == part.paths.end() || static_cast<std::size_t>(*mark.edge) >= outline->edges.size()) return;
-        const Panel panel = as_panel(*outline);
-        mark.at = outline_point(panel, panel.edges[static_cast<std::size_t>(*mark.edge)], fraction);
+        OutlineEdge edge = outline->edges[static_cast<std::size_t>(*mark.edge)];
+        const Panel ends{.name = {},
+                         .vertices = {outline->vertices[static_cast<std::size_t>(edge.start)],
+                                      outline->vertices[static_cast<std::size_t>(edge.end)]},
+                         .edges = {},
+                         .fabric = {},
+                         .pins = {},
+                         .internal_lines = {}};
+        edge.start = 0;
+        edge.end = 1;
+        mark.at = outline_point(ends, edge, fraction);
     }
 
-    SeamSide side_of(const std::string& text) const {
+    // None: the part is not in the file (any more).
+    std::optional<SeamSide> side_of(const std::string& text) const {
         const std::size_t colon = text.rfind(':');
         int edge = -1;
         if (colon != std::string::npos) std::from_chars(text.data() + colon + 1, text.data() + text.size(), edge);
         const auto part = std::ranges::find(drawing_.parts, text.substr(0, colon), &DrawnPart::name);
-        if (part == drawing_.parts.end() || edge < 0)
-            throw InputError(file_, "selvedge:seam", "'" + text.substr(0, 80) + "' is no edge of a panel");
-        return {static_cast<int>(part - drawing_.parts.begin()), edge};
+        if (edge < 0) throw InputError(file_, "selvedge:seam", "'" + text.substr(0, 80) + "' is no edge of a panel");
+        if (part == drawing_.parts.end()) return std::nullopt;
+        return SeamSide{static_cast<int>(part - drawing_.parts.begin()), edge};
     }
 
     void add_seam(const std::map<std::string, std::string>& attributes) {
-        DrawnSeam seam{side_of(value(attributes, "first")), side_of(value(attributes, "second"))};
+        const std::string one = value(attributes, "first"), other = value(attributes, "second");
+        const std::optional<SeamSide> first = side_of(one), second = side_of(other);
+        if (!first || !second) {
+            drawing_.notes.push_back("the seam of " + one.substr(0, 80) + " and " + other.substr(0, 80) +
+                                     ": one of its panels is not there, left out");
+            return;
+        }
+        DrawnSeam seam{*first, *second};
         seam.is_reversed = value(attributes, "reversed") != "false";
         seam.is_eased = value(attributes, "eased") == "true";
         seam.name = value(attributes, "name");

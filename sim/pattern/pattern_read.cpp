@@ -223,8 +223,7 @@ class Reader : private FaultReader {
         const auto at = point(apex);
         const auto value = number(sine);
         if (!at || !value) return;
-        constexpr double kLeastSine = 0.01;  // a sharper needle would wind the cloth round itself
-        if (!(std::abs(*value) >= kLeastSine && std::abs(*value) <= 1))
+        if (!(std::abs(*value) >= kLeastConeSine && std::abs(*value) <= 1))
             return error(sine, "the sine is from 0.01 to 1, or as much below 0");
         panel.wrap_cone = WrapCone{*at, *value};
     }
@@ -334,7 +333,7 @@ class Reader : private FaultReader {
         if (const Node body = node.member("body")) pattern.body = text(body).value_or("");
         if (const Node height = node.member("body_height")) {
             const auto value = length(height);
-            if (value && (*value < 0.3 || *value > 3)) {
+            if (value && (*value < kLeastBodyHeight || *value > kGreatestBodyHeight)) {
                 error(height, height.value->number_text() + " is not a body height: 30 to 300 cm");
             } else {
                 pattern.body_height = value.value_or(pattern.body_height);

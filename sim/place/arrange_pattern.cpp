@@ -219,11 +219,18 @@ class Arranger {
     std::optional<WrapCone> cone_of_sleeve(std::size_t p) const {
         std::vector<int> left, right;
         for (const SewnEdge& sewn : sewn_[p]) {
-            if (as_size(sewn.panel) != p || sewn.own == sewn.other) continue;
+            if (as_size(sewn.panel) != p || sewn.own == sewn.other || is_dart(p, sewn)) continue;
             (middle_of(sewn.own).x() < middle_of(sewn.other).x() ? left : right).push_back(sewn.own.edge);
         }
         if (left.empty() || right.empty()) return std::nullopt;
         return tapering_cone(pattern_.panels[p], left, right);
+    }
+
+    // Whether both edges meet at a vertex: they are the legs of a dart.
+    bool is_dart(std::size_t p, const SewnEdge& sewn) const {
+        const auto &own = pattern_.panels[p].edges[as_size(sewn.own.edge)],
+                   &other = pattern_.panels[p].edges[as_size(sewn.other.edge)];
+        return own.start == other.end || own.end == other.start;
     }
 
     // From the underarm to the top, m.

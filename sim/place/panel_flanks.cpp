@@ -57,9 +57,10 @@ Vec2d middle_of_edge(const Pattern& pattern, const SeamSide& side) {
 
 double middle_side(const Pattern& pattern, const SewnEdges& sewn, const std::vector<PanelRole>& roles, std::size_t p) {
     double to_twin = 0, to_other_face = 0;
+    const double axis = outline_box(pattern.panels[p], 1e-3).center().x();
     for (const SewnEdge& edge : sewn[p]) {
         const PanelRole& other = roles[as_size(edge.panel)];
-        const double x = off_axis(pattern, edge.own);
+        const double x = middle_of_edge(pattern, edge.own).x() - axis;
         if (are_mirror_images(pattern.panels[p], pattern.panels[as_size(edge.panel)])) to_twin += x;
         if (other.part == roles[p].part && other.face != roles[p].face) to_other_face += x;
     }

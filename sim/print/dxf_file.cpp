@@ -92,7 +92,7 @@ class DxfWriter {
         text(1, "Units: METRIC");
         if (!pattern_.size.empty()) text(1, "Sample Size: " + pattern_.size);
         write_seams();
-        if (has_portable_placement(pattern_)) text(15, "SELVEDGE BODY " + body_phrase(pattern_));
+        if (has_portable_placement(pattern_)) write_body();
         end_section();
         group(0, "EOF");
         return std::move(out_);
@@ -300,6 +300,13 @@ class DxfWriter {
             const std::size_t number = numbers.try_emplace(seam.sewing, numbers.size() + 1).first->second;
             text(15, "SELVEDGE SEWING " + side(seam.first) + " " + std::to_string(number) + " " + seam.sewing);
         }
+    }
+
+    // In as many texts as it needs.
+    void write_body() {
+        constexpr std::size_t kMost = 200;
+        const std::string phrase = body_phrase(pattern_);
+        for (std::size_t at = 0; at < phrase.size(); at += kMost) text(15, "SELVEDGE BODY " + phrase.substr(at, kMost));
     }
 
     const Pattern& pattern_;

@@ -85,7 +85,8 @@ bool has_shoulder_above(const Panel& panel, std::size_t underarm, bool is_right)
     constexpr double kLeastArmhole = 0.08, kLeastRise = -0.005, kLeastLength = 0.02;  // m: straps are level
     constexpr double kMostLength = 0.25, kLeastNeck = 0.03;                           // m, along x
     constexpr double kLeastDepth = 0.005;                                             // m, of the neck
-    constexpr double kDeepestNeck = 0.45;                                             // of the height
+    constexpr double kSteep = 0.7;         // inward over up, of an armhole; the cap of a sleeve is flatter
+    constexpr double kDeepestNeck = 0.45;  // of the height
     const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
     const std::size_t count = panel.edges.size();
     const auto found = std::ranges::find(panel.edges, static_cast<int>(underarm), &OutlineEdge::start);
@@ -108,7 +109,8 @@ bool has_shoulder_above(const Panel& panel, std::size_t underarm, bool is_right)
     const Vec2d from = panel.vertices[underarm], tip = next_corner(), neck = next_corner(), middle = next_corner();
     const double way = is_right ? -1 : 1;  // towards the middle
     const double length = way * (neck.x() - tip.x()), drop = neck.y() - std::min(lowest, middle.y());
-    return tip.y() - from.y() > kLeastArmhole && neck.y() - tip.y() > kLeastRise && length > kLeastLength &&
+    const double up = tip.y() - from.y(), in = way * (tip.x() - from.x());
+    return up > kLeastArmhole && in < kSteep * up && neck.y() - tip.y() > kLeastRise && length > kLeastLength &&
            length < kMostLength && way * (middle.x() - neck.x()) > kLeastNeck && drop > kLeastDepth &&
            drop < kDeepestNeck * box.sizes().y();
 }

@@ -1,5 +1,6 @@
 // selvedge import: the garment that it writes can be checked, and wrong files are refused on one line.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -86,6 +87,36 @@ TEST(ImportCommand, places_what_selvedge_printed_as_it_was_placed) {
             EXPECT_NEAR(read.panels[p].wrap_radius, original.panels[p].wrap_radius, 1e-5);
         }
     }
+}
+
+TEST(ImportCommand, never_writes_over_what_it_reads_or_over_what_is_no_file) {
+    const ScratchFolder folder;
+    const std::string paper = folder / "a.svg", pipe = folder / "pipe";
+    ASSERT_EQ(run_selvedge("print " + shipped("vest.json") + " -o '" + paper + "'").exit_code, 0);
+    const std::string before = sim::read_file(paper, 1U << 20);
+    ProgramResult result = run_selvedge("import '" + paper + "' -o '" + paper + "'");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("it is one of the files that are read"), std::string::npos) << result.err;
+    EXPECT_EQ(sim::read_file(paper, 1U << 20), before);
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    result = run_selvedge("import '" + paper + "' -o '" + pipe + "'");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("it is no regular file"), std::string::npos) << result.err;
+    EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
+TEST(ImportCommand, places_anew_what_was_printed_round_a_body_that_it_does_not_know) {
+    const ScratchFolder folder;
+    const std::string paper = folder / "a.svg", garment = folder / "garment.json";
+    ASSERT_EQ(run_selvedge("print " + shipped("vest.json") + " -o '" + paper + "'").exit_code, 0);
+    std::string text = sim::read_file(paper, 1U << 20);
+    const std::string female = "mannequin:sex=female";
+    ASSERT_NE(text.find(female), std::string::npos);
+    sim::write_file_atomically(paper, text.replace(text.find(female), female.size(), "mannequin:sex=fish"));
+    const ProgramResult result = run_selvedge("import '" + paper + "' -o '" + garment + "'");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("the file's body is not used"), std::string::npos) << result.out;
+    EXPECT_EQ(sim::load_pattern(garment).pattern.body, female);
 }
 
 // The lines of what the program printed below a title.

@@ -215,9 +215,11 @@ TEST(SheetPictures, a_sewing_of_several_parts_has_one_colour) {
     sim::PatternDocument source = shipped_pattern("two_squares");
     source.pattern.seams.clear();
     SheetFixture stage(source);
-    stage.document.run(SewRuns{.first = {{"front", 1}}, .second = {{"back", 3, 0, 0.5}, {"back", 3, 0.5, 1}}});
+    stage.document.run(SewRuns{.first = {{"front", 1}}, .second = {{"back", 0, 0, 0.5}, {"back", 0, 0.5, 1}}});
     ASSERT_EQ(stage.document.pattern().seams.size(), 2U);
-    stage.document.select({});
+    Selection both;
+    both.seams = {0, 1};
+    stage.document.select(both);  // other seams are faded
     stage.frame();
     const SheetPicture picture(stage, "sewing_of_two_parts");
     const auto pixels = [&](std::size_t seam) {

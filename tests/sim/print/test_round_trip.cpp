@@ -280,7 +280,6 @@ TEST(RoundTrip, placements_come_back) {
 TEST(RoundTrip, pieces_of_svg_that_were_moved_and_turned_keep_notches_and_placement) {
     Pattern original = placed_sample();
     original.panels[0].label.clear();
-    original.panels[0].wrap_cone.reset();  // its axis would be oblique on the paper
     std::string text = svg_of(original);
     const std::string piece = "<g id=\"panel-0\"";
     ASSERT_NE(text.find(piece), std::string::npos);
@@ -288,6 +287,92 @@ TEST(RoundTrip, pieces_of_svg_that_were_moved_and_turned_keep_notches_and_placem
     expect_same_placement(text, original);
     const Panel read = make_panels(parse_drawing(text, "moved"), "moved").pattern.panels[0];
     expect_same_panel(read, original.panels[0]);
+}
+
+// The SVG with another group instead of the first piece's.
+Pattern with_first_group(const std::string& svg, const std::string& attributes, bool& is_placed) {
+    std::string text = svg;
+    const std::string piece = "<g id=\"panel-0\"";
+    EXPECT_NE(text.find(piece), std::string::npos);
+    text.replace(text.find(piece), piece.size(), "<g " + attributes + " id=\"panel-0\"");
+    const PanelsOfDrawing read = make_panels(parse_drawing(text, "changed"), "changed");
+    is_placed = read.is_placed;
+    return read.pattern;
+}
+
+TEST(RoundTrip, pieces_of_svg_that_were_scaled_or_mirrored_are_placed_anew) {
+    const std::string svg = svg_of(placed_sample());
+    bool is_placed = true;
+    with_first_group(svg, "transform=\"scale(1.02)\"", is_placed);
+    EXPECT_FALSE(is_placed);
+    with_first_group(svg, "transform=\"scale(-1,1)\"", is_placed);
+    EXPECT_FALSE(is_placed);
+}
+
+// Its edges run the other way round, and are counted so.
+TEST(RoundTrip, a_piece_of_svg_that_was_mirrored_keeps_its_seams_corner_to_corner) {
+    const Pattern original = load_pattern(shipped_patterns().front()).pattern;
+    ASSERT_FALSE(original.seams.empty());
+    bool is_placed = true;
+    const Pattern read = with_first_group(svg_of(original), "transform=\"scale(-1,1)\"", is_placed);
+    EXPECT_FALSE(is_placed);
+    ASSERT_EQ(read.seams.size(), original.seams.size());
+    for (std::size_t s = 0; s < read.seams.size(); ++s) {
+        const auto lengths = [&](const Pattern& pattern) {
+            const auto length = [&](const SeamSide& side) {
+                const Panel& panel = panel_of(pattern, side);
+                return outline_length(panel, panel.edges[static_cast<std::size_t>(side.edge)]);
+            };
+            return std::pair(length(pattern.seams[s].first), length(pattern.seams[s].second));
+        };
+        EXPECT_NEAR(lengths(read).first, lengths(original).first, kOff) << s;
+        EXPECT_NEAR(lengths(read).second, lengths(original).second, kOff) << s;
+        const bool is_turned = (read.seams[s].first.panel == 0) != (read.seams[s].second.panel == 0);
+        EXPECT_EQ(read.seams[s].is_reversed, original.seams[s].is_reversed != is_turned) << s;
+    }
+}
+
+TEST(RoundTrip, a_piece_of_svg_that_was_deleted_takes_its_seams_along) {
+    const Pattern original = sample_pattern();
+    std::string text = svg_of(original);
+    const std::size_t begin = text.find("<g id=\"panel-1\"");
+    ASSERT_NE(begin, std::string::npos);
+    text.replace(begin, text.rfind("</svg>") - begin, "");
+    const PanelsOfDrawing read = make_panels(parse_drawing(text, "deleted"), "deleted");
+    EXPECT_EQ(read.pattern.panels.size(), 1U);
+    EXPECT_EQ(read.pattern.seams.size(), 1U) << "the one that lies on the panel that is left";
+    EXPECT_TRUE(std::ranges::any_of(read.notes, [](const std::string& note) {
+        return note.find("one of its panels is not there") != std::string::npos;
+    }));
+}
+
+TEST(RoundTrip, a_corner_that_was_moved_leaves_the_placement) {
+    Pattern original = placed_sample(), longer = original;
+    Panel& strip = longer.panels[1];
+    strip.vertices[2].x() += 0.05;
+    // The file says where the corner was.
+    std::string text = svg_of(longer);
+    const std::string now = "start 2 550 60", before = "start 2 500 60";
+    ASSERT_NE(text.find(now), std::string::npos);
+    text.replace(text.find(now), now.size(), before);
+    const PanelsOfDrawing read = make_panels(parse_drawing(text, "changed"), "changed");
+    ASSERT_TRUE(read.is_placed);
+    expect_same_placement(read.pattern.panels[1], strip);
+}
+
+TEST(RoundTrip, dxf_keeps_a_body_with_all_measurements) {
+    Pattern original = placed_sample();
+    original.body = "mannequin:sex=female";
+    for (const char* name : {"bust", "underbust", "waist", "hip", "neck", "biceps", "elbow", "forearm", "wrist"})
+        original.body += std::string(",") + name + "=31.2525";
+    for (const char* name : {"thigh", "mid_thigh", "knee", "calf", "ankle", "shoulder", "arm", "back", "inseam"})
+        original.body += std::string(",") + name + "=48.5525";
+    ASSERT_GT(original.body.size(), 250U);
+    expect_same_placement(dxf_of(original), [&] {
+        Pattern read_back = original;
+        read_back.panels[0].label = "arm  \"upper\"";
+        return read_back;
+    }());
 }
 
 TEST(RoundTrip, placements_round_a_body_file_stay_at_home) {
@@ -315,8 +400,19 @@ TEST(RoundTrip, broken_placements_are_left_out) {
     EXPECT_FALSE(changed("cylinder 200", "cylinder -200"));
     EXPECT_FALSE(changed("cylinder 200", "cylinder nan"));
     EXPECT_FALSE(changed("at 0 900 0", "at 0 900000 0"));
-    EXPECT_FALSE(changed("frame 0 0 0", "frame 9 0 0"));
+    EXPECT_FALSE(changed("start 0 0 0", "start 9 0 0"));
+    EXPECT_FALSE(changed("unworn", "unworn never"));
+    EXPECT_FALSE(changed("at 0 900 0", "at 0 900 0 0"));
+    EXPECT_FALSE(changed("cone 150 900", "cone 150 900000"));
     EXPECT_FALSE(changed(" -0.4;", " -0.001;"));
+    std::string far = svg;
+    for (const std::string start : {"start 0 0 0;", "start 1 500 0;", "start 2 500 60;", "start 3 0 60;"}) {
+        ASSERT_NE(far.rfind(start), std::string::npos) << start;
+        const std::size_t number = far.rfind(start) + 8;
+        far.insert(number, "999");
+        if (far[number + 3] == '0') far.insert(number + 3, "00");
+    }
+    EXPECT_FALSE(make_panels(parse_drawing(far, "far"), "far").is_placed) << "100 m away";
     std::string dxf = dxf_of(placed_sample());
     const std::string layer = "PLACED layer -2";
     dxf.replace(dxf.find(layer), layer.size(), "PLACED layer x");

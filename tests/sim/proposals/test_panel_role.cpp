@@ -138,25 +138,25 @@ TEST(PanelRole, of_pieces_without_names_is_seen_from_their_outlines) {
 TEST(PanelRole, of_bodices_is_seen_from_shoulders_that_stand_out_little_or_are_straps) {
     Pattern pattern;
     // The tip of the shoulder is 2 mm from the deepest place of the armhole.
-    const Panel half =
-        polygon("?", {{0, 0}, {0.3, 0}, {0.3, 0.36}, {0.25, 0.42}, {0.248, 0.6}, {0.1, 0.64}, {0, 0.57}});
+    Panel half = polygon("?", {{0, 0}, {0.3, 0}, {0.3, 0.36}, {0.248, 0.6}, {0.1, 0.64}, {0, 0.57}});
+    half.edges[2].kind = CurveKind::Cubic;
+    half.edges[2].control = {Vec2d(0.25, 0.37), Vec2d(0.245, 0.45)};
     Panel other = half;
     other.vertices.back().y() = 0.62;
+    other.edges[4].kind = CurveKind::Cubic;
+    other.edges[4].control = {Vec2d(0.09, 0.62), Vec2d(0.05, 0.62)};
     pattern.panels = {half, other};
     EXPECT_EQ(roles_of(pattern)[0], (PanelRole{Torso, Face::Front, Flank::None}));
     EXPECT_EQ(roles_of(pattern)[1], (PanelRole{Torso, Face::Back, Flank::None}));
-    Panel top = polygon("DETAIL", {{0, 0},
-                                   {0.32, 0},
-                                   {0.32, 0.19},
-                                   {0.28, 0.25},
-                                   {0.29, 0.35},
-                                   {0.25, 0.35},
-                                   {0.07, 0.35},
-                                   {0.03, 0.35},
-                                   {0.04, 0.25},
-                                   {0, 0.19}});
-    top.edges[5].kind = CurveKind::Cubic;  // a deep neck between the straps
-    top.edges[5].control = {Vec2d(0.24, 0.2), Vec2d(0.08, 0.2)};
+    Panel top = polygon(
+        "DETAIL", {{0, 0}, {0.32, 0}, {0.32, 0.19}, {0.29, 0.35}, {0.25, 0.35}, {0.07, 0.35}, {0.03, 0.35}, {0, 0.19}});
+    const auto bend = [&](std::size_t edge, const Vec2d& a, const Vec2d& b) {
+        top.edges[edge].kind = CurveKind::Cubic;
+        top.edges[edge].control = {a, b};
+    };
+    bend(2, {0.29, 0.2}, {0.29, 0.3});
+    bend(4, {0.24, 0.2}, {0.08, 0.2});  // a deep neck between the straps
+    bend(6, {0.03, 0.3}, {0.03, 0.2});
     pattern.panels = {top};
     EXPECT_EQ(roles_of(pattern)[0].part, Torso);
 }
