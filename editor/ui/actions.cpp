@@ -530,13 +530,16 @@ void add_seams(std::vector<Action>& actions) {
                        .tip = "The list of seams, and the tool that selects them on the sheet",
                        .begins_group = true,
                        .run = edit_seams});
-    actions.push_back(
-        {.id = "seam.propose",
-         .menu = "Seam",
-         .title = "Propose seams",
-         .tip = "Goes through the seams that the pattern probably has: Enter sews, Delete refuses",
-         .chords = {{key_of('L'), {}}},
-         .run = [](AppState& state) { state.tools.choose(tool_host_context(state.workspace), proposal_tool()); }});
+    actions.push_back({.id = "seam.propose",
+                       .menu = "Seam",
+                       .title = "Propose seams",
+                       .tip = "Goes through the seams that the pattern probably has: Enter sews, Delete refuses",
+                       .chords = {{key_of('L'), {}}},
+                       .run = [](AppState& state) {
+                           state.tools.choose(tool_host_context(state.workspace), proposal_tool());
+                           state.inspectors.boxes.gives_keys_back =
+                               true;  // Enter is the sheet's, wherever the cursor is
+                       }});
     actions.push_back(
         {.id = "seam.match",
          .menu = "Seam",

@@ -67,7 +67,7 @@ struct CutInstructions {
 struct DrawnPlacement {
     std::vector<std::pair<int, Vec2d>> starts = {};  // edges, as DrawnSeam counts them, and where they begin in the
                                                      // panel frame, m
-    Vec3d translation = Vec3d::Zero();  // this and all below: as in Panel
+    Vec3d translation = Vec3d::Zero();               // this and all below: as in Panel
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     bool is_mirrored = false;
     double wrap_radius = 0;

@@ -10,6 +10,7 @@
 
 #include "sim/core/error.h"
 #include "sim/paper/cut_line.h"
+#include "sim/paper/drawing_unit.h"
 #include "sim/paper/drawn_allowances.h"
 #include "sim/paper/drawn_outline.h"
 #include "sim/paper/outline_repair.h"
@@ -36,45 +37,6 @@ std::string in_cm(double metres) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.3g cm", 100 * metres);
     return text.data();
-}
-
-// In file units, of the curve itself: a handle may reach far beyond it.
-double extent(const DrawnPath& path) {
-    Eigen::AlignedBox2d box;
-    const Panel shape = as_panel(path);
-    for (const OutlineEdge& edge : shape.edges) {
-        constexpr int kSteps = 8;
-        for (int i = 0; i <= kSteps; ++i) box.extend(outline_point(shape, edge, i / double(kSteps)));
-    }
-    return box.isEmpty() ? 0 : box.sizes().maxCoeff();
-}
-
-// ---- The unit of a file that names none.
-
-struct Unit {
-    const char* name;
-    double metres;
-};
-constexpr std::array kUnits = std::to_array<Unit>({{"mm", 0.001},
-                                                   {"cm", 0.01},
-                                                   {"inch", 0.0254},
-                                                   {"px (96 to the inch)", 0.0254 / 96},
-                                                   {"pt (72 to the inch)", 0.0254 / 72},
-                                                   {"m", 1}});
-
-// The first unit in which the largest part is as large as panels of a garment are.
-Unit guess_unit(const Drawing& drawing) {
-    constexpr double kSmallest = 0.25, kLargest = 1.8;  // m, of a garment's largest panel
-    double largest = 0;
-    for (const DrawnPart& part : drawing.parts) {
-        for (const DrawnPath& path : part.paths) {
-            if (path.is_closed && path.kind != LineKind::Help) largest = std::max(largest, extent(path));
-        }
-    }
-    for (const Unit& unit : kUnits) {
-        if (largest * unit.metres >= kSmallest && largest * unit.metres <= kLargest) return unit;
-    }
-    return kUnits[0];
 }
 
 // ---- Sizes.
@@ -169,7 +131,7 @@ class PartReader {
         const DrawnPath* found = nullptr;
         for (const DrawnPath& path : part_.paths) {
             if (path.kind != kind || !path.is_closed || path.edges.size() < 2) continue;
-            if (!found || extent(path) > extent(*found)) found = &path;
+            if (!found || size_of(path) > size_of(*found)) found = &path;
         }
         return found;
     }
@@ -439,7 +401,7 @@ class PanelMaker {
             scale_ = options_.metres_per_unit ? *options_.metres_per_unit : *drawing_.metres_per_unit;
             return;
         }
-        const Unit unit = guess_unit(drawing_);
+        const DrawingUnit unit = guess_unit(drawing_);
         scale_ = unit.metres;
         out_.is_unit_guessed = true;
         out_.notes.push_back(std::string("the file names no unit: 1 unit taken as 1 ") + unit.name +
@@ -491,7 +453,7 @@ class PanelMaker {
             const bool may_be =
                 path.kind == LineKind::Sew || path.kind == LineKind::Cut || path.kind == LineKind::Unknown;
             if (!may_be || path.is_closed || path.edges.size() < 2) continue;
-            if (!longest || extent(path) > extent(*longest)) longest = &path;
+            if (!longest || size_of(path) > size_of(*longest)) longest = &path;
         }
         if (!longest) return {};
         return longest->place + " is " + open_by(gap_of(*longest), scale_);

@@ -80,6 +80,16 @@ TEST_F(KeysOfEditor, go_to_the_sheet_after_escape_in_a_number_box) {
     EXPECT_TRUE(document().selection().is_empty());
 }
 
+TEST_F(KeysOfEditor, sew_a_proposed_seam_while_the_cursor_is_over_the_3d_view) {
+    Selection seam;
+    seam.seams.insert(0);
+    document().select(seam);
+    play("key delete\nframes 2\n");
+    const std::size_t before = document().pattern().seams.size();
+    play("click room 0 1.7 0\nframes 3\naction seam.propose\nframes 3\nkey enter\nframes 3\n");
+    EXPECT_GT(document().pattern().seams.size(), before);
+}
+
 TEST_F(KeysOfEditor, stay_with_the_boxes_after_tab) {
     play("click widget panel.translation.x\nkey ctrl+a\ntype 1\nkey tab\nframes 2\nkey ctrl+a\ntype 95\nkey enter\n");
     EXPECT_NEAR(height_cm(), 95, 1e-9);
