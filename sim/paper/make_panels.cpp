@@ -111,8 +111,9 @@ class PartReader {
         add_grain();
         add_lines();
         unfold();
-        if (!outline_box(panel_).isEmpty() && outline_box(panel_).center().norm() > kLargestPanel)
-            panel_ = mapped_panel(panel_, Eigen::Affine2d(Eigen::Translation2d(-outline_box(panel_).center())));
+        const Vec2d middle = outline_box(panel_).center();
+        if (middle.norm() > kLargestPanel)
+            panel_ = mapped_panel(panel_, Eigen::Affine2d(Eigen::Translation2d(-middle)));
         place();
         if (part_.cut.pieces) panel_.pieces = std::clamp(*part_.cut.pieces, 1, kMostPieces);
         return panel_;
@@ -216,9 +217,9 @@ class PartReader {
     void check_outline() {
         if (panel_.edges.size() > kMaxEdges)
             throw InputError(file_, part_.name, std::to_string(panel_.edges.size()) + " edges: at most 5000");
-        if (!panel_.edges.empty() && outline_box(panel_).sizes().maxCoeff() > kLargestPanel)
-            throw InputError(file_, part_.name,
-                             "the outline is " + in_cm(outline_box(panel_).sizes().maxCoeff()) + " long: no panel is");
+        const double size = panel_.edges.empty() ? 0 : outline_box(panel_).sizes().maxCoeff();
+        if (size > kLargestPanel)
+            throw InputError(file_, part_.name, "the outline is " + in_cm(size) + " long: no panel is");
         std::vector<OutlineCrossing> crossings;
         if (panel_.edges.size() > 1) crossings = find_outline_crossings(panel_, {.most = 1});
         // The two halves of a bow cancel out: its place is told, not its area.
@@ -321,7 +322,7 @@ class PartReader {
     void place() {
         if (!part_.placement) return;
         const DrawnPath* outline = largest(LineKind::Sew);
-        is_placed = outline && place_as_drawn(panel_, scaled(*outline, scale_), *part_.placement);
+        is_placed = outline && !is_mirrored && place_as_drawn(panel_, scaled(*outline, scale_), *part_.placement);
         if (!is_placed) note("scaled, mirrored or changed since it was printed: the garment is placed anew");
     }
 

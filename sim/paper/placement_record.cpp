@@ -6,11 +6,9 @@
 #include <set>
 
 #include "sim/paper/decimal_text.h"
-#include "sim/paper/path_builder.h"
 #include "sim/paper/record_words.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/fault.h"
-#include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_read.h"
 
 namespace selvedge::sim {
@@ -175,7 +173,7 @@ std::optional<DrawnBody> read_body_phrase(std::string_view phrase) {
 }
 
 bool place_as_drawn(Panel& panel, const DrawnPath& outline, const DrawnPlacement& placement) {
-    if (panel.edges.size() != outline.edges.size() || outline_area(as_panel(outline)) <= 0) return false;
+    if (panel.edges.size() != outline.edges.size()) return false;
     const std::optional<Eigen::Affine2d> map = map_to_frame(outline, placement.starts);
     if (!map) return false;
     Panel placed = mapped_panel(panel, *map);

@@ -32,7 +32,8 @@ bool read_placement_phrase(std::string_view phrase, DrawnPlacement& placement);
 std::optional<DrawnBody> read_body_phrase(std::string_view phrase);
 
 // Gives the panel its frame and its start. `outline`: the panel's, as it is drawn, m. Returns false, and changes
-// nothing, if the outline has other edges, was scaled or mirrored, or the panel would lie too far from the origin.
+// nothing, if the outline has other edges, was scaled, or the panel would lie too far from the origin. Pre: the outline
+// runs counter-clockwise; one that was mirrored does not.
 bool place_as_drawn(Panel& panel, const DrawnPath& outline, const DrawnPlacement& placement);
 
 }  // namespace selvedge::sim

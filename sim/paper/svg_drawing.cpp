@@ -232,13 +232,9 @@ class OwnReader {
             part.paths, [](const DrawnPath& path) { return path.kind == LineKind::Sew && path.is_closed; });
         if (outline == part.paths.end() || static_cast<std::size_t>(*mark.edge) >= outline->edges.size()) return;
         OutlineEdge edge = outline->edges[static_cast<std::size_t>(*mark.edge)];
-        const Panel ends{.name = {},
-                         .vertices = {outline->vertices[static_cast<std::size_t>(edge.start)],
-                                      outline->vertices[static_cast<std::size_t>(edge.end)]},
-                         .edges = {},
-                         .fabric = {},
-                         .pins = {},
-                         .internal_lines = {}};
+        Panel ends;
+        ends.vertices = {outline->vertices[static_cast<std::size_t>(edge.start)],
+                         outline->vertices[static_cast<std::size_t>(edge.end)]};
         edge.start = 0;
         edge.end = 1;
         mark.at = outline_point(ends, edge, fraction);

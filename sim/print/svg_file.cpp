@@ -66,10 +66,19 @@ constexpr std::array kLooks = std::to_array<LayerLook>({
     {PaperLayer::Labels, "labels", "", "stroke:none;fill:black"},
 });
 
+// The panels on the sheet are all of the pattern's, in its order.
+bool shows_all_panels(const Pattern& pattern, const PaperSheet& sheet) {
+    if (sheet.pieces.size() != pattern.panels.size()) return false;
+    for (std::size_t i = 0; i < sheet.pieces.size(); ++i) {
+        if (sheet.pieces[i].panel != static_cast<int>(i)) return false;
+    }
+    return true;
+}
+
 class SvgWriter {
  public:
     SvgWriter(const Pattern& pattern, const PaperSheet& sheet, const LayerChoice& layers)
-        : pattern_(pattern), sheet_(sheet), layers_(layers) {}
+        : pattern_(pattern), sheet_(sheet), layers_(layers), is_whole_(shows_all_panels(pattern, sheet)) {}
 
     std::string write() {
         const Vec2d size = 1000 * sheet_.size + Vec2d::Constant(2 * kBorder);
@@ -98,18 +107,9 @@ class SvgWriter {
 
     bool has(PaperLayer layer) const { return layers_[static_cast<std::size_t>(layer)]; }
 
-    // The panels on the sheet are all of the pattern's, in its order.
-    bool is_whole() const {
-        if (sheet_.pieces.size() != pattern_.panels.size()) return false;
-        for (std::size_t i = 0; i < sheet_.pieces.size(); ++i) {
-            if (sheet_.pieces[i].panel != static_cast<int>(i)) return false;
-        }
-        return true;
-    }
-
     // What is not drawn: seams and the body, if all panels are there.
     void write_metadata() {
-        if (!is_whole() || (pattern_.seams.empty() && !has_portable_placement(pattern_))) return;
+        if (!is_whole_ || (pattern_.seams.empty() && !has_portable_placement(pattern_))) return;
         out_ += "<metadata><selvedge:seams xmlns:selvedge=\"urn:selvedge:pattern\"";
         if (has_portable_placement(pattern_)) out_ += attribute("body", body_phrase(pattern_));
         out_ += ">\n";
@@ -153,7 +153,7 @@ class SvgWriter {
                 attribute("inkscape:label", own.name) + attribute("data-selvedge-panel", own.name) +
                 attribute("data-selvedge-pieces", std::to_string(own.pieces));
         if (!pattern_.size.empty()) out_ += attribute("data-selvedge-size", pattern_.size);
-        if (is_whole() && has_portable_placement(pattern_)) {
+        if (is_whole_ && has_portable_placement(pattern_)) {
             std::string phrases;
             for (const std::string& phrase : placement_phrases(own)) phrases += (phrases.empty() ? "" : "; ") + phrase;
             out_ += attribute("data-selvedge-placement", phrases);
@@ -321,6 +321,7 @@ class SvgWriter {
     const Pattern& pattern_;
     const PaperSheet& sheet_;
     const LayerChoice& layers_;
+    bool is_whole_;
     std::string out_;
 };
 

@@ -24,19 +24,31 @@ std::string half_shirt() {
     return front.substr(0, end) + ", " + back + front.substr(end);
 }
 
+// What `import` makes of a draft in a file of its own.
+struct Imported {
+    ScratchFolder folder;
+    std::string drawn = folder / "shirt.json", garment = folder / "garment.json";
+    ProgramResult result;
+    sim::Pattern pattern;  // empty if it failed
+
+    explicit Imported(const std::string& draft, const std::string& options = "") {
+        sim::write_file_atomically(drawn, draft);
+        result = run_selvedge("import '" + drawn + "' -o '" + garment + "' " + options);
+        if (result.exit_code == 0) pattern = sim::load_pattern(garment).pattern;
+    }
+};
+
 TEST(ImportCommand, writes_a_garment_with_seams_that_check_accepts) {
-    const ScratchFolder folder;
-    const std::string drawn = folder / "shirt.json", garment = folder / "garment.json";
-    sim::write_file_atomically(drawn, half_shirt());
-    const ProgramResult result = run_selvedge("import '" + drawn + "' -o '" + garment + "'");
-    ASSERT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_NE(result.out.find("front: torso, front"), std::string::npos) << result.out;
-    const sim::Pattern pattern = sim::load_pattern(garment).pattern;
+    const Imported imported(half_shirt());
+    ASSERT_EQ(imported.result.exit_code, 0) << imported.result.err;
+    const std::string& out = imported.result.out;
+    EXPECT_NE(out.find("front: torso, front"), std::string::npos) << out;
+    const sim::Pattern& pattern = imported.pattern;
     ASSERT_EQ(pattern.panels.size(), 2U);
     EXPECT_EQ(pattern.seams.size(), 4U);  // two sides, two shoulders
     EXPECT_GT(pattern.panels[0].translation.z(), pattern.panels[1].translation.z());
     EXPECT_EQ(pattern.body, "mannequin:sex=female,bust=92.50");
-    EXPECT_EQ(run_selvedge("check '" + garment + "'").exit_code, 0);
+    EXPECT_EQ(run_selvedge("check '" + imported.garment + "'").exit_code, 0);
 }
 
 // File > Import and File > Print pattern, by the script's steps for them.
@@ -142,12 +154,10 @@ std::string halves_of_a_shirt() {
 }
 
 TEST(ImportCommand, names_panels_and_edges_of_seams_as_the_garment_has_them) {
-    const ScratchFolder folder;
-    const std::string drawn = folder / "shirt.json", garment = folder / "garment.json";
-    sim::write_file_atomically(drawn, halves_of_a_shirt());
-    const ProgramResult result = run_selvedge("import '" + drawn + "' -o '" + garment + "' --list-all");
+    const Imported imported(halves_of_a_shirt(), "--list-all");
+    const ProgramResult& result = imported.result;
     ASSERT_EQ(result.exit_code, 0) << result.err;
-    const sim::Pattern pattern = sim::load_pattern(garment).pattern;
+    const sim::Pattern& pattern = imported.pattern;
     ASSERT_EQ(pattern.panels.size(), 4U);
     EXPECT_TRUE(std::ranges::count(pattern.panels, "left_front", &sim::Panel::name) == 1) << result.out;
     const std::vector<std::string> seams = lines_below(result.out, "Seams:");
@@ -180,12 +190,10 @@ std::string sleeve(const std::string& name, int length) {
 }
 
 TEST(ImportCommand, tells_which_of_two_sleeves_that_fit_is_sewn_in) {
-    const ScratchFolder folder;
-    const std::string drawn = folder / "shirt.json", garment = folder / "garment.json";
     const std::string text = half_shirt();
-    sim::write_file_atomically(drawn, text.substr(0, text.rfind("}}")) + sleeve("short_sleeve", 150) +
-                                          sleeve("long_sleeve", 450) + text.substr(text.rfind("}}")));
-    const ProgramResult result = run_selvedge("import '" + drawn + "' -o '" + garment + "'");
+    const Imported imported(text.substr(0, text.rfind("}}")) + sleeve("short_sleeve", 150) +
+                            sleeve("long_sleeve", 450) + text.substr(text.rfind("}}")));
+    const ProgramResult& result = imported.result;
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_NE(
         result.out.find("short_sleeve: no seam joins it to the garment, where 'left_long_sleeve' is sewn in as the "

@@ -276,46 +276,39 @@ TEST(RoundTrip, placements_come_back) {
     }
 }
 
+// The SVG with attributes added to the group of the first piece.
+std::string with_first_group(std::string svg, const std::string& attributes) {
+    const std::string piece = "<g id=\"panel-0\"";
+    EXPECT_NE(svg.find(piece), std::string::npos);
+    return svg.replace(svg.find(piece), piece.size(), "<g " + attributes + " id=\"panel-0\"");
+}
+
 // As drawing programs do it: they leave what they do not know.
 TEST(RoundTrip, pieces_of_svg_that_were_moved_and_turned_keep_notches_and_placement) {
     Pattern original = placed_sample();
     original.panels[0].label.clear();
-    std::string text = svg_of(original);
-    const std::string piece = "<g id=\"panel-0\"";
-    ASSERT_NE(text.find(piece), std::string::npos);
-    text.replace(text.find(piece), piece.size(), "<g transform=\"translate(420,90) rotate(35)\" id=\"panel-0\"");
+    const std::string text = with_first_group(svg_of(original), "transform=\"translate(420,90) rotate(35)\"");
     expect_same_placement(text, original);
     const Panel read = make_panels(parse_drawing(text, "moved"), "moved").pattern.panels[0];
     expect_same_panel(read, original.panels[0]);
 }
 
-// The SVG with another group instead of the first piece's.
-Pattern with_first_group(const std::string& svg, const std::string& attributes, bool& is_placed) {
-    std::string text = svg;
-    const std::string piece = "<g id=\"panel-0\"";
-    EXPECT_NE(text.find(piece), std::string::npos);
-    text.replace(text.find(piece), piece.size(), "<g " + attributes + " id=\"panel-0\"");
-    const PanelsOfDrawing read = make_panels(parse_drawing(text, "changed"), "changed");
-    is_placed = read.is_placed;
-    return read.pattern;
-}
-
 TEST(RoundTrip, pieces_of_svg_that_were_scaled_or_mirrored_are_placed_anew) {
     const std::string svg = svg_of(placed_sample());
-    bool is_placed = true;
-    with_first_group(svg, "transform=\"scale(1.02)\"", is_placed);
-    EXPECT_FALSE(is_placed);
-    with_first_group(svg, "transform=\"scale(-1,1)\"", is_placed);
-    EXPECT_FALSE(is_placed);
+    for (const char* transform : {"transform=\"scale(1.02)\"", "transform=\"scale(-1,1)\""}) {
+        const Drawing drawing = parse_drawing(with_first_group(svg, transform), "changed");
+        EXPECT_FALSE(make_panels(drawing, "changed").is_placed) << transform;
+    }
 }
 
 // Its edges run the other way round, and are counted so.
 TEST(RoundTrip, a_piece_of_svg_that_was_mirrored_keeps_its_seams_corner_to_corner) {
     const Pattern original = load_pattern(shipped_patterns().front()).pattern;
     ASSERT_FALSE(original.seams.empty());
-    bool is_placed = true;
-    const Pattern read = with_first_group(svg_of(original), "transform=\"scale(-1,1)\"", is_placed);
-    EXPECT_FALSE(is_placed);
+    const std::string text = with_first_group(svg_of(original), "transform=\"scale(-1,1)\"");
+    const PanelsOfDrawing made = make_panels(parse_drawing(text, "mirrored"), "mirrored");
+    EXPECT_FALSE(made.is_placed);
+    const Pattern& read = made.pattern;
     ASSERT_EQ(read.seams.size(), original.seams.size());
     for (std::size_t s = 0; s < read.seams.size(); ++s) {
         const auto lengths = [&](const Pattern& pattern) {
