@@ -73,7 +73,7 @@ Actor make_actor(const BodyOptions& body, const MotionChoice& motion) {
         own = sim::load_moving_body(body.source, body.load, &report);
         notes = report.notes;
     } else {
-        BodyWithNotes made = make_body(body);
+        sim::MadeBody made = make_body(body);
         own.body = std::move(made.body);
         notes = std::move(made.notes);
     }

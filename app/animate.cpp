@@ -21,6 +21,7 @@
 #include "app/options.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
+#include "app/report_inputs.h"
 #include "app/stop_signal.h"
 #include "render/marks/legend.h"
 #include "sim/cloth/fixed_mesh.h"
@@ -312,7 +313,9 @@ int run(AnimateArguments arguments) {
     if (film) film->finish();
     caches.finish();
     if (!arguments.report_file.empty())
-        sim::write_file_atomically(arguments.report_file, to_json(animation, actor.clip.name));
+        sim::write_file_atomically(
+            arguments.report_file,
+            to_json(animation, actor.clip.name, report_inputs(arguments.garment, arguments.body, pattern)));
     bar.finish();
     if (!arguments.garment.is_quiet) print_summary(arguments, animation, actor);
     print_faults(animation.dress_report());
@@ -323,7 +326,7 @@ int run(AnimateArguments arguments) {
                      seconds_text(animation.timeline().seconds()).c_str());
         return stop.exit_code();
     }
-    return animation.dress_report().faults.empty() && motion_faults.empty() ? 0 : 3;
+    return exit_code_of(outcome_of(animation));
 }
 
 void add_motion_options(CLI::App& command, AnimateArguments& arguments) {

@@ -1,7 +1,7 @@
 #pragma once
 // The subcommands of the program. Each function adds one to the command line; its callback stores the exit code: 0
-// success, 1 differences or warnings, 2 invalid input, 3 the garment was dressed with a fault, 128 + n
-// stopped by signal n.
+// success, 1 differences or warnings, 2 invalid input, 3 the garment was dressed with a defect, 4 it does not fit,
+// 128 + n stopped by signal n.
 
 namespace CLI {
 class App;
@@ -10,6 +10,7 @@ class App;
 namespace selvedge::app {
 
 void add_animate_command(CLI::App& app, int& exit_code);
+void add_batch_command(CLI::App& app, int& exit_code);
 void add_bench_command(CLI::App& app, int& exit_code);
 void add_check_command(CLI::App& app, int& exit_code);
 void add_diff_command(CLI::App& app, int& exit_code);

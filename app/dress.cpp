@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/dress_command.h"
 #include "app/film.h"
 #include "app/garment_files.h"
 #include "app/garment_options.h"
@@ -20,6 +21,7 @@
 #include "app/options.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
+#include "app/report_inputs.h"
 #include "render/image/image.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
@@ -37,18 +39,6 @@ namespace selvedge::app {
 namespace {
 
 using Path = std::filesystem::path;
-
-struct DressArguments {
-    GarmentOptions garment;
-    BodyOptions body;
-
-    PictureOptions picture;
-    TurntableOptions turntable;
-    Path picture_file;  // empty: no such output
-    Path report_file;
-    GarmentFileOptions exports;
-    std::vector<Path> body_files;
-};
 
 std::vector<Path> all_outputs(const DressArguments& arguments) {
     std::vector<Path> outputs = outputs_of(arguments.exports, arguments.garment.garment);
@@ -86,6 +76,12 @@ sim::PatternDocument document_of(const GarmentOptions& garment, const sim::Patte
     return sim::load_pattern(garment.garment);
 }
 
+void write_report(const DressArguments& arguments, const sim::DressReport& report) {
+    if (arguments.times_file.empty()) return sim::write_file_atomically(arguments.report_file, to_json(report));
+    sim::write_file_atomically(arguments.report_file, write_json(json_without_times(report)));
+    sim::write_file_atomically(arguments.times_file, write_json(times_json(report)));
+}
+
 // Tries to write every file, even if others fail: a garment with non-finite positions has no mesh to export, but has a
 // report.
 Writing write_outputs(const DressArguments& arguments, const sim::Pattern& pattern, const sim::DressedGarment& dressed,
@@ -101,8 +97,7 @@ Writing write_outputs(const DressArguments& arguments, const sim::Pattern& patte
         }
     };
     if (!arguments.report_file.empty()) {
-        write(arguments.report_file,
-              [&](const Path& file) { sim::write_file_atomically(file, to_json(dressed.report)); });
+        write(arguments.report_file, [&](const Path&) { write_report(arguments, dressed.report); });
     }
     GarmentFiles exports(arguments.exports, arguments.picture, dressed.mesh, body);
     for (const Path& file : arguments.exports.files)
@@ -151,12 +146,14 @@ void print_sett_note(const sim::Pattern& pattern, const PictureOptions& picture)
     }
 }
 
-int run(DressArguments arguments) {
-    check_outputs(arguments);
+int dress_and_write(DressArguments& arguments, sim::DressReport& refused, const sim::ContentStore* store) {
     std::vector<std::string> notes;
     const sim::Pattern pattern = load_garments(arguments.garment, notes);
+    refused.garment = pattern.name;
     fill_in(arguments.garment, arguments.body, arguments.picture, pattern);
     check_distinct(all_outputs(arguments), input_files(arguments.garment, arguments.body));
+    refused.options = arguments.garment.dress;
+    refused.inputs = report_inputs(arguments.garment, arguments.body, pattern);
     if (draws(arguments)) {
         check_can_draw(arguments.picture);
         arguments.picture.legend_font = read_legend_font();
@@ -164,11 +161,13 @@ int run(DressArguments arguments) {
 
     std::optional<sim::ThreadLimit> limit;
     if (arguments.garment.threads) limit.emplace(*arguments.garment.threads);
-    const BodyWithNotes wearer = make_body(arguments.body);
+    const sim::MadeBody wearer = make_body(arguments.body, store);
+    refused.body = wearer.body.name;
     ProgressBar bar(progress_bar_options(arguments.garment.is_quiet));
-    sim::DressedGarment dressed = dress(pattern, wearer.body, arguments.garment.dress, bar.progress());
+    sim::DressedGarment dressed = dress(pattern, wearer.body, arguments.garment.dress, bar.progress(), store);
     bar.finish();
     sim::DressReport& report = dressed.report;
+    report.inputs = refused.inputs;
     std::ranges::copy(wearer.notes, std::back_inserter(notes));
     report.notes.insert(report.notes.begin(), notes.begin(), notes.end());
 
@@ -179,8 +178,7 @@ int run(DressArguments arguments) {
     if (!arguments.garment.is_quiet)
         for (const std::string& file : writing.written) std::printf("wrote %s\n", file.c_str());
     for (const std::string& failure : writing.failures) std::fprintf(stderr, "selvedge: %s\n", failure.c_str());
-    if (!report.faults.empty()) return 3;
-    return writing.failures.empty() ? 0 : 2;
+    return writing.failures.empty() ? exit_code_of(outcome_of(report)) : 2;
 }
 
 void add_run_options(CLI::App& command, DressArguments& arguments) {
@@ -201,21 +199,42 @@ void add_output_options(CLI::App& command, DressArguments& arguments) {
 
 }  // namespace
 
+// What is refused has a report too: one of an earlier run would lie.
+int run_dress(DressArguments arguments, const sim::ContentStore* store) {
+    check_outputs(arguments);
+    sim::DressReport refused;
+    try {
+        return dress_and_write(arguments, refused, store);
+    } catch (const sim::InputError& error) {
+        if (!arguments.report_file.empty()) {
+            check_distinct({arguments.report_file}, input_files(arguments.garment, arguments.body));
+            refused.problem = error.what();
+            write_report(arguments, refused);
+        }
+        throw;
+    }
+}
+
+void add_dress_options(CLI::App& command, DressArguments& arguments) {
+    add_garment_options(command, arguments.garment);
+    add_run_options(command, arguments);
+    add_thread_options(command, arguments.garment);
+    add_body_options(command, arguments.body,
+                     "Body that wears it: mannequin[:sex=female,bust=92,...] or a file (default: the pattern's, or "
+                     "mannequin:sex=female)");
+    add_picture_options(command, arguments.picture);
+    add_output_options(command, arguments);
+    add_turntable_options(command, arguments.turntable);
+}
+
 void add_dress_command(CLI::App& app, int& exit_code) {
     auto arguments = std::make_shared<DressArguments>();
     CLI::App* command = app.add_subcommand("dress", "Put a garment on a body");
-    add_garment_options(*command, arguments->garment);
-    add_run_options(*command, *arguments);
-    add_thread_options(*command, arguments->garment);
-    add_body_options(*command, arguments->body,
-                     "Body that wears it: mannequin[:sex=female,bust=92,...] or a file (default: the pattern's, or "
-                     "mannequin:sex=female)");
-    add_picture_options(*command, arguments->picture);
-    add_output_options(*command, *arguments);
-    add_turntable_options(*command, arguments->turntable);
+    add_dress_options(*command, *arguments);
     command->footer(
-        "Exit code: 0 dressed, 2 wrong input or a file that could not be written, 3 dressed with a fault: a defect of\n"
-        "the drape, or a garment that does not fit.\n"
+        "Exit code: 0 dressed, 2 wrong input or a file that could not be written, 3 dressed with a defect of the "
+        "drape,\n"
+        "4 dressed well, but the garment does not fit the body.\n"
         "Examples:\n"
         "  selvedge dress patterns/tshirt.json --render tshirt.png\n"
         "  selvedge dress patterns/skirt.json --body mannequin:waist=68,hip=96 --tartan 'Black Watch' \\\n"
@@ -223,7 +242,7 @@ void add_dress_command(CLI::App& app, int& exit_code) {
         "  selvedge dress patterns/tshirt.json --over patterns/vest.json --render layers.png\n"
         "  selvedge dress patterns/tshirt.json --show hierarchy --render levels.png --turntable levels.mp4\n"
         "  selvedge dress patterns/tshirt.json --body scan.obj --body-unit cm --fabric silk --report tshirt.json");
-    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+    command->callback([arguments, &exit_code] { exit_code = run_dress(*arguments); });
 }
 
 }  // namespace selvedge::app

@@ -144,9 +144,9 @@ void fill_in(GarmentOptions& options, BodyOptions& body, PictureOptions& picture
 void print_faults(const sim::DressReport& report) {
     for (const sim::DressFault& fault : report.faults) {
         if (class_of(fault) == sim::FaultClass::DoesNotFit) {
-            std::printf("does not fit: %s\n", fault.place.c_str());
+            std::printf("does not fit: %s\n", cause_of(fault).c_str());
         } else {
-            std::printf("defect: %s: %s (%.4g)\n", fault_text(fault.kind).c_str(), fault.place.c_str(), fault.value);
+            std::printf("defect: %s: %s\n", fault_text(fault.kind).c_str(), cause_of(fault).c_str());
         }
     }
 }

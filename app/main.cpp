@@ -2,9 +2,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include "app/commands.h"
 #include "sim/core/error.h"
+#include "sim/core/version.h"
 
 namespace {
 
@@ -19,13 +21,14 @@ int report_usage(const CLI::App& app, const CLI::ParseError& error) {
 
 int main(int argc, char** argv) {
     CLI::App app{"Selvedge: cut, sew and drape garments on an adaptive mesh."};
-    app.set_version_flag("--version", SELVEDGE_VERSION);
+    app.set_version_flag("--version", std::string(selvedge::sim::program_version()));
     app.require_subcommand(1);
     app.footer("Example: selvedge dress patterns/tshirt.json --render tshirt.png");
 
     int exit_code = 0;
     selvedge::app::add_dress_command(app, exit_code);
     selvedge::app::add_animate_command(app, exit_code);
+    selvedge::app::add_batch_command(app, exit_code);
     selvedge::app::add_edit_command(app, exit_code);
     selvedge::app::add_check_command(app, exit_code);
     selvedge::app::add_mannequin_command(app, exit_code);

@@ -16,6 +16,7 @@
 #include "sim/collide/body_collider.h"
 #include "sim/core/error.h"
 #include "sim/mannequin/mannequin.h"
+#include "sim/mannequin/stored_mannequin.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::app {
@@ -60,14 +61,9 @@ void add_body_options(CLI::App& command, BodyOptions& options, const std::string
     })->type_name("AXIS");
 }
 
-BodyWithNotes make_body(const BodyOptions& options) {
-    if (options.is_file()) {
-        sim::LoadBodyReport report;
-        sim::Body body = load_body(options.source, options.load, &report);
-        return {.body = std::move(body), .notes = std::move(report.notes)};
-    }
-    sim::Mannequin mannequin = sim::make_mannequin(sim::parse_mannequin(options.source));
-    return {.body = std::move(mannequin.body), .notes = std::move(mannequin.report.messages)};
+sim::MadeBody make_body(const BodyOptions& options, const sim::ContentStore* store) {
+    if (options.is_file()) return load_stored_body(options.source, options.load, store);
+    return stored_mannequin(sim::parse_mannequin(options.source), store);
 }
 
 namespace {

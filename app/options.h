@@ -13,6 +13,7 @@
 #include "render/surface/curve.h"
 #include "sim/body/body.h"
 #include "sim/body/load_body.h"
+#include "sim/body/stored_body.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
 class App;
@@ -27,17 +28,13 @@ struct BodyOptions {
     bool is_file() const;
 };
 
-struct BodyWithNotes {
-    sim::Body body;
-    std::vector<std::string> notes;  // one sentence per deviation from the request, or per change
-};
-
 // Adds -b,--body, --body-unit and --body-up. Validates a mannequin's measurements while parsing.
 // `options` must outlive the parsing.
 void add_body_options(CLI::App& command, BodyOptions& options, const std::string& help);
 
-// Pre: options.source is not empty. Throws InputError as make_mannequin() and load_body() do.
-BodyWithNotes make_body(const BodyOptions& options);
+// store: where it may be found and is kept; null for none. Pre: options.source is not empty. Throws InputError as
+// make_mannequin() and load_body() do.
+sim::MadeBody make_body(const BodyOptions& options, const sim::ContentStore* store = nullptr);
 
 // --camera: the camera as numbers.
 

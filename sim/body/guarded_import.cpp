@@ -19,10 +19,12 @@
 #include <utility>
 #include <vector>
 
+#include "sim/body/body_bytes.h"
 #include "sim/body/bvh_text.h"
 #include "sim/body/gltf_skins.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/flat_bytes.h"
 
 namespace selvedge::sim {
 namespace {
@@ -232,19 +234,6 @@ ImportedScene guarded_import(const std::filesystem::path& path, ImportKind kind,
 
 namespace {
 
-void write(FlatWriter& writer, const Vec3d& v) {
-    for (const double coordinate : v) writer.value(coordinate);
-}
-void write(FlatWriter& writer, const Eigen::Quaterniond& q) {
-    for (const double part : q.coeffs()) writer.value(part);
-}
-void read(FlatReader& reader, Vec3d& v) {
-    for (double& coordinate : v) coordinate = reader.value<double>();
-}
-void read(FlatReader& reader, Eigen::Quaterniond& q) {
-    for (double& part : q.coeffs()) part = reader.value<double>();
-}
-
 template <class Value>
 void write(FlatWriter& writer, const Keys<Value>& keys) {
     writer.list(keys.times);
@@ -254,25 +243,6 @@ template <class Value>
 void read(FlatReader& reader, Keys<Value>& keys) {
     keys.times = reader.list<double>();
     keys.values = reader.list<Value>();
-}
-
-void write(FlatWriter& writer, const Bone& bone) {
-    writer.text(bone.name);
-    writer.value(bone.parent);
-    write(writer, bone.joint);
-    write(writer, bone.rest.rotation);
-    write(writer, bone.rest.translation);
-    write(writer, bone.rest.scale);
-    for (const double part : bone.inverse_bind.matrix().reshaped()) writer.value(part);
-}
-void read(FlatReader& reader, Bone& bone) {
-    bone.name = reader.text();
-    bone.parent = reader.value<int>();
-    read(reader, bone.joint);
-    read(reader, bone.rest.rotation);
-    read(reader, bone.rest.translation);
-    read(reader, bone.rest.scale);
-    for (double& part : bone.inverse_bind.matrix().reshaped()) part = reader.value<double>();
 }
 
 void write(FlatWriter& writer, const Clip& clip) {

@@ -5,13 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "sim/body/body.h"
@@ -89,7 +87,6 @@ ImportAnswer read_with_assimp(const std::string& path, const std::string& extens
                               ImportKind kind = ImportKind::Surface, const MotionLimits& limits = {});
 
 // Runs a function that may crash, hang or exhaust memory in a child process and returns the bytes that it produces.
-// FlatWriter and FlatReader serialise plain data for the transfer.
 
 enum class ChildEnd { Done, Crashed, TimedOut, TooMuch, NotStarted };
 
@@ -103,74 +100,5 @@ struct ChildResult {
 // allocator's locks. If another lock (of a locale or a stream) is held at the fork, the child blocks and ends as
 // TimedOut; the parent is never at risk. The child's standard output and error go to /dev/null.
 ChildResult run_in_child(const std::function<std::string()>& work, const ChildLimits& limits = {});
-
-// Serialisation of plain data between two processes of the same program. The writer may run in a process that a bad
-// file has corrupted, so the reader checks every length.
-
-class FlatWriter {
- public:
-    template <class T>
-    void value(const T& item) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        bytes_.append(reinterpret_cast<const char*>(&item), sizeof item);
-    }
-    void text(std::string_view text) {
-        value(std::uint64_t(text.size()));
-        bytes_ += text;
-    }
-    // Copies items bitwise: arrays of numbers, Eigen's fixed-size vectors.
-    template <class T>
-    void list(const std::vector<T>& items) {
-        value(std::uint64_t(items.size()));
-        if (!items.empty()) bytes_.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(T));
-    }
-    const std::string& bytes() const { return bytes_; }
-
- private:
-    std::string bytes_;
-};
-
-// After a read beyond the end, all further reads return zeros or empty values and is_sound() is false.
-class FlatReader {
- public:
-    explicit FlatReader(std::string_view bytes) : bytes_(bytes) {}
-
-    template <class T>
-    T value() {
-        T item{};
-        take(&item, sizeof item);
-        return item;
-    }
-    std::string text() {
-        std::string text(count(1), '\0');
-        take(text.data(), text.size());
-        return text;
-    }
-    template <class T>
-    std::vector<T> list() {
-        std::vector<T> items(count(sizeof(T)));
-        if (!items.empty()) take(static_cast<void*>(items.data()), items.size() * sizeof(T));
-        return items;
-    }
-    bool is_sound() const { return is_sound_; }
-    bool is_at_end() const { return bytes_.empty(); }
-
- private:
-    // Rejects a count that exceeds the number of items that the remaining bytes can hold.
-    std::size_t count(std::size_t item_bytes) {
-        const std::uint64_t count = value<std::uint64_t>();
-        if (count > bytes_.size() / item_bytes) is_sound_ = false;
-        return is_sound_ ? std::size_t(count) : 0;
-    }
-    void take(void* target, std::size_t size) {
-        if (size > bytes_.size()) is_sound_ = false;
-        if (!is_sound_ || size == 0) return;
-        std::memcpy(target, bytes_.data(), size);
-        bytes_.remove_prefix(size);
-    }
-
-    std::string_view bytes_;
-    bool is_sound_ = true;
-};
 
 }  // namespace selvedge::sim

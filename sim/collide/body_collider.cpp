@@ -8,6 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "sim/collide/stored_field.h"
+
 namespace selvedge::sim {
 namespace {
 
@@ -16,8 +18,11 @@ constexpr float kGuardReach = 0.0015F;  // m, assumed maximum error of the field
 }  // namespace
 
 BodyCollider::BodyCollider(const Body& body, const DistanceFieldOptions& options,
-                           const std::function<void()>& interrupt)
-    : body_(body), bvh_(body), field_(bvh_, options, interrupt), thin_parts_(find_thin_parts(bvh_, field_)) {}
+                           const std::function<void()>& interrupt, const ContentStore* store)
+    : body_(body),
+      bvh_(body),
+      field_(stored_field(bvh_, options, interrupt, store)),
+      thin_parts_(find_thin_parts(bvh_, field_)) {}
 
 Contact BodyCollider::contact(const Vec3f& p) const {
     const FieldSample sample = field_.sample(p);

@@ -13,11 +13,14 @@
 
 namespace selvedge::sim {
 
+class ContentStore;
+
 class BodyCollider final : public Collider {
  public:
-    // The body must outlive the collider. interrupt: see DistanceField. Pre: the body's surface is closed.
+    // The body must outlive the collider. interrupt: see DistanceField. store: where the field may be found and is
+    // kept, null for none. Pre: the body's surface is closed.
     explicit BodyCollider(const Body& body, const DistanceFieldOptions& options = {},
-                          const std::function<void()>& interrupt = {});
+                          const std::function<void()>& interrupt = {}, const ContentStore* store = nullptr);
 
     Contact contact(const Vec3f& p) const override;
     void contacts(std::span<ContactBlock> blocks, float reach) const override;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "sim/core/assert.h"
+#include "sim/core/flat_bytes.h"
 #include "sim/core/parallel.h"
 #include "sim/core/simd_level.h"
 
@@ -120,14 +121,17 @@ class GroupWalk {
 
 }  // namespace
 
-DistanceField::DistanceField(const SurfaceBvh& bvh, const DistanceFieldOptions& options,
-                             const std::function<void()>& interrupt)
+DistanceField::DistanceField(const DistanceFieldOptions& options)
     : cell_(options.cell),
       per_cell_(1 / options.cell),
       band_(options.band),
       // If a cell contains a point in the band, its nodes are at most the cell's diagonal away from that point.
       limit_(options.band + 2 * kHalfDiagonal * options.cell),
-      to_metres_(limit_ / float(kFarNode)) {
+      to_metres_(limit_ / float(kFarNode)) {}
+
+DistanceField::DistanceField(const SurfaceBvh& bvh, const DistanceFieldOptions& options,
+                             const std::function<void()>& interrupt)
+    : DistanceField(options) {
     SELVEDGE_ASSERT(cell_ > 0 && 2 * cell_ <= band_);
     lay_out(bvh);
     classify_blocks(bvh);
@@ -153,6 +157,45 @@ void DistanceField::lay_out(const SurfaceBvh& bvh) {
         cells_[axis] = float(blocks) * kCells;
     }
     blocks_.assign(std::size_t(count), kOutside);
+}
+
+std::string DistanceField::to_bytes() const {
+    FlatWriter writer;
+    writer.value(cell_);
+    writer.value(band_);
+    writer.value(max_error_);
+    for (const float coordinate : origin_) writer.value(coordinate);
+    writer.value(size_);
+    writer.list(blocks_);
+    writer.list(nodes_);
+    return writer.bytes();
+}
+
+std::optional<DistanceField> DistanceField::from_bytes(std::string_view bytes) {
+    FlatReader reader(bytes);
+    DistanceFieldOptions options;
+    options.cell = reader.value<float>();
+    options.band = reader.value<float>();
+    if (!(options.cell > 0 && 2 * options.cell <= options.band && options.band < 1)) return std::nullopt;
+    DistanceField field(options);
+    field.max_error_ = reader.value<float>();
+    for (float& coordinate : field.origin_) coordinate = reader.value<float>();
+    field.size_ = reader.value<std::array<int, 3>>();
+    field.blocks_ = reader.list<std::int32_t>();
+    field.nodes_ = reader.list<std::int16_t>();
+    if (!reader.is_sound() || !reader.is_at_end()) return std::nullopt;
+    if (!field.origin_.allFinite() || !std::isfinite(field.max_error_)) return std::nullopt;
+    std::size_t count = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (field.size_[axis] < 1 || std::size_t(field.size_[axis]) > field.blocks_.size()) return std::nullopt;
+        count *= std::size_t(field.size_[axis]);
+        field.cells_[Eigen::Index(axis)] = float(field.size_[axis]) * kCells;
+    }
+    const auto is_block = [&](std::int32_t first) {
+        return first >= 0 && first % kBlockNodes == 0 && std::size_t(first) + kBlockNodes <= field.nodes_.size();
+    };
+    if (count != field.blocks_.size() || !std::ranges::all_of(field.blocks_, is_block)) return std::nullopt;
+    return field;
 }
 
 Vec3f DistanceField::block_corner(std::size_t block) const {

@@ -6,7 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/collide/collider.h"
@@ -33,6 +36,10 @@ class DistanceField {
     explicit DistanceField(const SurfaceBvh& bvh, const DistanceFieldOptions& options = {},
                            const std::function<void()>& interrupt = {});
 
+    // All of it, as flat bytes (sim/core/flat_bytes.h); nullopt when the bytes are not a valid field.
+    std::string to_bytes() const;
+    static std::optional<DistanceField> from_bytes(std::string_view bytes);
+
     FieldSample sample(const Vec3f& p) const;
 
     // sample() for every slot of every block, with identical bits at every SimdLevel. Where sample() gives a gradient,
@@ -52,6 +59,8 @@ class DistanceField {
     std::size_t bytes() const { return blocks_.size() * sizeof(std::int32_t) + nodes_.size() * sizeof(std::int16_t); }
 
  private:
+    explicit DistanceField(const DistanceFieldOptions& options);
+
     static constexpr int kCellBits = 3;
     static constexpr int kCells = 1 << kCellBits;  // per block and axis
     static constexpr int kNodes = kCells + 1;

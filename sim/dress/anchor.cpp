@@ -9,8 +9,10 @@
 
 #include "sim/body/landmarks.h"
 #include "sim/body/load_body.h"
+#include "sim/body/stored_body.h"
 #include "sim/core/error.h"
 #include "sim/mannequin/mannequin.h"
+#include "sim/mannequin/stored_mannequin.h"
 #include "sim/place/placement.h"
 
 namespace selvedge::sim {
@@ -55,9 +57,9 @@ void note_stature(const Stature& stature, std::vector<std::string>& notes) {
 
 }  // namespace
 
-Body placed_for(const Pattern& pattern) {
-    if (!is_body_file(pattern.body)) return make_mannequin(mannequin_of(pattern)).body;
-    return load_body(pattern.body, {.stands_on_floor = false});
+Body placed_for(const Pattern& pattern, const ContentStore* store) {
+    if (is_body_file(pattern.body)) return load_stored_body(pattern.body, {.stands_on_floor = false}, store).body;
+    return stored_mannequin(mannequin_of(pattern), store).body;
 }
 
 bool is_placed_below_floor(const Pattern& pattern) {
@@ -76,7 +78,7 @@ void raise_panels(Pattern& pattern, double lift) {
 }
 
 const Body& PatternAnchor::named(const std::string& text, const Pattern& pattern) {
-    if (!named_ || named_->text != text) named_ = NamedBody{text, placed_for(pattern)};
+    if (!named_ || named_->text != text) named_ = NamedBody{text, placed_for(pattern, store_)};
     return named_->body;
 }
 

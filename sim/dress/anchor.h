@@ -11,9 +11,11 @@
 
 namespace selvedge::sim {
 
+class ContentStore;
+
 // The body that the pattern's panels were placed for, in the frame in which they were placed. Throws InputError for an
-// unknown mannequin, and for a file as load_body() does.
-Body placed_for(const Pattern& pattern);
+// unknown mannequin, and for a file as load_body() does. store: where it may be found and is kept; null for none.
+Body placed_for(const Pattern& pattern, const ContentStore* store = nullptr);
 
 struct AnchoredPattern {
     Pattern pattern;
@@ -25,6 +27,9 @@ struct AnchoredPattern {
 // Keeps the body that was named last, because it is slow to make.
 class PatternAnchor {
  public:
+    // store: where bodies may be found and are kept; null for none. It must outlive the anchor.
+    explicit PatternAnchor(const ContentStore* store = nullptr) : store_(store) {}
+
     // Does not change a pattern that was placed for an equal body. Throws InputError for an unknown mannequin. If the
     // named file cannot be read, a note says so, and the panels are taken as placed for GarmentCode's body.
     AnchoredPattern anchor(const Pattern& pattern, const Body& onto);
@@ -36,6 +41,7 @@ class PatternAnchor {
         std::string text;  // canonical
         Body body;
     };
+    const ContentStore* store_ = nullptr;
     std::optional<NamedBody> named_;
 };
 

@@ -5,30 +5,37 @@
 
 namespace selvedge::sim {
 
-std::string to_json(const Animation& animation, const std::string& motion) {
+Outcome outcome_of(const Animation& animation) {
+    return animation.quality().faults(animation.panel_names()).empty() ? outcome_of(animation.dress_report())
+                                                                       : Outcome::Defect;
+}
+
+std::string to_json(const Animation& animation, const std::string& motion, const std::vector<ReportInput>& inputs) {
     const MotionQuality& quality = animation.quality();
-    Json json = Json::object();
-    json[report_key::kMotion] = motion;
-    json[report_key::kFrames] = animation.frame() + 1;
-    json[report_key::kPlannedFrames] = animation.frame_count();
-    json[report_key::kFramesPerSecond] = animation.frames_per_second();
-    json[report_key::kSeconds] = animation.seconds();
-    Json& measured = json[report_key::kQuality] = Json::object();
-    measured[report_key::kStretchP99] = quality.p99_stretch;
-    measured[report_key::kStretchMax] = quality.max_stretch;
-    measured[report_key::kOverstretchedS] = quality.overstretched_seconds;
-    measured[report_key::kDeepestVertexM] = quality.deepest_vertex;
-    measured[report_key::kDeepestFaceM] = quality.deepest_face;
-    measured[report_key::kDeepVertices] = quality.deep_vertices;
-    measured[report_key::kDeepFaces] = quality.deep_faces;
-    measured[report_key::kPinched] = quality.pinched;
-    measured[report_key::kHasBadNumber] = quality.has_bad_number;
-    Json& faults = json[report_key::kMotionFaults] = Json::array();
+    DressReport report = animation.dress_report();
+    report.inputs = inputs;
+    Json json = json_of(report);
+    json[report_key::kOutcome] = name_of(outcome_of(animation));
+    Json& moved = json[report_key::kAnimation] = Json::object();
+    moved[report_key::kMotion] = motion;
+    moved[report_key::kFrames] = animation.frame() + 1;
+    moved[report_key::kPlannedFrames] = animation.frame_count();
+    moved[report_key::kFramesPerSecond] = animation.frames_per_second();
+    moved[report_key::kSeconds] = animation.seconds();
+    moved[report_key::kStretchP99] = quality.p99_stretch;
+    moved[report_key::kStretchMax] = quality.max_stretch;
+    moved[report_key::kOverstretchedS] = quality.overstretched_seconds;
+    moved[report_key::kDeepestVertexM] = quality.deepest_vertex;
+    moved[report_key::kDeepestFaceM] = quality.deepest_face;
+    moved[report_key::kDeepVertices] = quality.deep_vertices;
+    moved[report_key::kDeepFaces] = quality.deep_faces;
+    moved[report_key::kPinched] = quality.pinched;
+    moved[report_key::kHasBadNumber] = quality.has_bad_number;
+    Json& faults = moved[report_key::kFaults] = Json::array();
     for (const std::string& fault : quality.faults(animation.panel_names())) faults.push_back(fault);
-    Json& timing = json[report_key::kTiming] = Json::object();
+    Json& timing = json[report_key::kTiming];
     timing[report_key::kMsPerFrame] = quantile(animation.frame_ms(), 0.5);
     timing[report_key::kMsPerFrameP95] = quantile(animation.frame_ms(), 0.95);
-    json[report_key::kDressing] = json_of(animation.dress_report());
     return write_json(json);
 }
 

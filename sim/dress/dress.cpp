@@ -10,10 +10,12 @@
 #include "sim/core/math.h"
 #include "sim/dress/animation.h"
 #include "sim/dress/dressing_pose.h"
+#include "sim/dress/inspection.h"
 #include "sim/dress/own_pose.h"
 #include "sim/dress/session_frame.h"
 #include "sim/dress/wearing.h"
 #include "sim/mesh/garment_mesh.h"
+#include "sim/place/fit_table.h"
 
 namespace selvedge::sim {
 namespace {
@@ -72,17 +74,31 @@ void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phas
     }
 }
 
+// Fills in the report's faults and fit. body: in the pose in which the collider has it.
+void inspect(DressedGarment& dressed, Dressing& dressing, const Body& body, const BodyCollider& collider,
+             const DrapeResult& result) {
+    const Cloth& cloth = *dressed.cloth;
+    validate(cloth, collider, dressing.anchored(), dressing.open_seams(), result, dressed.report,
+             {.may_cross_itself = !dressing.options().self_collision});
+    if (result.bad_vertex) return;
+    const DesignedGarment designed{.unsewn = dressing.designed(), .body = &dressing.designed_for()};
+    validate_wearing(cloth, dressing.sewn_mesh(), designed, body, dressed.report);
+    dressed.report.fit = measure_fit(dressed.mesh, body);
+}
+
 }  // namespace
 
-DressedGarment dress(const Pattern& pattern, const Body& body, const DressOptions& options, const Progress& progress) {
+DressedGarment dress(const Pattern& pattern, const Body& body, const DressOptions& options, const Progress& progress,
+                     const ContentStore* store) {
     check_layers(pattern, options);
     DressedGarment dressed;
     DressReport& report = dressed.report;
     PhaseTimer timer(report.timing);
+    report.options = options;
     report.garment = pattern.name;
     report.garments = garment_names(pattern);
     report.body = body.name;
-    Dressing dressing;
+    Dressing dressing({}, store);
     dressing.set_options(options);
     const Pose pose = body.skin.empty() ? Pose{} : dressing_pose(body);
     const bool is_moved = !body.skin.empty() && needs_other_pose(body, pose);
@@ -113,20 +129,15 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     const Body rests = is_moved ? posed(body, rest_pose(body)) : Body{};  // as move_to_own_pose() leaves it
     std::optional<BodyCollider> own;
     if (is_moved && !result.bad_vertex) {
-        own.emplace(rests);
+        own.emplace(rests, DistanceFieldOptions{}, std::function<void()>{}, store);
         result = move_to_own_pose(cloth, body, pose, *own, options, progress);
         report.notes.emplace_back("dressed with lowered arms, which then moved into the pose of the body");
     }
     record_drape(report, result);
     timer.done("draping");
 
-    validate(cloth, own ? *own : dressing.collider(), dressing.anchored(), dressing.open_seams(), result, report,
-             {.may_cross_itself = !options.self_collision});
-    if (!result.bad_vertex) {
-        const DesignedGarment designed{.unsewn = dressing.designed(), .body = &dressing.designed_for()};
-        validate_wearing(cloth, dressing.sewn_mesh(), designed, body, report);
-    }
     dressed.mesh = draw_mesh(cloth, dressing.sewn_mesh().panel_names);
+    inspect(dressed, dressing, body, own ? *own : dressing.collider(), result);
     dressed.hierarchy = triangle_hierarchy(cloth);
     dressed.meshing = dressing.drape().meshing;
     timer.done("inspection");

@@ -14,6 +14,8 @@
 
 namespace selvedge::sim {
 
+class ContentStore;
+
 // The draped garment: its leaf triangles, their refinement hierarchy, the cloth itself, how its panels were meshed, and
 // the report.
 struct DressedGarment {
@@ -25,8 +27,9 @@ struct DressedGarment {
 };
 
 // Throws InputError for a pattern that cannot be meshed, or an unknown fabric or body. Later problems are faults in the
-// report.
+// report. store: where the bodies' fields, and the body that the pattern names, may be found and are kept; null for
+// none.
 DressedGarment dress(const Pattern& pattern, const Body& body, const DressOptions& options = {},
-                     const Progress& progress = {});
+                     const Progress& progress = {}, const ContentStore* store = nullptr);
 
 }  // namespace selvedge::sim

@@ -43,7 +43,8 @@ std::vector<Fabric> fabrics_of(const Pattern& pattern, const std::optional<Fabri
     return fabrics;
 }
 
-Dressing::Dressing(std::function<void()> interrupt) : interrupt_(std::move(interrupt)) {}
+Dressing::Dressing(std::function<void()> interrupt, const ContentStore* store)
+    : interrupt_(std::move(interrupt)), store_(store) {}
 
 DressingStage Dressing::stage() const {
     if (sewing_) return DressingStage::Sew;
@@ -275,7 +276,7 @@ void Dressing::take_body() {
 
 const BodyCollider& Dressing::collider() {
     SELVEDGE_ASSERT(body_ || collider_);
-    if (!collider_) collider_.reset(new ColliderOfBody{body_, BodyCollider(*body_, {}, interrupt_)});
+    if (!collider_) collider_.reset(new ColliderOfBody{body_, BodyCollider(*body_, {}, interrupt_, store_)});
     return collider_->collider;
 }
 

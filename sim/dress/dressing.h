@@ -63,8 +63,9 @@ void check_layers(const Pattern& pattern, const DressOptions& options);
 
 class Dressing {
  public:
-    // interrupt: called regularly during long operations; its exceptions propagate from any method here.
-    explicit Dressing(std::function<void()> interrupt = {});
+    // interrupt: called regularly during long operations; its exceptions propagate from any method here. store: where
+    // bodies and their fields may be found and are kept; null for none. It must outlive the dressing.
+    explicit Dressing(std::function<void()> interrupt = {}, const ContentStore* store = nullptr);
     Dressing(const Dressing&) = delete;
     Dressing& operator=(const Dressing&) = delete;
 
@@ -169,12 +170,13 @@ class Dressing {
     MeshOptions meshing() const;
 
     std::function<void()> interrupt_;
+    const ContentStore* store_ = nullptr;
     DressOptions options_;
     Pattern pattern_;  // the newest one that can be meshed
     std::optional<AnchoredPattern> anchored_;
     std::shared_ptr<const Body> body_;
     std::shared_ptr<const ColliderOfBody> collider_;
-    PatternAnchor anchor_;
+    PatternAnchor anchor_{store_};
 
     PanelMeshCache quick_meshes_, meshes_;
     GarmentMesh placed_;

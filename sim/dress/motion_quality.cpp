@@ -9,7 +9,7 @@
 #include "sim/cloth/cloth_penetration.h"
 #include "sim/cloth/moving_contact.h"
 #include "sim/core/math.h"
-#include "sim/dress/report.h"
+#include "sim/dress/inspection.h"
 
 namespace selvedge::sim {
 

@@ -1,26 +1,98 @@
 #include "sim/dress/report.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
-#include <map>
-#include <numbers>
 #include <optional>
+#include <utility>
 
-#include "sim/adaptive/check.h"
-#include "sim/cloth/cloth.h"
-#include "sim/cloth/contact_surface.h"
-#include "sim/collide/body_collider.h"
-#include "sim/collide/penetration.h"
 #include "sim/core/json.h"
-#include "sim/core/math.h"
-#include "sim/dress/layer_order.h"
-#include "sim/place/fit.h"
-#include "sim/place/limbs.h"
+#include "sim/core/version.h"
 
 namespace selvedge::sim {
 namespace {
+
+// What a kind of fault is called, and the unit of its value.
+struct FaultKind {
+    std::string_view kind;
+    std::string_view unit;
+};
+constexpr std::array<FaultKind, 13> kFaultKinds{{{"not_settled", "m/s"},
+                                                 {"open_seam", "m"},
+                                                 {"inside_body", "m"},
+                                                 {"through_body", "m"},
+                                                 {"self_crossing", "m"},
+                                                 {"wrong_layer_order", "vertices"},
+                                                 {"limb_missed", "limbs"},
+                                                 {"displaced", "m"},
+                                                 {"on_floor", "share of the vertices"},
+                                                 {"overstretched", "strain"},
+                                                 {"not_finite", ""},
+                                                 {"broken_mesh", ""},
+                                                 {"does_not_fit", "m"}}};
+
+std::string_view unit_of(const DressFault& fault) {
+    if (!fault.unit.empty()) return fault.unit;
+    for (const FaultKind& known : kFaultKinds) {
+        if (known.kind == fault.kind) return known.unit;
+    }
+    return "";
+}
+
+// "3.2 cm", "0.4 mm".
+std::string length_text(double metres) {
+    char text[32];
+    const bool is_small = metres < 0.01;
+    std::snprintf(text, sizeof text, "%.1f %s", metres * (is_small ? 1000 : 100), is_small ? "mm" : "cm");
+    return text;
+}
+
+Json inputs_json(const std::vector<ReportInput>& inputs) {
+    Json list = Json::array();
+    for (const ReportInput& input : inputs) {
+        Json item = Json::object();
+        item[report_key::kRole] = input.role;
+        item[report_key::kFile] = input.file;
+        item[report_key::kSha256] = input.sha256;
+        list.push_back(std::move(item));
+    }
+    return list;
+}
+
+template <class T>
+Json json_or_null(const std::optional<T>& value) {
+    return value ? Json(*value) : Json();
+}
+
+Json options_json(const DressOptions& options) {
+    Json json = Json::object();
+    json[report_key::kFabric] = options.fabric ? Json(options.fabric->name) : Json();
+    json[report_key::kEdgeLengthM] = json_or_null(options.edge_length);
+    json[report_key::kMaxLevel] = options.max_level;
+    json[report_key::kShortestEdgeM] = options.shortest_edge;
+    json[report_key::kTriangleBudget] = json_or_null(options.triangle_budget);
+    Json& criteria = json[report_key::kCriteria] = Json::array();
+    if (options.criteria.collision) criteria.push_back("collision");
+    if (options.criteria.curvature) criteria.push_back("curvature");
+    if (options.criteria.length) criteria.push_back("length");
+    json[report_key::kMaxSeconds] = options.max_seconds;
+    json[report_key::kSelfCollision] = options.self_collision;
+    return json;
+}
+
+Json fit_json(const std::vector<FitRow>& fit) {
+    Json list = Json::array();
+    for (const FitRow& row : fit) {
+        Json item = Json::object();
+        item[report_key::kMeasure] = row.measure;
+        item[report_key::kBodyGirthM] = json_or_null(row.body_girth);
+        item[report_key::kGarmentGirthM] = json_or_null(row.garment_girth);
+        item[report_key::kEaseM] = json_or_null(row.ease());
+        list.push_back(std::move(item));
+    }
+    return list;
+}
 
 Json faults_json(const std::vector<DressFault>& faults) {
     Json list = Json::array();
@@ -30,6 +102,8 @@ Json faults_json(const std::vector<DressFault>& faults) {
         item[report_key::kClass] = std::string(name_of(class_of(fault)));
         item[report_key::kPlace] = fault.place;
         item[report_key::kValue] = fault.value;
+        item[report_key::kUnit] = unit_of(fault);
+        item[report_key::kCause] = cause_of(fault);
         list.push_back(std::move(item));
     }
     return list;
@@ -106,8 +180,68 @@ std::string_view name_of(FaultClass fault_class) {
     return fault_class == FaultClass::DoesNotFit ? "does_not_fit" : "defect";
 }
 
-Json json_of(const DressReport& report) {
+std::string cause_of(const DressFault& fault) {
+    const std::string_view kind = fault.kind;
+    char text[64];
+    if (kind == "not_settled") {
+        std::snprintf(text, sizeof text, "still moving by %.0f mm/s at the end of its time", 1000 * fault.value);
+        return text;
+    }
+    if (kind == "open_seam") return "seam open by " + length_text(fault.value) + ": " + fault.place;
+    if (kind == "inside_body") return length_text(fault.value) + " inside the body: " + fault.place;
+    if (kind == "self_crossing") return "crossing itself over " + length_text(fault.value) + ": " + fault.place;
+    if (kind == "overstretched") {
+        std::snprintf(text, sizeof text, "stretched by %.0f %%: ", 100 * fault.value);
+        return text + fault.place;
+    }
+    if (kind == "not_finite") return "a position that is not a number: " + fault.place;
+    if (kind == "broken_mesh") return "broken mesh: " + fault.place;
+    return fault.place;  // says it all
+}
+
+std::string_view name_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::Dressed:
+            return "dressed";
+        case Outcome::DoesNotFit:
+            return "does_not_fit";
+        case Outcome::Defect:
+            return "defect";
+        case Outcome::Refused:
+            break;
+    }
+    return "refused";
+}
+
+int exit_code_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::Dressed:
+            return 0;
+        case Outcome::DoesNotFit:
+            return 4;
+        case Outcome::Defect:
+            return 3;
+        case Outcome::Refused:
+            break;
+    }
+    return 2;
+}
+
+Outcome outcome_of(const DressReport& report) {
+    if (!report.problem.empty()) return Outcome::Refused;
+    const auto is_defect = [](const DressFault& fault) { return class_of(fault) == FaultClass::Defect; };
+    if (std::ranges::any_of(report.faults, is_defect)) return Outcome::Defect;
+    return report.faults.empty() ? Outcome::Dressed : Outcome::DoesNotFit;
+}
+
+Json json_without_times(const DressReport& report) {
     Json json = Json::object();
+    json[report_key::kSchema] = kReportSchema;
+    json[report_key::kVersion] = program_version();
+    json[report_key::kOutcome] = name_of(outcome_of(report));
+    json[report_key::kProblem] = report.problem.empty() ? Json() : Json(report.problem);
+    json[report_key::kInputs] = inputs_json(report.inputs);
+    json[report_key::kOptions] = options_json(report.options);
     json[report_key::kGarment] = report.garment;
     Json garments = Json::array();
     for (const std::string& garment : report.garments) garments.push_back(garment);
@@ -120,257 +254,26 @@ Json json_of(const DressReport& report) {
     Json notes = Json::array();
     for (const std::string& note : report.notes) notes.push_back(note);
     json[report_key::kNotes] = std::move(notes);
+    json[report_key::kFit] = fit_json(report.fit);
     json[report_key::kMesh] = mesh_json(report.mesh);
     json[report_key::kSeams] = seams_json(report.seams);
     json[report_key::kContact] = contact_json(report.contact);
     json[report_key::kStretch] = stretch_json(report.stretch);
+    return json;
+}
+
+Json times_json(const DressReport& report) {
+    return timing_json(report.timing);
+}
+
+Json json_of(const DressReport& report) {
+    Json json = json_without_times(report);
     json[report_key::kTiming] = timing_json(report.timing);
     return json;
 }
 
 std::string to_json(const DressReport& report) {
     return write_json(json_of(report));
-}
-
-namespace {
-
-void add_fault(DressReport& report, std::string kind, std::string place, double value) {
-    report.faults.push_back({std::move(kind), std::move(place), value});
-}
-
-std::string describe_position(const Vec3f& x) {
-    char text[96];
-    std::snprintf(text, sizeof text, " at x %.3f y %.3f z %.3f m", static_cast<double>(x.x()),
-                  static_cast<double>(x.y()), static_cast<double>(x.z()));
-    return text;
-}
-
-std::string describe_seam(const Pattern& pattern, int seam) {
-    const auto side = [&](const SeamSide& s) {
-        return "'" + pattern.panels[static_cast<std::size_t>(s.panel)].name + "' edge " + std::to_string(s.edge);
-    };
-    const Seam& sewn = pattern.seams[static_cast<std::size_t>(seam)];
-    return "seam " + std::to_string(seam) + ", " + side(sewn.first) + " to " + side(sewn.second);
-}
-
-void validate_mesh(const Cloth& cloth, DressReport& report) {
-    report.mesh.leaf_triangles = static_cast<int>(cloth.mesh.leaf_triangles().size());
-    report.mesh.leaf_vertices = static_cast<int>(cloth.mesh.leaf_vertices().size());
-    report.mesh.by_level.assign(static_cast<std::size_t>(cloth.mesh.max_level()) + 1, 0);
-    for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) ++report.mesh.by_level[t.level];
-    for (const std::string& broken : check(cloth.mesh)) add_fault(report, "broken_mesh", broken, 0);
-}
-
-// For example "the left ankle, 'pant_f_l' at x 0.113 y 0.071 z 0.029 m".
-std::string describe_point(const BodyLimbs& limbs, const Pattern& pattern, std::uint16_t panel, const Vec3f& x) {
-    const std::string part = place_on_body(limbs, x.cast<double>());
-    const std::string beside = part.empty() ? "" : "the " + part + ", ";
-    return beside + "'" + pattern.panels[panel].name + "'" + describe_position(x);
-}
-
-// One fault for each part of the body through which edges pass, at its deepest edge.
-void add_passages(const std::vector<PassingEdge>& passing, const std::vector<std::uint16_t>& panels,
-                  const BodyLimbs& limbs, const Pattern& pattern, DressReport& report) {
-    std::map<std::string, const PassingEdge*> deepest;
-    for (const PassingEdge& edge : passing) {
-        const PassingEdge*& known = deepest[place_on_body(limbs, edge.at.cast<double>())];
-        if (known == nullptr || edge.depth > known->depth) known = &edge;
-    }
-    for (const auto& [part, edge] : deepest) {
-        add_fault(report, "through_body",
-                  "cloth passes through " + describe_point(limbs, pattern, panels[edge->triangle], edge->at),
-                  static_cast<double>(edge->depth));
-    }
-}
-
-void validate_contact(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const FaultLimits& limits,
-                      DressReport& report) {
-    const DrawMesh mesh = draw_mesh(cloth, {});
-    const Penetration found =
-        find_penetration(mesh.x, mesh.triangles, body.surface(), {.depth = static_cast<float>(limits.depth)});
-    ContactCounts& contact = report.contact;
-    contact.inside = found.vertices;
-    contact.deepest_m = static_cast<double>(found.deepest_vertex);
-    contact.faces_in_body = found.faces;
-    contact.edges_in_body = found.edges;
-    if (found.faces == 0) return;
-    const BodyLimbs limbs = find_limbs(body.body());
-    contact.deepest_face_m = static_cast<double>(found.deepest);
-    contact.deepest_face_at = describe_point(limbs, pattern, mesh.panel[found.triangle], found.at);
-    add_passages(found.passing, mesh.panel, limbs, pattern, report);
-    if (contact.deepest_m > limits.depth) {
-        const VertexId deepest = cloth.mesh.leaf_vertices()[found.vertex];
-        add_fault(report, "inside_body", describe_place(cloth, pattern, deepest), contact.deepest_m);
-    } else if (contact.deepest_face_m > limits.face_depth && found.passing.empty()) {
-        add_fault(report, "inside_body", "a face at " + contact.deepest_face_at, contact.deepest_face_m);
-    }
-}
-
-float larger_of(const TriangleStrain& strain) {
-    return std::max(strain.warp, strain.weft);
-}
-
-// Strain minus what the fabric and the tightness of the garment allow.
-TriangleStrain beyond(const TriangleStrain& strain, double allowed) {
-    const auto limit = static_cast<float>(allowed);
-    return {.warp = strain.warp - limit, .weft = strain.weft - limit, .shear = strain.shear};
-}
-
-Vec3d middle_of(const Cloth& cloth, const LeafTriangle& t) {
-    return ((cloth.x[t.v[0].value] + cloth.x[t.v[1].value] + cloth.x[t.v[2].value]) / 3.0F).head<3>().cast<double>();
-}
-
-StretchStatistics stretch_statistics(const std::vector<TriangleStrain>& strains) {
-    std::vector<double> yarn_strains;
-    std::vector<double> shears;
-    StretchStatistics statistics;
-    for (const TriangleStrain& strain : strains) {
-        yarn_strains.push_back(strain.warp);
-        yarn_strains.push_back(strain.weft);
-        shears.push_back(strain.shear * 180 / std::numbers::pi);
-        statistics.warp_weft_max = std::max(statistics.warp_weft_max, static_cast<double>(larger_of(strain)));
-    }
-    statistics.warp_weft_p50 = quantile(yarn_strains, 0.5);
-    statistics.warp_weft_p99 = quantile(yarn_strains, 0.99);
-    statistics.shear_deg_p99 = quantile(shears, 0.99);
-    return statistics;
-}
-
-// For example "smaller than the body by up to 1.9 cm, between 1.14 and 1.26 m up: it stretches there". Pre: not empty.
-std::string describe_tight(const std::vector<TightLevel>& tight) {
-    double most = 0;
-    for (const TightLevel& level : tight) most = std::max(most, shortfall(level));
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "smaller than the body by up to %.1f cm, between %.2f and %.2f m up: it stretches there", most * 100,
-                  tight.front().y, tight.back().y);
-    return text;
-}
-
-// Cloth that passes through itself.
-void validate_crossings(const Cloth& cloth, const Pattern& pattern, const FaultLimits& limits, DressReport& report) {
-    const ContactSurface surface = contact_surface(cloth);
-    const float* const points = cloth.x.front().data();
-    const std::vector<TrianglePair> pairs = find_crossing_triangles(surface, points);
-    if (pairs.empty()) return;
-    ContactCounts& contact = report.contact;
-    contact.self_crossings = static_cast<int>(pairs.size());
-    contact.self_crossing_m = contour_length(surface, points, pairs);
-    contact.self_crossing_at =
-        describe_place(cloth, pattern, VertexId{surface.triangles[pairs.front().first].vertices[0]});
-    if (limits.may_cross_itself) return;
-    add_fault(report, "self_crossing",
-              std::to_string(pairs.size()) + " pairs of triangles, one at " + contact.self_crossing_at,
-              contact.self_crossing_m);
-}
-
-// Panels of a higher layer that lie inside of those of a lower one.
-void validate_layers(const Cloth& cloth, const Pattern& pattern, DressReport& report) {
-    const LayerOrder order = measure_layer_order(cloth);
-    report.contact.on_lower_layer = order.judged;
-    report.contact.wrong_layer_order = order.wrong;
-    if (order.wrong == 0) return;
-    add_fault(report, "wrong_layer_order",
-              std::to_string(order.wrong) + " vertices lie inside of a lower layer, one at " +
-                  describe_place(cloth, pattern, *order.wrong_vertex),
-              order.wrong);
-}
-
-// For example "too small at the waist (y 1.02 m) by 36.5 cm".
-std::string describe_too_small(const TightLevel& level, const std::string& part) {
-    char where[96];
-    std::snprintf(where, sizeof where, "(y %.2f m) by %.1f cm", level.y, shortfall(level) * 100);
-    return "too small " + (part.empty() ? std::string() : "at the " + part + " ") + where;
-}
-
-// What stretches no more than its fabric does is noted; beyond, the garment does not fit. One fault for each limb and
-// for the torso, where they are tightest.
-void validate_fit(const std::vector<TightLevel>& tight, const Body& body, DressReport& report) {
-    std::vector<TightLevel> noted;
-    std::map<int, const TightLevel*> too_small;
-    std::optional<BodyLimbs> limbs;
-    for (const TightLevel& level : tight) {
-        if (shortfall(level) == 0) continue;
-        if (level.limit_girth >= level.body_girth) {
-            noted.push_back(level);
-            continue;
-        }
-        if (!limbs) limbs = find_limbs(body);
-        const auto position = nearest_on_limbs(*limbs, (level.low + level.high) / 2);
-        const int limb = position && position->limb ? static_cast<int>(*position->limb) : -1;
-        const TightLevel*& worst = too_small[limb];
-        if (worst == nullptr || shortfall(level) > shortfall(*worst)) worst = &level;
-    }
-    if (!noted.empty()) report.notes.push_back(describe_tight(noted));
-    for (const auto& [limb, level] : too_small) {
-        const std::string part = place_on_body(*limbs, (level->low + level->high) / 2);
-        add_fault(report, "does_not_fit", describe_too_small(*level, part), shortfall(*level));
-    }
-}
-
-void validate_rest(const DrapeResult& draped, DressReport& report) {
-    if (!draped.settled) {
-        add_fault(report, "not_settled", "whole garment, rms speed in m/s", draped.rms_speed);
-    } else if (draped.rms_speed > DrapeOptions{}.rest_speed) {
-        const long speed = std::lround(1000 * draped.rms_speed);
-        report.notes.push_back("had settled, but moves by " + std::to_string(speed) + " mm/s in finer sub-steps");
-    }
-}
-
-// Stretch is a fault beyond the fabric's limit and what the garment's tightness explains.
-void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const FaultLimits& limits,
-                      DressReport& report) {
-    const std::vector<TriangleStrain> strains = measure_strain(cloth);
-    if (strains.empty()) return;
-    report.stretch = stretch_statistics(strains);
-    FitOptions fit;
-    for (const Fabric& fabric : cloth.material.fabrics) fit.strain_limits.push_back(fabric.strain_limit);
-    const std::vector<TightLevel> tight = tight_levels(draw_mesh(cloth, {}), body, fit);
-    validate_fit(tight, body, report);
-    std::vector<TriangleStrain> unexplained;
-    std::size_t worst = 0;
-    for (std::size_t i = 0; i < strains.size(); ++i) {
-        const LeafTriangle& leaf = cloth.mesh.leaf_triangles()[i];
-        const double explained = explained_strain(tight, middle_of(cloth, leaf));
-        unexplained.push_back(beyond(strains[i], fit.strain_limits[leaf.panel] + explained));
-        if (larger_of(unexplained[i]) > larger_of(unexplained[worst])) worst = i;
-    }
-    const StretchStatistics statistics = stretch_statistics(unexplained);
-    const std::string place = describe_place(cloth, pattern, cloth.mesh.leaf_triangles()[worst].v[0]);
-    if (statistics.warp_weft_p99 > limits.stretch_p99)
-        add_fault(report, "overstretched", "99th percentile, worst at " + place, report.stretch.warp_weft_p99);
-    if (statistics.warp_weft_max > limits.stretch_max)
-        add_fault(report, "overstretched", place, static_cast<double>(larger_of(strains[worst])));
-}
-
-}  // namespace
-
-void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern,
-              std::span<const OpenSeam> open_seams, const DrapeResult& draped, DressReport& report,
-              const FaultLimits& limits) {
-    report.seams.open = static_cast<int>(open_seams.size());
-    for (const OpenSeam& open : open_seams) add_fault(report, "open_seam", describe_seam(pattern, open.seam), open.gap);
-    if (draped.bad_vertex) {
-        add_fault(report, "not_finite", describe_place(cloth, pattern, *draped.bad_vertex), 0);
-    } else {
-        validate_contact(cloth, body, pattern, limits, report);
-        validate_crossings(cloth, pattern, limits, report);
-        validate_layers(cloth, pattern, report);
-        validate_stretch(cloth, body.body(), pattern, limits, report);
-    }
-    validate_rest(draped, report);
-    validate_mesh(cloth, report);
-}
-
-std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId vertex) {
-    std::string panels;
-    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-        const auto touches = [&](TriangleId t) { return cloth.mesh.triangle(t).panel == p; };
-        bool found = false;
-        for (const TriangleId t : cloth.mesh.triangles_at(vertex)) found = found || touches(t);
-        if (found) panels += (panels.empty() ? "'" : " beside '") + pattern.panels[p].name + "'";
-    }
-    return panels + describe_position(cloth.x[vertex.value].head<3>());
 }
 
 }  // namespace selvedge::sim

@@ -1,25 +1,38 @@
 #pragma once
-// Report on a dressed garment as plain data and as JSON, with the quality checks that find its faults. All keys of the
-// JSON are declared here.
-#include <array>
+// Report on a dressed garment as plain data and as JSON (docs/report.md). All keys of the JSON are declared here.
 #include <map>
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "sim/cloth/cloth.h"
 #include "sim/core/json.h"
-#include "sim/dress/drape.h"
-#include "sim/dress/sewing.h"
-#include "sim/mesh/draw_mesh.h"
-#include "sim/pattern/pattern.h"
+#include "sim/dress/dressing.h"
+#include "sim/place/fit_table.h"
 
 namespace selvedge::sim {
 
-class BodyCollider;
-
 namespace report_key {
+inline constexpr std::string_view kSchema = "schema";
+inline constexpr std::string_view kVersion = "version";
+inline constexpr std::string_view kOutcome = "outcome";
+inline constexpr std::string_view kProblem = "problem";
+
+inline constexpr std::string_view kInputs = "inputs";
+inline constexpr std::string_view kRole = "role";
+inline constexpr std::string_view kFile = "file";
+inline constexpr std::string_view kSha256 = "sha256";
+
+inline constexpr std::string_view kOptions = "options";
+inline constexpr std::string_view kFabric = "fabric";
+inline constexpr std::string_view kEdgeLengthM = "edge_length_m";
+inline constexpr std::string_view kMaxLevel = "max_level";
+inline constexpr std::string_view kShortestEdgeM = "shortest_edge_m";
+inline constexpr std::string_view kTriangleBudget = "triangles";
+inline constexpr std::string_view kCriteria = "criteria";
+inline constexpr std::string_view kMaxSeconds = "max_seconds";
+inline constexpr std::string_view kSelfCollision = "self_collision";
+
 inline constexpr std::string_view kGarment = "garment";
 inline constexpr std::string_view kGarments = "garments";
 inline constexpr std::string_view kBody = "body";
@@ -33,6 +46,14 @@ inline constexpr std::string_view kKind = "kind";
 inline constexpr std::string_view kClass = "class";
 inline constexpr std::string_view kPlace = "place";
 inline constexpr std::string_view kValue = "value";
+inline constexpr std::string_view kUnit = "unit";
+inline constexpr std::string_view kCause = "cause";
+
+inline constexpr std::string_view kFit = "fit";
+inline constexpr std::string_view kMeasure = "measure";
+inline constexpr std::string_view kBodyGirthM = "body_girth_m";
+inline constexpr std::string_view kGarmentGirthM = "garment_girth_m";
+inline constexpr std::string_view kEaseM = "ease_m";
 
 inline constexpr std::string_view kMesh = "mesh";
 inline constexpr std::string_view kBaseTriangles = "base_triangles";
@@ -82,8 +103,9 @@ inline constexpr std::string_view kPeakMemoryMb = "peak_memory_mb";
 // "broken_mesh", "does_not_fit".
 struct DressFault {
     std::string kind;
-    std::string place;  // a seam, panel, opening or point that the user can find
-    double value = 0;   // in the unit of the kind: m, m/s, strain, number of limbs, share of the vertices
+    std::string place;   // a seam, panel, opening or point that the user can find
+    double value = 0;    // in the unit of the kind: m, m/s, strain, number of limbs, share of the vertices
+    std::string unit{};  // empty: that of the kind
 };
 
 enum class FaultClass {
@@ -92,6 +114,10 @@ enum class FaultClass {
 };
 FaultClass class_of(const DressFault& fault);
 std::string_view name_of(FaultClass fault_class);  // "defect" or "does_not_fit"
+
+// What is wrong, where and by how much, as a sentence: "too small at the waist (y 1.02 m) by 3.2 cm", "crossing itself
+// over 1.4 cm: 12 pairs of triangles, one at 'front' at x 0.113 y 1.071 z 0.129 m".
+std::string cause_of(const DressFault& fault);
 
 struct MeshCounts {
     int base_triangles = 0;
@@ -142,7 +168,25 @@ struct DressTiming {
     double peak_memory_mb = 0;
 };
 
+// A file that the dressing was made from.
+struct ReportInput {
+    std::string role;  // "garment", "over", "body", "fabric", "tartan", "picture", "motion"
+    std::string file;  // as it was named
+    std::string sha256;
+};
+
+// How a dressing ended: by its worst fault, or refused before it began.
+enum class Outcome { Dressed, DoesNotFit, Defect, Refused };
+std::string_view name_of(Outcome outcome);  // "dressed", "does_not_fit", "defect", "refused"
+int exit_code_of(Outcome outcome);          // 0, 4, 3, 2
+
+inline constexpr int kReportSchema = 1;  // increases when a key changes its meaning or goes
+
 struct DressReport {
+    std::vector<ReportInput> inputs;
+    DressOptions options{};
+    std::string problem;  // why it was refused; empty: it was not
+
     std::string garment;
     std::vector<std::string> garments;  // from the innermost to the outermost
     std::string body;
@@ -151,6 +195,7 @@ struct DressReport {
     double simulated_seconds = 0;
     std::vector<DressFault> faults;
     std::vector<std::string> notes;  // information for the user that is not a fault
+    std::vector<FitRow> fit;         // empty if it was not measured
     MeshCounts mesh;
     SeamCounts seams;
     ContactCounts contact;
@@ -158,27 +203,13 @@ struct DressReport {
     DressTiming timing;
 };
 
+Outcome outcome_of(const DressReport& report);
+
 Json json_of(const DressReport& report);
+// Without `timing`, which differs from run to run.
+Json json_without_times(const DressReport& report);
+Json times_json(const DressReport& report);  // `timing` alone
 // The whole report as JSON text. Equal input gives equal text, except for `timing`.
 std::string to_json(const DressReport& report);
-
-// Quality checks of a dressed garment.
-
-// Limits above which a value is a fault.
-struct FaultLimits {
-    double depth = 0.0005;          // m, depth of a vertex inside the body; of what counts as an edge or face in it
-    double face_depth = 0.003;      // m, of an edge or face: more than the solver lets one dip as it moves
-    double stretch_p99 = 0.02;      // warp or weft strain beyond the fabric's limit and what tightness explains
-    double stretch_max = 0.12;      // the same
-    bool may_cross_itself = false;  // whether cloth that passes through itself is no fault
-};
-
-// Fills in mesh counts, contact, stretch, open seams, notes and faults.
-void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern,
-              std::span<const OpenSeam> open_seams, const DrapeResult& draped, DressReport& report,
-              const FaultLimits& limits = {});
-
-// Position for the user, for example "'front' beside 'left_sleeve' at x 0.123 y 1.340 z 0.051 m".
-std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId vertex);
 
 }  // namespace selvedge::sim

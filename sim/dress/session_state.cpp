@@ -10,8 +10,8 @@
 #include "sim/dress/animation.h"
 #include "sim/dress/carry_over.h"
 #include "sim/dress/dressing_pose.h"
+#include "sim/dress/inspection.h"
 #include "sim/dress/own_pose.h"
-#include "sim/dress/report.h"
 #include "sim/dress/session_frame.h"
 
 namespace selvedge::sim {

@@ -6,7 +6,7 @@
 
 #include "sim/cloth/cloth_penetration.h"
 #include "sim/collide/body_collider.h"
-#include "sim/dress/report.h"
+#include "sim/dress/inspection.h"
 #include "sim/mesh/sew.h"
 #include "sim/place/limb_pieces.h"
 #include "sim/place/limbs.h"

@@ -370,7 +370,8 @@ std::optional<DressFault> weakness_of(const LoweredEdge& lowered, const WornGarm
                                (is_of_chest ? "upper edge" : "waist") + " of '" + garment.panels.panel_names[panel] +
                                "' carries at most " + text + ", and it lies " +
                                std::to_string(std::lround(100 * lowered.moved())) + " cm lower than it was placed",
-                      .value = weight - carried};
+                      .value = weight - carried,
+                      .unit = "N"};
 }
 
 // An edge that goes round the trunk is held by what is wider below it: the bust or the hips. It has slipped if it was

@@ -32,14 +32,17 @@ TEST(AnimateCommand, writes_a_film_caches_and_a_report) {
     EXPECT_EQ(files_in(folder / "walk.frames"), 7U) << "0.6 s at 10 frames per second, and the first";
     EXPECT_EQ(render::read_png(folder / "walk.frames/frame_0007.png").height_px, 128);
     const sim::Json report = sim::read_json(folder / "walk.json");
-    EXPECT_EQ(report.find("motion")->string(), "walk");
-    EXPECT_EQ(report.find("frames")->number(), 7);
-    EXPECT_FALSE(report.find("quality")->find("has_bad_number")->boolean());
-    const bool has_fault = report.find("motion_faults")->elements().size() > 0 ||
-                           report.find("dressing")->find("faults")->elements().size() > 0;
-    EXPECT_EQ(run.exit_code, has_fault ? 3 : 0);
-    EXPECT_EQ(run.out.find("defect: in motion:") != std::string::npos,
-              report.find("motion_faults")->elements().size() > 0);
+    const sim::Json& animation = *report.find("animation");
+    EXPECT_EQ(animation.find("motion")->string(), "walk");
+    EXPECT_EQ(animation.find("frames")->number(), 7);
+    EXPECT_FALSE(animation.find("has_bad_number")->boolean());
+    const bool has_motion_fault = animation.find("faults")->elements().size() > 0;
+    const bool has_defect = report.find("outcome")->string() == "defect";
+    EXPECT_TRUE(has_defect || !has_motion_fault);
+    EXPECT_EQ(run.exit_code == 3, has_defect);
+    EXPECT_EQ(run.out.find("defect: in motion:") != std::string::npos, has_motion_fault);
+    EXPECT_GT(report.find("timing")->find("ms_per_frame")->number(), 0);
+    EXPECT_EQ(report.find("inputs")->elements().at(0).find("sha256")->string().size(), 64U);
     EXPECT_EQ(content_of(folder / "walk.pc2").substr(0, 11), "POINTCACHE2");
     EXPECT_TRUE(std::filesystem::exists(folder / "walk.obj")) << "the mesh of the cache";
     EXPECT_EQ(content_of(folder / "walk.glb").substr(0, 4), "glTF");

@@ -12,6 +12,7 @@
 
 #include "render/image/image.h"
 #include "sim/core/json.h"
+#include "sim/core/sha256.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/app/selvedge_program.h"
 #include "tests/support/checkout.h"
@@ -134,6 +135,26 @@ TEST_F(DressCommand, a_fault_exits_3_is_named_and_still_makes_the_picture) {
     EXPECT_EQ(report.find("faults")->elements().front().find("class")->string(), "defect");
     EXPECT_EQ(lines_with(hasty.out, "defect: not settled: ").size(), 1U) << hasty.out;
     EXPECT_EQ(render::read_png(folder / "picture.png").width_px, 160);
+}
+
+TEST_F(DressCommand, what_is_refused_has_a_report_too_in_place_of_an_old_one) {
+    const ScratchFolder folder;
+    std::ofstream(folder / "report.json") << "{\"outcome\": \"dressed\"}";
+    const ProgramResult refused =
+        run_selvedge("dress '" + folder / "none.json" + "' --report '" + folder / "report.json" + "'");
+    EXPECT_EQ(refused.exit_code, 2);
+    const sim::Json report = sim::read_json(folder / "report.json");
+    EXPECT_EQ(report.find("outcome")->string(), "refused");
+    EXPECT_NE(refused.err.find(report.find("problem")->string()), std::string::npos) << refused.err;
+    EXPECT_TRUE(report.find("faults")->elements().empty());
+}
+
+TEST_F(DressCommand, a_report_names_its_inputs_by_content) {
+    const sim::Json report = sim::read_json(file("report.json"));
+    const sim::Json& input = report.find("inputs")->elements().at(0);
+    EXPECT_EQ(input.find("role")->string(), "garment");
+    EXPECT_EQ(input.find("sha256")->string(), sim::sha256(content_of(input.find("file")->string())));
+    EXPECT_EQ(report.find("fit")->elements().size(), 8U);
 }
 
 TEST_F(DressCommand, shows_the_hierarchy_and_films_it) {

@@ -36,6 +36,9 @@ def draw(may_include):
     drawn = {module: others for module, others in may_include.items() if others is not None}
     lines = list(BEGIN)
     for folder in dict.fromkeys(module.split("/")[0] for module in drawn):
+        if folder in drawn:
+            lines.append(f"  {folder}")
+            continue
         lines.append(f"  subgraph {folder}")
         lines += [f"    {module.replace('/', '_')}[{module}]" for module in drawn if module.split("/")[0] == folder]
         lines.append("  end")

@@ -44,7 +44,7 @@ class Architecture:
         return cls(pathlib.Path(root, ARCHITECTURE).read_text(encoding="utf-8"))
 
 
-SOURCE_FOLDERS = ["sim", "render", "editor", "app", "bench", "tests"]
+SOURCE_FOLDERS = ["sim", "render", "editor", "batch", "app", "bench", "tests"]
 SOURCE_SUFFIXES = [".h", ".cpp"]
 TEXT_FOLDERS = SOURCE_FOLDERS + ["shaders", "cmake", "scripts", ".ci", "docs"]
 TEXT_SUFFIXES = SOURCE_SUFFIXES + [".py", ".cmake", ".txt", ".md", ".glsl", ".vert", ".frag", ".sh", ""]

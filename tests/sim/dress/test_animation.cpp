@@ -269,7 +269,7 @@ TEST(Animation, keeps_a_garment_outside_of_a_body_that_walks) {
     EXPECT_EQ(quality.deep_vertices, 0);
     EXPECT_LT(quality.deepest_face, 0.003);
     EXPECT_LT(quality.p99_stretch, 0.05);
-    const std::string report = to_json(animation, "walk");
+    const std::string report = to_json(animation, "walk", {});
     EXPECT_NE(report.find("\"planned_frames\": 31"), std::string::npos) << report;
 }
 

@@ -1,14 +1,16 @@
 // The report finds planted faults, names their places, and reports nothing else.
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "sim/collide/body_collider.h"
 #include "sim/core/json.h"
-#include "sim/dress/report.h"
+#include "sim/dress/inspection.h"
 #include "sim/mesh/sew.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
@@ -26,6 +28,8 @@ Keys keys_of(const Json& object) {
 
 DressReport full_report() {
     DressReport report;
+    report.inputs = {{.role = "garment", .file = "tshirt.json", .sha256 = std::string(64, 'a')}};
+    report.fit = {{.measure = "waist", .body_girth = 0.7, .garment_girth = 0.9}};
     report.garment = "tshirt";
     report.body = "mannequin";
     report.settled = true;
@@ -59,9 +63,17 @@ Json parsed(const DressReport& report) {
 
 TEST(Report, has_the_keys_that_were_promised_and_no_others) {
     const Json json = parsed(full_report());
-    EXPECT_EQ(keys_of(json), (Keys{"garment", "garments", "body", "settled", "stopped_because", "simulated_seconds",
-                                   "faults", "notes", "mesh", "seams", "contact", "stretch", "timing"}));
-    EXPECT_EQ(keys_of(json.find("faults")->elements().at(0)), (Keys{"kind", "class", "place", "value"}));
+    EXPECT_EQ(keys_of(json), (Keys{"schema",  "version",  "outcome", "problem", "inputs",          "options",
+                                   "garment", "garments", "body",    "settled", "stopped_because", "simulated_seconds",
+                                   "faults",  "notes",    "fit",     "mesh",    "seams",           "contact",
+                                   "stretch", "timing"}));
+    EXPECT_EQ(keys_of(json.find("inputs")->elements().at(0)), (Keys{"role", "file", "sha256"}));
+    EXPECT_EQ(keys_of(*json.find("options")), (Keys{"fabric", "edge_length_m", "max_level", "shortest_edge_m",
+                                                    "triangles", "criteria", "max_seconds", "self_collision"}));
+    EXPECT_EQ(keys_of(json.find("faults")->elements().at(0)),
+              (Keys{"kind", "class", "place", "value", "unit", "cause"}));
+    EXPECT_EQ(keys_of(json.find("fit")->elements().at(0)),
+              (Keys{"measure", "body_girth_m", "garment_girth_m", "ease_m"}));
     EXPECT_EQ(keys_of(*json.find("mesh")), (Keys{"base_triangles", "leaf_triangles", "leaf_vertices", "by_level",
                                                  "min_angle_deg", "splits", "rejoins", "transitions"}));
     EXPECT_EQ(keys_of(*json.find("seams")), (Keys{"count", "open", "worst_length_mismatch"}));
@@ -90,6 +102,8 @@ TEST(Report, gives_back_what_was_put_in) {
     EXPECT_EQ(view.at("simulated_seconds").number(), 3.5);
     EXPECT_EQ(view.at("faults").at(0).at("kind").string(), "open_seam");
     EXPECT_EQ(view.at("faults").at(0).at("value").number(), 0.012);
+    EXPECT_EQ(view.at("inputs").at(0).at("file").string(), "tshirt.json");
+    EXPECT_NEAR(view.at("fit").at(0).at("ease_m").number(), 0.2, 1e-12);
     EXPECT_EQ(view.at("mesh").at("by_level").numbers(), (std::vector<double>{10, 20, 30, 40}));
     EXPECT_EQ(view.at("mesh").at("splits").number(), 5e9);
     EXPECT_EQ(view.at("contact").at("deepest_m").number(), 0.0004);
@@ -104,6 +118,42 @@ TEST(Report, tells_a_garment_that_does_not_fit_from_a_defect_of_the_drape) {
     const JsonView faults = JsonView(json, "report.json").at("faults");
     EXPECT_EQ(faults.at(0).at("class").string(), "defect");
     EXPECT_EQ(faults.at(1).at("class").string(), "does_not_fit");
+}
+
+TEST(Report, says_what_is_wrong_in_a_sentence_with_its_unit) {
+    const auto cause = [](const char* kind, const char* place, double value) {
+        return cause_of({.kind = kind, .place = place, .value = value});
+    };
+    EXPECT_EQ(cause("not_settled", "whole garment", 0.0123), "still moving by 12 mm/s at the end of its time");
+    EXPECT_EQ(cause("open_seam", "seam 3", 0.012), "seam open by 1.2 cm: seam 3");
+    EXPECT_EQ(cause("inside_body", "'front'", 0.0031), "3.1 mm inside the body: 'front'");
+    EXPECT_EQ(cause("self_crossing", "12 pairs", 0.014), "crossing itself over 1.4 cm: 12 pairs");
+    EXPECT_EQ(cause("overstretched", "'cuff'", 0.72), "stretched by 72 %: 'cuff'");
+    EXPECT_EQ(cause("does_not_fit", "too small at the waist by 3.2 cm", 0.032), "too small at the waist by 3.2 cm");
+
+    DressReport report = full_report();
+    report.faults.push_back({.kind = "does_not_fit", .place = "too stretchy", .value = 3, .unit = "N"});
+    const Json json = parsed(report);
+    const JsonView faults = JsonView(json, "report.json").at("faults");
+    EXPECT_EQ(faults.at(0).at("unit").string(), "m");
+    EXPECT_EQ(faults.at(1).at("unit").string(), "N");
+}
+
+TEST(Report, an_outcome_is_that_of_its_worst_fault_and_has_its_exit_code) {
+    const auto outcome = [](const DressReport& report) { return std::pair(outcome_of(report), parsed(report)); };
+    DressReport report;
+    EXPECT_EQ(outcome(report).first, Outcome::Dressed);
+    report.faults.push_back({.kind = "does_not_fit", .place = "too small", .value = 0.1});
+    EXPECT_EQ(outcome(report).first, Outcome::DoesNotFit);
+    report.faults.push_back({.kind = "self_crossing", .place = "somewhere", .value = 0.1});
+    EXPECT_EQ(outcome(report).first, Outcome::Defect);
+    EXPECT_TRUE(outcome(report).second.find("problem")->is_null());
+    report.problem = "x.json: no such file";
+    EXPECT_EQ(outcome(report).second.find("outcome")->string(), "refused");
+    EXPECT_EQ(outcome(report).second.find("problem")->string(), report.problem);
+    const std::array codes{exit_code_of(Outcome::Dressed), exit_code_of(Outcome::Refused),
+                           exit_code_of(Outcome::Defect), exit_code_of(Outcome::DoesNotFit)};
+    EXPECT_EQ(codes, (std::array{0, 2, 3, 4}));
 }
 
 TEST(Report, survives_places_that_need_escaping) {

@@ -1,0 +1,390 @@
+// selvedge batch MANIFEST -o DIR: dresses many garments on many bodies, and shows what came of them in a gallery.
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "app/batch_progress.h"
+#include "app/commands.h"
+#include "app/dress_command.h"
+#include "app/report_inputs.h"
+#include "app/stop_signal.h"
+#include "batch/compare.h"
+#include "batch/gallery.h"
+#include "batch/job_folder.h"
+#include "batch/manifest.h"
+#include "batch/results.h"
+#include "batch/run.h"
+#include "batch/thumbnail.h"
+#include "render/image/image.h"
+#include "sim/core/content_store.h"
+#include "sim/core/error.h"
+#include "sim/core/json.h"
+#include "sim/core/sha256.h"
+#include "sim/exchange/mesh_file.h"
+
+namespace selvedge::app {
+namespace {
+
+using Path = std::filesystem::path;
+
+constexpr int kThumbnailSide = 320;     // px
+constexpr double kUsualCacheMb = 4096;  // of bodies and their fields: some 300 of them
+
+// About what a gallery shows at once, of the garment rather than the body.
+const std::array<batch::JobOption, 2> kUsualLook{{{"size", "480x640", false}, {"frame", "garment", false}}};
+
+struct BatchArguments {
+    Path manifest;
+    batch::Product product;
+    std::vector<std::string> options;  // --set
+    batch::BatchOptions batch;
+    std::string shard;
+    bool has_pictures = true;
+    std::vector<std::string> exports;  // extensions
+    Path compared;                     // an earlier output; empty: none
+    Path cache;                        // empty: the user's
+    bool has_cache = true;
+    double cache_mb = kUsualCacheMb;
+    bool only_merges = false;
+    bool is_quiet = false;
+};
+
+// The folder in which programs keep for this user what can be made again; empty if there is no home folder.
+Path usual_cache_folder() {
+    const auto folder = [](const char* variable) -> Path {
+        const char* value = std::getenv(variable);
+        return value == nullptr ? Path() : Path(value);
+    };
+    if (const Path cache = folder("XDG_CACHE_HOME"); cache.is_absolute()) return cache / "selvedge";
+    if (const Path home = folder("HOME"); home.is_absolute()) return home / ".cache/selvedge";
+    return {};
+}
+
+// Adds what a job does not say of its picture.
+void add_usual_look(batch::Job& job) {
+    for (const batch::JobOption& usual : kUsualLook) {
+        const auto is_same = [&](const batch::JobOption& option) { return option.name == usual.name; };
+        if (std::ranges::none_of(job.options, is_same)) job.options.push_back(usual);
+    }
+}
+
+std::vector<batch::Job> jobs_of(const BatchArguments& arguments) {
+    std::vector<batch::JobOption> options;
+    for (const std::string& text : arguments.options) options.push_back(batch::parse_option(text));
+    const bool has_product = !arguments.product.garments.empty();
+    if (arguments.manifest.empty() != has_product)
+        throw sim::InputError("", "", "name a manifest, or --patterns with --bodies and --fabrics");
+    std::vector<batch::Job> jobs =
+        has_product ? jobs_of(arguments.product, "") : batch::read_manifest(arguments.manifest);
+    name_jobs(jobs);  // what all have in common is not in their names
+    for (batch::Job& job : jobs) {
+        job.options.insert(job.options.end(), options.begin(), options.end());
+        if (arguments.has_pictures) add_usual_look(job);
+    }
+    return jobs;
+}
+
+// As the command dress reads them. Throws InputError that names the job.
+DressArguments parse_dress(const batch::Job& job) {
+    CLI::App command;
+    DressArguments arguments;
+    add_dress_options(command, arguments);
+    std::vector<std::string> words = dress_arguments(job);
+    std::ranges::reverse(words);  // CLI11 takes them from the end
+    try {
+        command.parse(words);
+    } catch (const CLI::ParseError& error) {
+        throw sim::InputError("", "job '" + job.name + "'", error.what());
+    } catch (const sim::InputError& error) {
+        throw sim::InputError("", "job '" + job.name + "'", error.what());
+    }
+    return arguments;
+}
+
+// Finds wrong options before the work begins. Jobs differ mostly in their garments, which have no options.
+void check_options(const std::vector<batch::Job>& jobs) {
+    std::set<std::string> seen;
+    for (const batch::Job& job : jobs) {
+        std::string text;
+        const std::vector<std::string> words = dress_arguments(job);
+        for (std::size_t i = 1; i < words.size(); ++i) text += words[i] + '\0';
+        if (seen.insert(text).second) parse_dress(job);
+    }
+}
+
+// The keys of jobs: hashes of all that their results follow from. Each file is read once.
+class JobKeys {
+ public:
+    explicit JobKeys(const BatchArguments& arguments)
+        : program_(sim::sha256_of_file("/proc/self/exe")), arguments_(arguments) {}
+
+    const std::string& program() const { return program_; }
+
+    std::string operator()(const batch::Job& job) {
+        sim::Json json = sim::Json::object();
+        json["program"] = program_;
+        sim::Json& words = json["arguments"] = sim::Json::array();
+        for (const std::string& word : dress_arguments(job)) words.push_back(word);
+        json["picture"] = arguments_.has_pictures;
+        sim::Json& exports = json["exports"] = sim::Json::array();
+        for (const std::string& extension : arguments_.exports) exports.push_back(extension);
+        sim::Json& inputs = json["inputs"] = sim::Json::array();
+        for (const std::string& input : inputs_of(job)) inputs.push_back(input);
+        return sim::sha256(write_json(json, -1));
+    }
+
+ private:
+    std::string hash_of(const Path& file) {
+        const auto [at, is_new] = hashes_.try_emplace(file.string());
+        if (!is_new) return at->second;
+        try {
+            at->second = sim::sha256_of_file(file);
+        } catch (const sim::InputError&) {
+            at->second = "none";  // the job will say so
+        }
+        return at->second;
+    }
+
+    // What cannot be read has no other inputs than itself.
+    std::vector<std::string> inputs_of(const batch::Job& job) {
+        std::vector<std::string> hashes;
+        const auto hash = [this](const Path& file) { return hash_of(file); };
+        BodyOptions body{.source = job.body, .load = {}};
+        GarmentOptions garment;
+        garment.garment = job.garment;
+        garment.over = job.over;
+        garment.fabric = job.fabric;
+        try {
+            std::vector<std::string> notes;
+            const sim::Pattern& pattern = pattern_of(garment);
+            if (body.source.empty()) body.source = pattern.body;
+            for (const sim::ReportInput& input : report_inputs(garment, body, pattern, hash))
+                hashes.push_back(input.sha256);
+        } catch (const sim::InputError&) {
+            hashes.push_back(hash_of(job.garment));
+        }
+        return hashes;
+    }
+
+    const sim::Pattern& pattern_of(const GarmentOptions& garment) {
+        std::string name = garment.garment.string();
+        for (const Path& over : garment.over) name += '\0' + over.string();
+        const auto found = patterns_.find(name);
+        if (found != patterns_.end()) return found->second;
+        std::vector<std::string> notes;
+        return patterns_.emplace(name, load_garments(garment, notes)).first->second;
+    }
+
+    std::string program_;
+    const BatchArguments& arguments_;
+    std::map<std::string, std::string> hashes_;
+    std::map<std::string, sim::Pattern> patterns_;
+};
+
+int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path& folder,
+              const sim::ContentStore* store) {
+    DressArguments dress = parse_dress(job);
+    dress.garment.threads = 1;
+    dress.garment.is_quiet = true;
+    dress.report_file = folder / batch::job_file::kReport;
+    dress.times_file = folder / batch::job_file::kTimes;
+    if (arguments.has_pictures) dress.picture_file = folder / batch::job_file::kPicture;
+    for (const std::string& extension : arguments.exports)
+        dress.exports.files.push_back(folder / ("garment." + extension));
+    const int code = run_dress(dress, store);
+    std::error_code error;
+    if (std::filesystem::exists(dress.picture_file, error))
+        write_png(folder / batch::job_file::kThumbnail,
+                  batch::shrunk(render::read_png(dress.picture_file), kThumbnailSide));
+    return code;
+}
+
+std::optional<sim::ContentStore> open_store(const BatchArguments& arguments, const std::string& program) {
+    if (!arguments.has_cache) return std::nullopt;
+    const Path folder = arguments.cache.empty() ? usual_cache_folder() : arguments.cache;
+    if (folder.empty()) return std::nullopt;
+    return sim::ContentStore(folder, program, static_cast<std::uint64_t>(arguments.cache_mb * 1e6));
+}
+
+void print_counts(const batch::BatchCounts& counts) {
+    std::printf("%zu of %zu jobs done", counts.skipped + counts.done, counts.jobs);
+    if (counts.skipped > 0) std::printf(", %zu of them before", counts.skipped);
+    std::printf(": %zu dressed, %zu do not fit, %zu with a defect, %zu refused, %zu failed\n", counts.dressed,
+                counts.does_not_fit, counts.defects, counts.refused, counts.failed);
+}
+
+// The commands that do the first few failures again.
+void print_replays(const std::vector<sim::Json>& rows) {
+    constexpr std::size_t kMost = 5;
+    std::size_t count = 0;
+    for (const sim::Json& row : rows) {
+        const std::string& outcome = row.find("outcome")->string();
+        if (outcome == "dressed" || outcome == "does_not_fit") continue;
+        if (++count > kMost) continue;
+        std::printf("%s, to do again:\n  %s\n", outcome.c_str(), row.find("replay")->string().c_str());
+    }
+    if (count > kMost) std::printf("and %zu more: see results.jsonl\n", count - kMost);
+}
+
+void write_all(const BatchArguments& arguments, const batch::Results& results) {
+    const Path& output = arguments.batch.output;
+    write_results(results, output);
+    std::vector<batch::JobChange> changes;
+    if (!arguments.compared.empty()) {
+        ProgressBar bar(progress_bar_options(arguments.is_quiet));
+        changes = batch::compare_runs(results.rows, output, arguments.compared,
+                                      [&](double fraction) { bar.show("comparing", fraction); });
+    }
+    write_gallery(results.rows, changes, output);
+    if (arguments.is_quiet) return;
+    print_replays(results.rows);
+    if (!changes.empty()) {
+        const auto changed = std::ranges::count_if(changes, &batch::JobChange::is_changed);
+        std::printf("%td of %zu jobs changed since %s\n", changed, changes.size(), arguments.compared.c_str());
+    }
+    std::printf("wrote %s, with results.jsonl, results.csv and times.csv beside it\n", (output / "index.html").c_str());
+}
+
+bool is_sound(const std::vector<sim::Json>& rows) {
+    return std::ranges::all_of(rows, [](const sim::Json& row) { return row.find("outcome")->string() == "dressed"; });
+}
+
+int merge(const BatchArguments& arguments, const std::vector<batch::Job>& jobs) {
+    const batch::Results results = gather_results(jobs, arguments.batch.output);
+    write_all(arguments, results);
+    if (results.missing.empty()) return is_sound(results.rows) ? 0 : 1;
+    std::fprintf(stderr, "selvedge: %zu of %zu jobs are not done, the first of them '%s'\n", results.missing.size(),
+                 jobs.size(), results.missing.front().c_str());
+    return 1;
+}
+
+void check_compared(const BatchArguments& arguments) {
+    std::error_code error;
+    if (!arguments.compared.empty() && !std::filesystem::is_directory(arguments.compared / "jobs", error))
+        throw sim::InputError(arguments.compared.string(), "--compare", "is not the output of a batch");
+}
+
+int run(BatchArguments arguments) {
+    if (!arguments.shard.empty()) arguments.batch.shard = batch::parse_shard(arguments.shard);
+    check_compared(arguments);
+    const std::vector<batch::Job> jobs = jobs_of(arguments);
+    check_options(jobs);
+    if (arguments.only_merges) return merge(arguments, jobs);
+
+    JobKeys keys(arguments);
+    const std::optional<sim::ContentStore> store = open_store(arguments, keys.program());
+    const StopSignal stop;
+    BatchProgress progress(progress_bar_options(arguments.is_quiet));
+    const batch::BatchCounts counts = run_batch(
+        jobs, arguments.batch,
+        {.key = [&](const batch::Job& job) { return keys(job); },
+         .dress = [&](const batch::Job& job,
+                      const Path& folder) { return dress_job(arguments, job, folder, store ? &*store : nullptr); },
+         .progress = [&](const batch::BatchCounts& now) { progress.show(now); },
+         .is_stopped = [&] { return stop.is_raised(); }});
+    progress.finish();
+    if (!arguments.is_quiet) print_counts(counts);
+    if (arguments.batch.shard.count > 1) {
+        if (!arguments.is_quiet) std::printf("when all shards are done: selvedge batch ... --merge\n");
+    } else {
+        write_all(arguments, gather_results(jobs, arguments.batch.output));
+    }
+    if (stop.is_raised()) {
+        std::fprintf(stderr, "selvedge: stopped; the same command goes on from here\n");
+        return stop.exit_code();
+    }
+    return counts.dressed == counts.jobs ? 0 : 1;
+}
+
+void add_job_options(CLI::App& command, BatchArguments& arguments) {
+    command.add_option("MANIFEST", arguments.manifest, "List of jobs, JSON or CSV (docs/batch.md)")->type_name("FILE");
+    const auto add = [&](const char* name, std::vector<std::string>& values, const char* help, const char* type) {
+        return command.add_option(name, values, help)->type_name(type)->group("Jobs")->allow_extra_args(false);
+    };
+    add("--patterns", arguments.product.garments,
+        "Instead of a manifest: garment files, such as 'patterns/*.json'; may "
+        "be repeated",
+        "GLOB");
+    add("--bodies", arguments.product.bodies,
+        "Bodies for each of them: mannequin:..., files, or a .txt file with one a line; may be repeated", "GLOB|LIST");
+    add("--fabrics", arguments.product.fabrics, "Fabrics for each of them, with commas between", "LIST")
+        ->delimiter(',');
+    add("--set", arguments.options,
+        "An option of dress for all jobs, such as seconds=8 or no-self-collision; may be "
+        "repeated",
+        "NAME=VALUE");
+}
+
+void add_output_options(CLI::App& command, BatchArguments& arguments) {
+    command.add_option("-o,--output", arguments.batch.output, "Folder for the results; made if it is not there")
+        ->required()
+        ->type_name("DIR");
+    command.add_flag("--no-pictures{false}", arguments.has_pictures, "No pictures, which is faster");
+    command.add_option("--export", arguments.exports, "Each garment as obj, glb, ply or stl; may be repeated")
+        ->type_name("FORMAT")
+        ->check(CLI::IsMember({"obj", "glb", "ply", "stl"}))
+        ->allow_extra_args(false);
+    command.add_option("--compare", arguments.compared, "The output of an earlier run: the gallery shows what changed")
+        ->type_name("DIR");
+}
+
+void add_worker_options(CLI::App& command, BatchArguments& arguments) {
+    batch::BatchOptions& options = arguments.batch;
+    options.workers = int(std::max(1U, std::thread::hardware_concurrency()));
+    add_number<int>(command, "-j,--jobs", {1, 1024}, "Jobs at a time (default: one per CPU core)", [&](int jobs) {
+        options.workers = jobs;
+    })->type_name("N");
+    add_number<double>(command, "--time-limit", {1, 86400}, "Longest time for one job, s (default 300)",
+                       [&](double seconds) { options.limits.seconds = seconds; })
+        ->type_name("S");
+    add_number<double>(command, "--memory-limit", {64, 1e6}, "Most memory for one job, MB (default 4000)",
+                       [&](double megabytes) { options.limits.memory_bytes = std::size_t(megabytes * 1e6); })
+        ->type_name("MB");
+    command.add_option("--cache", arguments.cache, "Folder that keeps bodies and their fields (default: the user's)")
+        ->type_name("DIR");
+    add_number<double>(command, "--cache-size", {50, 1e7}, "Most that it keeps, MB (default 4096)",
+                       [&](double megabytes) { arguments.cache_mb = megabytes; })
+        ->type_name("MB");
+    command.add_flag("--no-cache{false}", arguments.has_cache, "Keep no bodies");
+    command.add_option("--shard", arguments.shard, "Only the jobs I, I + N, I + 2 N, ... of the list")
+        ->type_name("I/N");
+    command.add_flag("--merge", arguments.only_merges, "Do no jobs: gather the results of all shards");
+    command.add_flag("--again", options.does_all_again, "Do also what was done before with the same inputs");
+    command.add_flag("-q,--quiet", arguments.is_quiet, "Show no progress and no summary");
+}
+
+}  // namespace
+
+void add_batch_command(CLI::App& app, int& exit_code) {
+    auto arguments = std::make_shared<BatchArguments>();
+    CLI::App* command = app.add_subcommand("batch", "Dress many garments on many bodies");
+    add_job_options(*command, *arguments);
+    add_output_options(*command, *arguments);
+    add_worker_options(*command, *arguments);
+    command->footer(
+        "What was done before with the same inputs, options and program is not done again, so a batch that was "
+        "stopped\n"
+        "goes on. Ctrl+C lets the jobs that run end; twice stops at once.\n"
+        "Exit code: 0 all dressed without a fault, 1 not all, 2 wrong input, 130 stopped.\n"
+        "Examples:\n"
+        "  selvedge batch jobs.csv -o out\n"
+        "  selvedge batch --patterns 'patterns/*.json' --bodies mannequin:bust=88 --bodies mannequin:bust=104 \\\n"
+        "      --fabrics cotton_shirting,denim -o out --export glb\n"
+        "  selvedge batch jobs.json -o new --compare old\n"
+        "  selvedge batch jobs.json -o out --shard 3/8        # and when all are done: --merge");
+    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace selvedge::app

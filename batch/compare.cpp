@@ -1,0 +1,69 @@
+#include "batch/compare.h"
+
+#include <optional>
+#include <system_error>
+
+#include "batch/job_folder.h"
+#include "render/image/image.h"
+#include "sim/core/error.h"
+#include "sim/core/file.h"
+#include "sim/dress/report.h"
+
+namespace selvedge::batch {
+namespace {
+
+using Path = std::filesystem::path;
+
+constexpr std::size_t kMostBytes = std::size_t(64) << 20;
+
+std::optional<std::string> outcome_in(const Path& folder) {
+    const Path file = folder / job_file::kReport;
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) return std::nullopt;
+    const sim::Json report = sim::parse_json(sim::read_file(file, kMostBytes), file.string());
+    return sim::JsonView(report, file.string()).at(sim::report_key::kOutcome).string();
+}
+
+void compare_pictures(const Path& now, const Path& before, const Path& differences, JobChange& change) {
+    std::error_code error;
+    const bool has_now = std::filesystem::exists(now, error), had_before = std::filesystem::exists(before, error);
+    if (!has_now || !had_before) return;
+    const render::Image new_picture = render::read_png(now), old_picture = render::read_png(before);
+    const render::Comparison comparison = compare(old_picture, new_picture);
+    if (is_alike(comparison)) return;
+    change.has_new_picture = true;
+    change.differing_share =
+        comparison.has_same_size ? static_cast<double>(comparison.beyond) / static_cast<double>(comparison.pixels) : 1;
+    std::filesystem::create_directories(differences, error);
+    if (error) throw sim::InputError(differences.string(), "", "cannot be made: " + error.message());
+    write_png(differences / (change.job + ".before.png"), old_picture);
+    write_png(differences / (change.job + ".png"), difference_picture(old_picture, new_picture));
+}
+
+}  // namespace
+
+std::vector<JobChange> compare_runs(const std::vector<sim::Json>& rows, const Path& output, const Path& before,
+                                    const std::function<void(double fraction)>& progress) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(before / "jobs", error))
+        throw sim::InputError(before.string(), "--compare", "is not the output of a batch");
+    if (std::filesystem::equivalent(before, output, error))
+        throw sim::InputError(before.string(), "--compare", "is the output of this batch: there is no earlier run");
+    std::filesystem::remove_all(output / "differences", error);
+    std::vector<JobChange> changes;
+    for (const sim::Json& row : rows) {
+        JobChange& change = changes.emplace_back();
+        change.job = row.find("job")->string();
+        const Path folder = job_folder(before, change.job);
+        const std::optional<std::string> outcome = outcome_in(folder);
+        change.is_new = !outcome;
+        change.outcome_before = outcome.value_or("");
+        change.has_new_outcome = outcome && *outcome != row.find(sim::report_key::kOutcome)->string();
+        compare_pictures(job_folder(output, change.job) / job_file::kPicture, folder / job_file::kPicture,
+                         output / "differences", change);
+        if (progress) progress(static_cast<double>(changes.size()) / static_cast<double>(rows.size()));
+    }
+    return changes;
+}
+
+}  // namespace selvedge::batch

@@ -1,0 +1,41 @@
+#pragma once
+// One job of a batch: a garment on a body in a fabric, as the command dress takes it.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace selvedge::batch {
+
+// An option of dress without its two hyphens, such as {"seconds", "8"}.
+struct JobOption {
+    std::string name;
+    std::string value;     // empty for a flag
+    bool is_flag = false;  // takes no value
+
+    bool operator==(const JobOption&) const = default;
+};
+
+struct Job {
+    std::string name;  // of its folder: letters of ASCII, digits, '.', '_' and '-'; unique in its batch
+    std::filesystem::path garment;
+    std::vector<std::filesystem::path> over;  // worn over it, from the inside out
+    std::string body;                         // a file, or mannequin:...; empty: the pattern's
+    std::string fabric;                       // a shipped fabric, or a file; empty: the pattern's
+    std::vector<JobOption> options;
+
+    bool operator==(const Job&) const = default;
+};
+
+// What follows "selvedge dress", without outputs.
+std::vector<std::string> dress_arguments(const Job& job);
+
+// The command line that does this job alone, for a shell: it writes the report and the picture into the working folder.
+std::string replay_command(const Job& job);
+
+// A name for the job's folder that says what it holds; equal only for equal descriptions: long ones end in a hash.
+std::string describe_job(const Job& job);
+
+// Whether a text can be a job's name: 1 to 120 characters, not starting with '.'.
+bool is_job_name(const std::string& text);
+
+}  // namespace selvedge::batch

@@ -1,0 +1,61 @@
+#pragma once
+// The folder of one job: OUTPUT/jobs/NAME. It appears whole when the job is done, so that a kill at any moment loses no
+// result and leaves no half of one. It holds report.json, job.json (JobRecord), times.json, log.txt, and what else was
+// asked for.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "batch/worker_pool.h"
+
+namespace selvedge::batch {
+
+namespace job_file {
+inline constexpr std::string_view kReport = "report.json";
+inline constexpr std::string_view kRecord = "job.json";
+inline constexpr std::string_view kTimes = "times.json";
+inline constexpr std::string_view kLog = "log.txt";
+inline constexpr std::string_view kPicture = "picture.png";
+inline constexpr std::string_view kThumbnail = "thumbnail.png";
+}  // namespace job_file
+
+// What is known of a job that was done.
+struct JobRecord {
+    std::string key;  // of the inputs, the options, the outputs and the program: equal for equal results
+    int exit_code = 0;
+    bool has_failed = false;  // it crashed, took too long or too much memory: is tried again by the next run
+    double wall_s = 0;
+    double cpu_s = 0;
+    double peak_memory_mb = 0;
+};
+
+std::filesystem::path job_folder(const std::filesystem::path& output, const std::string& name);
+
+// The record of a finished job; nullopt if there is none, or if it is broken.
+std::optional<JobRecord> read_record(const std::filesystem::path& output, const std::string& name);
+
+// A folder in which a job is being done. Without finish(), the destructor deletes it.
+class UnfinishedJob {
+ public:
+    // Throws InputError if the folder cannot be made.
+    UnfinishedJob(const std::filesystem::path& output, const std::string& name);
+    ~UnfinishedJob();
+    UnfinishedJob(const UnfinishedJob&) = delete;
+    UnfinishedJob& operator=(const UnfinishedJob&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path file(std::string_view name) const { return path_ / name; }
+
+    // Writes the record and puts the folder in its place, instead of an older one. Throws InputError.
+    void finish(const JobRecord& record);
+
+ private:
+    std::filesystem::path target_;
+    std::filesystem::path path_;
+};
+
+// Deletes what killed runs on this machine left of unfinished jobs, and what others left more than a day ago.
+void delete_strays(const std::filesystem::path& output);
+
+}  // namespace selvedge::batch

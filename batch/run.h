@@ -1,0 +1,61 @@
+#pragma once
+// Does the jobs of a batch in child processes, and leaves out those that were done before with the same inputs.
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "batch/job.h"
+#include "batch/worker_pool.h"
+
+namespace selvedge::batch {
+
+// The jobs number `index`, `index` + `count`, ... of the list, from 1.
+struct Shard {
+    std::size_t index = 1;
+    std::size_t count = 1;
+};
+
+// Parses "3/8". Throws InputError.
+Shard parse_shard(const std::string& text);
+
+struct BatchOptions {
+    std::filesystem::path output;
+    int workers = 1;
+    JobLimits limits{};
+    Shard shard{};
+    bool does_all_again = false;
+};
+
+// How far a batch is.
+struct BatchCounts {
+    std::size_t jobs = 0;     // of this shard
+    std::size_t skipped = 0;  // of these, done before
+    std::size_t done = 0;     // by this run
+    std::size_t dressed = 0;  // of all that are done, also before: these five
+    std::size_t does_not_fit = 0;
+    std::size_t defects = 0;
+    std::size_t refused = 0;
+    std::size_t failed = 0;
+    double seconds = 0;  // since the first job began
+
+    bool is_complete() const { return skipped + done == jobs; }
+};
+
+// What the program does for a batch.
+struct BatchWork {
+    // The hash of all that the result follows from.
+    std::function<std::string(const Job&)> key;
+    // Dresses, and writes into the folder; returns the exit code of dress. Runs in the child process.
+    std::function<int(const Job&, const std::filesystem::path& folder)> dress;
+    std::function<void(const BatchCounts&)> progress;  // called several times a second
+    std::function<bool()> is_stopped;                  // true: jobs that run are ended, and no other begins
+};
+
+// Pre: the jobs have names (name_jobs()); this process has started no threads. Throws InputError if the output folder
+// cannot be written, or if another process does the same shard in it.
+BatchCounts run_batch(const std::vector<Job>& jobs, const BatchOptions& options, const BatchWork& work);
+
+}  // namespace selvedge::batch

@@ -1,0 +1,33 @@
+#pragma once
+// Quality checks of a dressed garment: they find its faults and fill in the report's figures.
+#include <span>
+#include <string>
+
+#include "sim/cloth/cloth.h"
+#include "sim/dress/drape.h"
+#include "sim/dress/report.h"
+#include "sim/dress/sewing.h"
+#include "sim/pattern/pattern.h"
+
+namespace selvedge::sim {
+
+class BodyCollider;
+
+// Limits above which a value is a fault.
+struct FaultLimits {
+    double depth = 0.0005;          // m, depth of a vertex inside the body; of what counts as an edge or face in it
+    double face_depth = 0.003;      // m, of an edge or face: more than the solver lets one dip as it moves
+    double stretch_p99 = 0.02;      // warp or weft strain beyond the fabric's limit and what tightness explains
+    double stretch_max = 0.12;      // the same
+    bool may_cross_itself = false;  // whether cloth that passes through itself is no fault
+};
+
+// Fills in mesh counts, contact, stretch, open seams, notes and faults.
+void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern,
+              std::span<const OpenSeam> open_seams, const DrapeResult& draped, DressReport& report,
+              const FaultLimits& limits = {});
+
+// Position for the user, for example "'front' beside 'left_sleeve' at x 0.123 y 1.340 z 0.051 m".
+std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId vertex);
+
+}  // namespace selvedge::sim

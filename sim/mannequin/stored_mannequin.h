@@ -1,0 +1,13 @@
+#pragma once
+// Mannequins that are made once and kept in a store on disk, by their measurements.
+#include "sim/body/stored_body.h"
+#include "sim/core/content_store.h"
+#include "sim/mannequin/mannequin.h"
+
+namespace selvedge::sim {
+
+// The body of make_mannequin() and the messages of its report. store: null for none. Throws InputError as
+// make_mannequin() does.
+MadeBody stored_mannequin(const MannequinOptions& options, const ContentStore* store);
+
+}  // namespace selvedge::sim

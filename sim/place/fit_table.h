@@ -1,0 +1,33 @@
+#pragma once
+// The fit table of a dressed garment: the girths that a tailor measures, of the body and of the garment at the same
+// place, and the ease between them. A girth of the body is a tape's length; one of the garment is measured in the cloth
+// as it was cut out, so that stretch does not count.
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "sim/body/body.h"
+#include "sim/mesh/draw_mesh.h"
+
+namespace selvedge::sim {
+
+// Where a girth is measured, and how.
+struct FitRow {
+    std::string_view measure;               // "bust", "waist", "hip", "neck", "left_sleeve", ..., "right_thigh"
+    std::optional<double> body_girth{};     // m; none: the body has no such part
+    std::optional<double> garment_girth{};  // m, of the innermost loop there; none: the garment does not go round it
+
+    // Garment less body, m; negative where the cloth must stretch. None if either is missing.
+    std::optional<double> ease() const {
+        if (!body_girth || !garment_girth) return std::nullopt;
+        return *garment_girth - *body_girth;
+    }
+};
+
+// Rows, always these in this order: bust, waist and hip (level; where the trunk is widest, narrowest and widest; none
+// goes round the arms too, so that a cape has no bust), neck (square to it, where it is narrowest), left_sleeve and right_sleeve
+// (square to the upper arm, in its middle), left_thigh and right_thigh (square to the thigh, a quarter of the way down
+// to the knee; a skirt, which goes round both, has none). Pre: as for tight_levels().
+std::vector<FitRow> measure_fit(const DrawMesh& garment, const Body& body);
+
+}  // namespace selvedge::sim

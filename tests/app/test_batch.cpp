@@ -1,0 +1,105 @@
+// selvedge batch, as a black box: results for every job, with the bits of dress; resumed; the same for any workers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "render/image/image.h"
+#include "sim/core/json.h"
+#include "tests/app/selvedge_program.h"
+
+namespace selvedge::app {
+namespace {
+
+// Three jobs: one that is dressed, one that is refused, one that does not settle.
+std::string manifest_in(const ScratchFolder& folder) {
+    const std::string vest = source_folder() + "/patterns/vest.json";
+    std::ofstream(folder / "broken.json") << "{";
+    std::ofstream(folder / "jobs.csv") << "name,garment,body,max-level,seconds\n"
+                                       << "good," << vest << ",mannequin:resolution=1,0,\n"
+                                       << "broken,broken.json,mannequin:resolution=1,0,\n"
+                                       << "hasty," << vest << ",mannequin:resolution=1,0,0.05\n";
+    return folder / "jobs.csv";
+}
+
+ProgramResult batch_into(const ScratchFolder& folder, const std::string& output, const std::string& options) {
+    return run_selvedge("batch '" + manifest_in(folder) + "' -o '" + folder / output + "' --cache '" +
+                        folder / "cache" + "' " + options);
+}
+
+TEST(BatchCommand, gives_each_job_a_report_a_picture_and_a_row) {
+    const ScratchFolder folder;
+    const ProgramResult run = batch_into(folder, "out", "--set size=96x128 --export glb");
+    EXPECT_EQ(run.exit_code, 1) << run.err;
+    EXPECT_NE(run.out.find("3 of 3 jobs done: 1 dressed, 0 do not fit, 1 with a defect, 1 refused, 0 failed"),
+              std::string::npos)
+        << run.out;
+    EXPECT_EQ(render::read_png(folder / "out/jobs/good/picture.png").width_px, 96);
+    EXPECT_TRUE(std::filesystem::exists(folder / "out/jobs/good/thumbnail.png"));
+    EXPECT_EQ(content_of(folder / "out/jobs/good/garment.glb").substr(0, 4), "glTF");
+    const std::string results = content_of(folder / "out/results.jsonl");
+    EXPECT_EQ(count_lines(results), 3);
+    const sim::Json first = sim::parse_json(results.substr(0, results.find('\n')), "results.jsonl");
+    EXPECT_EQ(first.find("job")->string(), "broken");
+    EXPECT_EQ(first.find("outcome")->string(), "refused");
+    EXPECT_NE(first.find("problem")->string().find("broken.json"), std::string::npos);
+    EXPECT_EQ(count_lines(content_of(folder / "out/results.csv")), 4);
+    EXPECT_EQ(count_lines(content_of(folder / "out/times.csv")), 4);
+    EXPECT_TRUE(std::filesystem::exists(folder / "out/index.html"));
+}
+
+TEST(BatchCommand, has_the_bits_of_dress_and_of_any_other_run_and_goes_on_where_it_stopped) {
+    const ScratchFolder folder;
+    batch_into(folder, "one", "--no-pictures --export ply --jobs 1");
+    batch_into(folder, "two", "--no-pictures --export ply --jobs 2 --no-cache");
+    batch_into(folder, "shards", "--no-pictures --export ply --shard 2/2");
+    const ProgramResult early = batch_into(folder, "shards", "--no-pictures --export ply --merge");
+    EXPECT_EQ(early.exit_code, 1);
+    EXPECT_NE(early.err.find("2 of 3 jobs are not done"), std::string::npos) << early.err;
+    batch_into(folder, "shards", "--no-pictures --export ply --shard 1/2");
+    batch_into(folder, "shards", "--no-pictures --export ply --merge");
+    for (const char* file : {"results.jsonl", "results.csv", "index.html", "jobs/good/garment.ply"}) {
+        EXPECT_EQ(content_of(folder / ("one/" + std::string(file))), content_of(folder / ("two/" + std::string(file))));
+        EXPECT_EQ(content_of(folder / ("one/" + std::string(file))),
+                  content_of(folder / ("shards/" + std::string(file))));
+    }
+    const ProgramResult dressed =
+        run_selvedge("dress " + shipped("vest.json") + " --body mannequin:resolution=1 --max-level 0 --export '" +
+                     folder / "garment.ply" + "'");
+    EXPECT_EQ(content_of(folder / "garment.ply"), content_of(folder / "one/jobs/good/garment.ply")) << dressed.err;
+    const ProgramResult again = batch_into(folder, "one", "--no-pictures --export ply");
+    EXPECT_NE(again.out.find("3 of them before"), std::string::npos) << again.out;
+}
+
+TEST(BatchCommand, compares_with_an_earlier_run) {
+    const ScratchFolder folder;
+    batch_into(folder, "old", "--set size=64x64 --set tartan=gordon");
+    const ProgramResult compared = batch_into(folder, "new", "--set size=64x64 --compare '" + folder / "old" + "'");
+    EXPECT_NE(compared.out.find("2 of 3 jobs changed since"), std::string::npos) << compared.out;
+    EXPECT_TRUE(std::filesystem::exists(folder / "new/differences/good.png"));
+}
+
+TEST(BatchCommand, refuses_what_is_wrong_before_it_begins) {
+    const ScratchFolder folder;
+    const auto refusal = [&](const std::string& arguments) {
+        const ProgramResult run = run_selvedge("batch " + arguments);
+        EXPECT_EQ(run.exit_code, 2) << run.out;
+        EXPECT_EQ(count_lines(run.err), 1) << run.err;
+        return run.err;
+    };
+    const std::string manifest = "'" + manifest_in(folder) + "'";
+    const std::string output = " -o '" + folder / "out" + "'";
+    EXPECT_NE(refusal(manifest + output + " --set seconds=many").find("seconds"), std::string::npos);
+    EXPECT_NE(refusal(manifest + output + " --set report=x").find("'report' is no option of a job"), std::string::npos);
+    EXPECT_NE(refusal(manifest + output + " --shard 3/2").find("--shard"), std::string::npos);
+    EXPECT_NE(refusal(manifest + output + " --compare '" + folder / "none" + "'").find("--compare"), std::string::npos);
+    EXPECT_NE(refusal(output).find("name a manifest"), std::string::npos);
+    EXPECT_NE(refusal("'" + folder / "none.json" + "'" + output).find("none.json"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+}  // namespace
+}  // namespace selvedge::app

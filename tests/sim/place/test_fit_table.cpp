@@ -1,0 +1,120 @@
+// The fit table measures what a tailor would: on the mannequin its own measures, on tubes their girths.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "sim/mannequin/mannequin.h"
+#include "sim/place/fit_table.h"
+#include "sim/place/limbs.h"
+#include "tests/support/mannequin.h"
+
+namespace selvedge::sim::test {
+namespace {
+
+const FitRow& row(const std::vector<FitRow>& rows, const std::string& measure) {
+    for (const FitRow& one : rows) {
+        if (one.measure == measure) return one;
+    }
+    ADD_FAILURE() << "no row " << measure;
+    return rows.front();
+}
+
+struct Tube {
+    Vec3d from = Vec3d::Zero();  // m, on its axis
+    Vec3d to = Vec3d::Zero();
+    double radius = 0;  // m
+    double girth = 0;   // m, of the cloth, which may be stretched
+};
+
+// A tube with open ends round an axis.
+DrawMesh tube(const Tube& tube) {
+    constexpr unsigned kRound = 32;
+    const Vec3d axis = (tube.to - tube.from).normalized();
+    const Vec3d first = axis.unitOrthogonal(), second = axis.cross(first);
+    DrawMesh mesh;
+    for (const Vec3d& end : {tube.from, tube.to}) {
+        for (unsigned i = 0; i < kRound; ++i) {
+            const double angle = 2 * std::numbers::pi * i / kRound;
+            mesh.x.push_back((end + tube.radius * (std::cos(angle) * first + std::sin(angle) * second)).cast<float>());
+        }
+    }
+    const auto add = [&](unsigned column, std::array<unsigned, 3> columns, std::array<unsigned, 3> rows) {
+        auto& vertices = mesh.triangles.emplace_back();
+        auto& u = mesh.u.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            vertices[k] = rows[k] * kRound + (column + columns[k]) % kRound;
+            u[k] = Vec2d(tube.girth * (column + columns[k]) / kRound, rows[k] * (tube.to - tube.from).norm())
+                       .cast<float>();
+        }
+    };
+    for (unsigned i = 0; i < kRound; ++i) {
+        add(i, {0, 1, 1}, {0, 0, 1});
+        add(i, {0, 1, 0}, {0, 1, 1});
+    }
+    return mesh;
+}
+
+TEST(FitTable, measures_the_mannequin_as_it_was_asked_for) {
+    for (const double more : {0.0, 0.12}) {
+        const Mannequin asked =
+            make_mannequin({.measures = {.bust = 0.9 + more, .waist = 0.7 + more, .hip = 0.96 + more, .neck = 0.36},
+                            .subdivisions = 1});
+        const std::vector<FitRow> rows = measure_fit({}, asked.body);
+        ASSERT_EQ(rows.size(), 8U);
+        EXPECT_NEAR(row(rows, "bust").body_girth.value(), 0.9 + more, 0.02);
+        EXPECT_NEAR(row(rows, "waist").body_girth.value(), 0.7 + more, 0.01);
+        EXPECT_NEAR(row(rows, "hip").body_girth.value(), 0.96 + more, 0.01);
+        EXPECT_NEAR(row(rows, "neck").body_girth.value(), 0.36, 0.02);
+        for (const MeasureReading& reading : asked.report.readings) {
+            if (reading.name == "biceps") {
+                EXPECT_NEAR(row(rows, "left_sleeve").body_girth.value(), reading.measured, 0.01);
+            }
+            if (reading.name == "thigh") {
+                EXPECT_NEAR(row(rows, "right_thigh").body_girth.value(), reading.measured, 0.05);
+            }
+        }
+        for (const FitRow& one : rows) EXPECT_FALSE(one.garment_girth || one.ease()) << one.measure;
+    }
+}
+
+TEST(FitTable, measures_a_tube_round_the_trunk_in_its_cloth) {
+    const std::vector<FitRow> rows =
+        measure_fit(tube({.from = {0, 0.9, 0}, .to = {0, 1.2, 0}, .radius = 0.19, .girth = 0.9}), mannequin());
+    const FitRow& waist = row(rows, "waist");
+    EXPECT_NEAR(waist.garment_girth.value(), 0.9, 1e-6);
+    EXPECT_NEAR(waist.ease().value(), 0.9 - *waist.body_girth, 1e-6);
+    EXPECT_FALSE(row(rows, "neck").garment_girth);
+    EXPECT_FALSE(row(rows, "left_sleeve").garment_girth);
+}
+
+TEST(FitTable, a_cape_round_the_arms_has_no_girth_of_the_trunk) {
+    const std::vector<FitRow> rows =
+        measure_fit(tube({.from = {0, 0.8, 0}, .to = {0, 1.35, 0}, .radius = 0.9, .girth = 5.6}), mannequin());
+    for (const FitRow& one : rows) EXPECT_FALSE(one.garment_girth) << one.measure;
+}
+
+TEST(FitTable, a_sleeve_is_measured_square_to_the_arm_and_a_skirt_has_no_thigh) {
+    const BodyLimbs limbs = find_limbs(mannequin());
+    const Limb& arm = limbs[LimbKind::LeftArm];
+    const std::vector<FitRow> sleeve = measure_fit(
+        tube({.from = arm.joints[0].centre, .to = arm.joints[1].centre, .radius = 0.06, .girth = 0.38}), mannequin());
+    EXPECT_NEAR(row(sleeve, "left_sleeve").garment_girth.value(), 0.38, 1e-6);
+    EXPECT_FALSE(row(sleeve, "right_sleeve").garment_girth);
+    EXPECT_FALSE(row(sleeve, "bust").garment_girth);
+
+    const std::vector<FitRow> skirt =
+        measure_fit(tube({.from = {0, 0.4, 0}, .to = {0, 1.0, 0}, .radius = 0.25, .girth = 1.6}), mannequin());
+    EXPECT_FALSE(row(skirt, "left_thigh").garment_girth);
+    EXPECT_NEAR(row(skirt, "hip").garment_girth.value(), 1.6, 1e-6);
+
+    const Limb& leg = limbs[LimbKind::RightLeg];
+    const std::vector<FitRow> trouser = measure_fit(
+        tube({.from = leg.joints[0].centre, .to = leg.joints[1].centre, .radius = 0.1, .girth = 0.66}), mannequin());
+    EXPECT_NEAR(row(trouser, "right_thigh").garment_girth.value(), 0.66, 1e-6);
+    EXPECT_FALSE(row(trouser, "left_thigh").garment_girth);
+}
+
+}  // namespace
+}  // namespace selvedge::sim::test
