@@ -30,10 +30,10 @@ Extent extent_of(const SectionLoop& loop) {
     return {low.x(), high.x(), loop.area};
 }
 
-Level level_at(const Body& body, double y) {
+Level level_at(const LevelSections& sections, double y) {
     constexpr double kSimilar = 0.4;  // ratio of areas
     std::vector<Extent> extents;
-    for (const SectionLoop& loop : section(body, {.point = Vec3d(0, y, 0)})) extents.push_back(extent_of(loop));
+    for (const SectionLoop& loop : sections.at(y)) extents.push_back(extent_of(loop));
     std::ranges::stable_sort(extents, std::ranges::greater(), &Extent::area);
     Level level{.y = y};
     if (extents.empty()) return level;
@@ -47,9 +47,10 @@ Level level_at(const Body& body, double y) {
 
 std::vector<Level> levels_of(const Body& body) {
     const HeightRange height = height_range(body);
+    const LevelSections sections(body);
     std::vector<Level> levels;
     for (int i = 0; i < kLevels; ++i)
-        levels.push_back(level_at(body, height.low + (i + 0.5) / kLevels * (height.high - height.low)));
+        levels.push_back(level_at(sections, height.low + (i + 0.5) / kLevels * (height.high - height.low)));
     return levels;
 }
 

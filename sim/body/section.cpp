@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace selvedge::sim {
 
@@ -36,30 +37,28 @@ bool is_above(double distance) {
     return distance > 0;
 }
 
-std::vector<CutSegment> cut_triangles(const Body& body, const std::vector<double>& distance) {
-    std::vector<CutSegment> segments;
-    for (const auto& triangle : body.triangles) {
-        const std::array<bool, 3> above{is_above(distance[static_cast<std::size_t>(triangle[0])]),
-                                        is_above(distance[static_cast<std::size_t>(triangle[1])]),
-                                        is_above(distance[static_cast<std::size_t>(triangle[2])])};
-        if (above[0] == above[1] && above[1] == above[2]) continue;
-        CutSegment segment;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t next = (k + 1) % 3;
-            if (above[k] == above[next]) continue;
-            const auto [low, high] = std::minmax(triangle[k], triangle[next]);
-            (above[k] ? segment.entry : segment.exit) = {low, high};
-        }
-        segments.push_back(segment);
+// distance: of a vertex over the plane.
+template <class Distance>
+void cut_triangle(const std::array<int, 3>& triangle, const Distance& distance, std::vector<CutSegment>& segments) {
+    const std::array<bool, 3> above{is_above(distance(triangle[0])), is_above(distance(triangle[1])),
+                                    is_above(distance(triangle[2]))};
+    if (above[0] == above[1] && above[1] == above[2]) return;
+    CutSegment segment;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        if (above[k] == above[next]) continue;
+        const auto [low, high] = std::minmax(triangle[k], triangle[next]);
+        (above[k] ? segment.entry : segment.exit) = {low, high};
     }
-    return segments;
+    segments.push_back(segment);
 }
 
-Vec3d cut_point(const Body& body, const std::vector<double>& distance, CutEdge edge) {
-    const auto low = static_cast<std::size_t>(edge.low);
-    const auto high = static_cast<std::size_t>(edge.high);
-    const double t = distance[low] / (distance[low] - distance[high]);
-    return body.x[low] + t * (body.x[high] - body.x[low]);
+template <class Distance>
+Vec3d cut_point(const Body& body, const Distance& distance, CutEdge edge) {
+    const Vec3d& low = body.x[static_cast<std::size_t>(edge.low)];
+    const Vec3d& high = body.x[static_cast<std::size_t>(edge.high)];
+    const double from = distance(edge.low);
+    return low + from / (from - distance(edge.high)) * (high - low);
 }
 
 // Area and centroid as a fan of triangles from the first point; coordinates relative to that point avoid cancellation.
@@ -106,14 +105,11 @@ std::vector<Vec2d> convex_hull(std::vector<Vec2d> points) {
     return hull;
 }
 
-}  // namespace
-
-std::vector<SectionLoop> section(const Body& body, const Plane& plane) {
-    const std::vector<double> distance = distances(body, plane);
-    std::vector<CutSegment> segments = cut_triangles(body, distance);
+template <class Distance>
+std::vector<SectionLoop> chain(const Body& body, const Plane& plane, const Distance& distance,
+                               std::vector<CutSegment> segments) {
     std::stable_sort(segments.begin(), segments.end(),
                      [](const CutSegment& a, const CutSegment& b) { return a.entry < b.entry; });
-
     std::vector<SectionLoop> loops;
     std::vector<bool> used(segments.size(), false);
     for (std::size_t first = 0; first < segments.size(); ++first) {
@@ -131,6 +127,57 @@ std::vector<SectionLoop> section(const Body& body, const Plane& plane) {
         if (loop.area > 0) loops.push_back(std::move(loop));  // a tip that only touches the plane has zero area
     }
     return loops;
+}
+
+}  // namespace
+
+std::vector<SectionLoop> section(const Body& body, const Plane& plane) {
+    const std::vector<double> distances_of = distances(body, plane);
+    const auto distance = [&](int vertex) { return distances_of[static_cast<std::size_t>(vertex)]; };
+    std::vector<CutSegment> segments;
+    for (const auto& triangle : body.triangles) cut_triangle(triangle, distance, segments);
+    return chain(body, plane, distance, std::move(segments));
+}
+
+LevelSections::LevelSections(const Body& body) : body_(body) {
+    constexpr std::size_t kSlabs = 256;
+    if (body.x.empty()) return;
+    const HeightRange range = height_range(body);
+    low_ = range.low;
+    per_metre_ = range.high > range.low ? static_cast<double>(kSlabs) / (range.high - range.low) : 0;
+    const auto slabs = [&](const std::array<int, 3>& triangle) {
+        const auto height = [&](std::size_t k) { return body.x[static_cast<std::size_t>(triangle[k])].y(); };
+        const auto [low, high] = std::minmax({height(0), height(1), height(2)});
+        return std::array{slab_of(low), slab_of(high)};
+    };
+    first_.assign(kSlabs + 1, 0);
+    for (const auto& triangle : body.triangles) {
+        const auto [low, high] = slabs(triangle);
+        for (std::size_t slab = low; slab <= high; ++slab) ++first_[slab + 1];
+    }
+    for (std::size_t slab = 0; slab < kSlabs; ++slab) first_[slab + 1] += first_[slab];
+    triangles_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t t = 0; t < body.triangles.size(); ++t) {
+        const auto [low, high] = slabs(body.triangles[t]);
+        for (std::size_t slab = low; slab <= high; ++slab) triangles_[next[slab]++] = static_cast<std::uint32_t>(t);
+    }
+}
+
+std::size_t LevelSections::slab_of(double y) const {
+    const double slab = std::floor((y - low_) * per_metre_);
+    return static_cast<std::size_t>(std::clamp(slab, 0.0, static_cast<double>(first_.size() - 2)));
+}
+
+std::vector<SectionLoop> LevelSections::at(double y) const {
+    if (first_.empty()) return {};
+    const Plane plane{.point = Vec3d(0, y, 0)};
+    const auto distance = [&](int vertex) { return body_.x[static_cast<std::size_t>(vertex)].y() - y; };
+    const std::size_t slab = slab_of(y);
+    std::vector<CutSegment> segments;
+    for (std::uint32_t i = first_[slab]; i < first_[slab + 1]; ++i)
+        cut_triangle(body_.triangles[triangles_[i]], distance, segments);
+    return chain(body_, plane, distance, std::move(segments));
 }
 
 double tape_length(const SectionLoop& loop, const Plane& plane) {

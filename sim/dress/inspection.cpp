@@ -121,14 +121,20 @@ StretchStatistics stretch_statistics(const std::vector<TriangleStrain>& strains)
     return statistics;
 }
 
-// For example "smaller than the body by up to 1.9 cm, between 1.14 and 1.26 m up: it stretches there". Pre: not empty.
+// For example "smaller than the body by up to 1.9 cm, from 1.14 to 1.26 m up: it stretches there". Pre: not empty.
 std::string describe_tight(const std::vector<TightLevel>& tight) {
     double most = 0;
     for (const TightLevel& level : tight) most = std::max(most, shortfall(level));
+    char where[64];
+    const double low = tight.front().y, high = tight.back().y;
+    if (low == high) {
+        std::snprintf(where, sizeof where, "%.2f m up", low);
+    } else {
+        std::snprintf(where, sizeof where, "from %.2f to %.2f m up", low, high);
+    }
     char text[160];
-    std::snprintf(text, sizeof text,
-                  "smaller than the body by up to %.1f cm, between %.2f and %.2f m up: it stretches there", most * 100,
-                  tight.front().y, tight.back().y);
+    std::snprintf(text, sizeof text, "smaller than the body by up to %.1f cm, %s: it stretches there", most * 100,
+                  where);
     return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "tests/support/bodies.h"
 
@@ -95,6 +96,24 @@ TEST(Section, gives_equal_bits_each_time) {
     const auto second = section(body, level(0.37));
     ASSERT_EQ(first.size(), second.size());
     for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].points, second[i].points);
+}
+
+TEST(LevelSections, have_the_bits_of_sections_at_every_height) {
+    Body body = shapes::sphere(Vec3d(0, 0.3, 0), 1, 12);
+    append(body, unit_box(4));
+    const LevelSections sections(body);
+    std::vector<double> heights{-2, -0.7, 1.3, 5};  // also below, above, and through vertices
+    for (int i = 0; i <= 100; ++i) heights.push_back(-0.75 + 0.021 * i);
+    for (const Vec3d& x : body.x) heights.push_back(x.y());
+    for (const double y : heights) {
+        const auto expected = section(body, level(y)), found = sections.at(y);
+        ASSERT_EQ(found.size(), expected.size()) << y;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            EXPECT_EQ(found[i].points, expected[i].points);
+            EXPECT_EQ(found[i].centre, expected[i].centre);
+        }
+    }
+    EXPECT_TRUE(LevelSections(Body{}).at(0).empty());
 }
 
 TEST(TapeLength, spans_a_hollow) {
