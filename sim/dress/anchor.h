@@ -15,6 +15,9 @@ namespace selvedge::sim {
 // unknown mannequin, and for a file as load_body() does.
 Body placed_for(const Pattern& pattern);
 
+// Throws InputError if placed_for() would. Makes a coarse mannequin, and reads a body file.
+void check_placed_for(const Pattern& pattern);
+
 struct AnchoredPattern {
     Pattern pattern;
     Pattern designed;                    // as it was placed, in the frame of ...
