@@ -82,6 +82,10 @@ AtomicFile::AtomicFile(const std::filesystem::path& path, TemporaryName name)
     const std::filesystem::file_status status = std::filesystem::status(target_, error);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
         throw InputError(path_.string(), "", "cannot write: it is no regular file");
+    if (std::filesystem::is_symlink(std::filesystem::symlink_status(target_, error))) {
+        errno = ELOOP;  // rename() would replace the link itself
+        fail(path_);
+    }
     remove_left_behind(folder_of(target_));
     open_temporary(name);
     take_rights_of_old();

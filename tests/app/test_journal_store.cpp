@@ -171,7 +171,7 @@ TEST(JournalStore, tells_of_a_full_disk_and_writes_all_lines_when_there_is_room_
     store.begin("head");
     const fs::path journal = files_of(folder.path()).at(0);
     {
-        const FullDisk disk(12);
+        const FullDisk disk(7);
         store.note("first");
         EXPECT_NE(store.problem().find(journal.string()), std::string::npos) << store.problem();
         store.note("second");
