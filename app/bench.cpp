@@ -35,8 +35,10 @@ void add_json_option(CLI::App& command, std::string& path) {
     command.add_option("--json", path, "Write the figures here too, as JSON")->type_name("FILE");
 }
 
-void check_json_output(const std::string& path) {
-    if (!path.empty()) check_output(path);
+void check_json_output(const std::string& path, const std::vector<std::filesystem::path>& inputs) {
+    if (path.empty()) return;
+    check_output(path);
+    check_distinct({path}, inputs);
 }
 
 void print_table(const bench::Table& table) {
@@ -202,7 +204,8 @@ struct FabricArguments {
 };
 
 int run(const FabricArguments& arguments) {
-    check_json_output(arguments.json);
+    const std::vector<std::string>& fabrics = arguments.experiment.fabrics;
+    check_json_output(arguments.json, {fabrics.begin(), fabrics.end()});
     for (const std::string& name : arguments.experiment.fabrics) sim::find_fabric(name);
     const sim::ThreadLimit limit(1);
     ProgressBar bar(progress_bar_options(false));
@@ -256,7 +259,7 @@ struct PictureArguments {
 };
 
 int run(const PictureArguments& arguments) {
-    check_json_output(arguments.json);
+    check_json_output(arguments.json, {arguments.garment});
     render::Scene scene;
     render::ClothItem cloth;
     cloth.mesh = sim::read_garment(arguments.garment);
@@ -303,7 +306,7 @@ struct RestArguments {
 };
 
 int run(const RestArguments& arguments) {
-    check_json_output(arguments.json);
+    check_json_output(arguments.json, {arguments.experiment.pattern});
     ProgressBar bar(progress_bar_options(false));
     const bench::Table table = table_of(measure_rest(arguments.experiment, bar.progress()));
     bar.finish();
@@ -334,7 +337,7 @@ struct TshirtArguments {
 };
 
 int run(const TshirtArguments& arguments) {
-    check_json_output(arguments.json);
+    check_json_output(arguments.json, {arguments.experiment.pattern});
     ProgressBar bar(progress_bar_options(false));
     const bench::TshirtReport report = measure_tshirt(arguments.experiment, bar.progress());
     bar.finish();

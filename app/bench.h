@@ -1,6 +1,7 @@
 #pragma once
 // The subcommands of `selvedge bench`, and their common output. Each add_ function adds one subcommand; its callback
 // stores the exit code.
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,9 @@ void add_bench_tshirt(CLI::App& bench, int& exit_code);
 // Adds --json FILE, which every experiment has. `path` must outlive the parsing.
 void add_json_option(CLI::App& command, std::string& path);
 
-// Throws InputError if the --json file cannot be written; call it before a long experiment.
-void check_json_output(const std::string& path);
+// Throws InputError if the --json file cannot be written or is one of those that are read; call it before a long
+// experiment.
+void check_json_output(const std::string& path, const std::vector<std::filesystem::path>& inputs = {});
 
 // Prints a table to stdout as Markdown.
 void print_table(const bench::Table& table);

@@ -53,7 +53,10 @@ bool any_of(const Names& names, const Names& wanted) {
 // its own, which is removed.
 bench::ThesisResult draw_editor(const bench::ThesisOptions& options) {
     namespace fs = std::filesystem;
-    std::string state = (fs::temp_directory_path() / "selvedge-figure-XXXXXX").string();
+    std::error_code error;
+    const fs::path folder = fs::temp_directory_path(error);
+    if (error) throw sim::InputError(folder.string(), "", "no folder for temporary files: " + error.message());
+    std::string state = (folder / "selvedge-figure-XXXXXX").string();
     if (mkdtemp(state.data()) == nullptr) throw sim::InputError(state, "", "cannot make this folder");
     EditorScript script{.file = options.tshirt.string(),
                         .text = "key t\nclick vertex front 2\nclick vertex front 3 shift\nclick vertex front 4 shift\n",
@@ -238,7 +241,7 @@ int run(ThesisArguments arguments) {
     check_names(arguments.tables, &bench::Experiment::tables, "--table");
     check_names(arguments.figures, &bench::Experiment::figures, "--figure");
     check_folder(arguments.folder);
-    check_json_output(arguments.json);
+    check_json_output(arguments.json, {arguments.options.tshirt});
     find_actor(arguments);
     const sim::ThreadLimit one(1);
     Run run(arguments);

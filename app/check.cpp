@@ -3,12 +3,14 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/commands.h"
 #include "render/looks/cloth_looks.h"
 #include "sim/core/error.h"
 #include "sim/core/json.h"
+#include "sim/dress/dress_check.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/tartan/tartan_file.h"
 
@@ -19,6 +21,14 @@ struct CheckArguments {
     std::vector<std::string> files;
     bool is_strict = false;
 };
+
+// What dress refuses. A warning about the same value says no more.
+void add_faults_of_dressing(const sim::Pattern& pattern, const std::string& file, std::vector<sim::Fault>& faults) {
+    for (sim::Fault& found : dress_faults(pattern, file)) {
+        std::erase_if(faults, [&](const sim::Fault& other) { return other.place == found.place; });
+        faults.push_back(std::move(found));
+    }
+}
 
 // Looks up the names in the pattern in the same way as dress does.
 void add_faults_of_names(const sim::Pattern& pattern, const std::string& file, std::vector<sim::Fault>& faults) {
@@ -50,6 +60,13 @@ void add_faults_of_designs(const sim::Pattern& pattern, const std::string& file,
     check(pattern.surface, "selvedge.surface");
     for (const sim::Panel& panel : pattern.panels)
         check(panel.surface, sim::json_path("pattern.panels", panel.name) + ".selvedge.surface");
+    if (has_error(faults)) return;
+    try {
+        render::ClothLooks(render::ClothLooks::Unknown::Fail).read(pattern);  // those of fabrics too
+    } catch (const sim::InputError& error) {
+        faults.push_back(
+            {.severity = sim::Severity::Error, .file = file, .place = "selvedge.fabric", .problem = error.what()});
+    }
 }
 
 int check_files(const CheckArguments& arguments) {
@@ -59,6 +76,7 @@ int check_files(const CheckArguments& arguments) {
         std::vector<sim::Fault> faults = sim::check_pattern_file(file);
         if (!has_error(faults)) {
             const sim::Pattern pattern = sim::load_pattern(file).pattern;
+            add_faults_of_dressing(pattern, file, faults);
             add_faults_of_names(pattern, file, faults);
             if (!has_error(faults)) add_faults_of_designs(pattern, file, faults);
         }

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/options.h"
 #include "render/image/image.h"
 
 namespace selvedge::app {
@@ -40,8 +41,10 @@ int diff(const DiffArguments& arguments) {
     } else {
         std::printf("%s\n", describe(comparison).c_str());
     }
-    write_png(output_path(arguments), difference_picture(first, second));
-    std::printf("wrote %s\n", output_path(arguments).c_str());
+    const std::string output = output_path(arguments);
+    check_distinct({output}, {arguments.first, arguments.second});
+    write_png(output, difference_picture(first, second));
+    std::printf("wrote %s\n", output.c_str());
     return 1;
 }
 

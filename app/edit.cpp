@@ -3,12 +3,15 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/edit_loop.h"
@@ -17,11 +20,13 @@
 #include "app/interface_fonts.h"
 #include "app/options.h"
 #include "app/picture.h"
+#include "editor/ui/app_state.h"
 #include "editor/ui/files.h"
 #include "editor/ui/script.h"
 #include "render/image/image.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/pattern/named_file.h"
 
 namespace selvedge::app {
 namespace {
@@ -55,8 +60,29 @@ Size parse_size(const std::string& text) {
     return size;
 }
 
-std::filesystem::path state_of(const EditArguments& arguments) {
-    return arguments.state.empty() ? state_folder() : std::filesystem::path(arguments.state);
+constexpr const char* kNoState = "without a folder for state (--state): after a crash, nothing can be recovered";
+
+// None if the user has no home, or none that we can write: then nothing is kept. A folder that is asked for must do.
+std::optional<std::filesystem::path> state_of(const EditArguments& arguments) {
+    if (!arguments.state.empty()) return arguments.state;
+    const std::optional<std::filesystem::path> folder = state_folder();
+    std::string why;
+    if (folder) {
+        try {
+            JournalStore{*folder / "journals"};
+            return folder;
+        } catch (const sim::InputError& error) {
+            why = std::string(": ") + error.what();
+        }
+    }
+    std::fprintf(stderr, "selvedge: note: %s%s\n", kNoState, why.c_str());
+    return {};
+}
+
+std::vector<std::filesystem::path> given(const EditArguments& arguments) {
+    std::vector<std::filesystem::path> files{arguments.file, arguments.script};
+    std::erase(files, std::filesystem::path());
+    return files;
 }
 
 void open_at_start(editor::Editor& editor, const std::string& file) {
@@ -71,21 +97,32 @@ void open_at_start(editor::Editor& editor, const std::string& file) {
 
 int run_window(const EditArguments& arguments) {
     const Size size = parse_size(arguments.size);
+    if (!arguments.frame_times.empty()) {
+        check_output(arguments.frame_times);
+        check_distinct({arguments.frame_times}, given(arguments));
+    }
     Window window({.width = size.width, .height = size.height, .scale = arguments.scale});
     std::unique_ptr<render::Renderer> fine;  // created when a picture is exported
     const auto render_full_quality = [&](const render::Scene& scene) {
         if (!fine) fine = std::make_unique<render::Renderer>(window.context());
         return fine->draw(scene, {.width_px = 2048, .height_px = 2048});
     };
-    editor::Editor editor(
-        make_editor_services({.state = state_of(arguments), .render_full_quality = render_full_quality}),
-        {.fonts = read_fonts(), .find_fonts = find_fallback_fonts});
+    const std::optional<std::filesystem::path> state = state_of(arguments);
+    editor::Editor editor(make_editor_services({.state = state, .render_full_quality = render_full_quality}),
+                          {.fonts = read_fonts(), .find_fonts = find_fallback_fonts});
+    if (!state) editor.state().workspace.messages.warn(std::string("The editor runs ") + kNoState);
     editor.set_clipboard(
         {[&] { return window.clipboard(); }, [&](const std::string& text) { window.set_clipboard(text); }});
     // What is wrong with the file is shown in the window.
     if (!arguments.file.empty()) take_dropped_file(editor.state(), arguments.file);
     EditorSurface surface(editor);
-    run_edit_loop(surface, window, {.frame_times = arguments.frame_times, .legend_font = read_legend_font()});
+    try {
+        run_edit_loop(surface, window, {.frame_times = arguments.frame_times, .legend_font = read_legend_font()});
+    } catch (const std::exception&) {  // main tells it
+        if (state && editor.state().workspace.document->has_unsaved_changes())
+            std::fprintf(stderr, "selvedge: note: the editor offers the unsaved changes when it is started again\n");
+        throw;
+    }
     return 0;
 }
 
@@ -98,10 +135,37 @@ int run_script(const EditArguments& arguments) {
                         .height_px = size.height,
                         .scale = arguments.scale.value_or(1)};
     if (!arguments.script.empty()) script.text = sim::read_file(arguments.script, kLargestScript);
-    if (!arguments.screenshot.empty()) check_output(arguments.screenshot, kPictureExtensions);
+    if (!arguments.screenshot.empty()) {
+        check_output(arguments.screenshot, kPictureExtensions);
+        check_distinct({arguments.screenshot}, given(arguments));
+    }
     const render::Image last = play_script(script);
     if (!arguments.screenshot.empty()) write_png(arguments.screenshot, last);
     return 0;
+}
+
+std::vector<std::filesystem::path> inputs_of(const editor::AppState& state, const EditorScript& script) {
+    std::vector<std::filesystem::path> inputs{script.name, script.file, state.workspace.file};
+    for (const std::string& file : named_files(state.workspace.document->pattern())) inputs.emplace_back(file);
+    std::erase(inputs, std::filesystem::path());
+    return inputs;
+}
+
+// What a script writes is not to be itself.
+void keep_script(editor::Services& services, const std::string& script) {
+    const auto check = [script](const std::string& file) { check_distinct({file}, {script}); };
+    services.save = [check, save = services.save](const std::string& file, const std::string& text) {
+        check(file);
+        save(file, text);
+    };
+    services.print = [check, print = services.print](const sim::Pattern& pattern, const std::string& file) {
+        check(file);
+        return print(pattern, file);
+    };
+    services.write_export = [check, write = services.write_export](const editor::ExportRequest& request) {
+        check(request.file);
+        write(request);
+    };
 }
 
 }  // namespace
@@ -119,13 +183,17 @@ render::Image play_script(const EditorScript& script) {
         make_editor_services({.state = script.state, .render_full_quality = render_full_quality});
     services.load_key_map = nullptr;  // a script's keys are the editor's own, whatever the user chose
     services.save_key_map = nullptr;
+    if (!script.name.empty()) keep_script(services, script.name);
     editor::Editor editor(std::move(services), {.drive = sim::SessionDrive::Caller,
                                                 .fonts = read_fonts(),
                                                 .find_fonts = find_fallback_fonts,
                                                 .is_steady = true});
     open_at_start(editor, script.file);
     EditorSurface surface(editor);
-    const auto shoot = [&](const std::string& file) { write_png(file, loop.screenshot()); };
+    const auto shoot = [&](const std::string& file) {
+        check_distinct({file}, inputs_of(editor.state(), script));
+        write_png(file, loop.screenshot());
+    };
     const auto step = [&](const std::vector<editor::InputEvent>& events) { loop.step(surface, events); };
     const auto say = [](const std::string& text) { std::printf("%s\n", text.c_str()); };
     editor::ScriptPlayer player(editor, {step, shoot, say}, script.name);

@@ -9,10 +9,10 @@
 namespace selvedge::app {
 
 struct EditorScript {
-    std::string file{};           // garment to open at the start; empty: none
-    std::string text{};           // the steps (editor/ui/script.h); empty: none
-    std::string name{};           // of the script, in error messages
-    std::filesystem::path state;  // folder for journals
+    std::string file{};                            // garment to open at the start; empty: none
+    std::string text{};                            // the steps (editor/ui/script.h); empty: none
+    std::string name{};                            // of the script, in error messages
+    std::optional<std::filesystem::path> state{};  // folder for journals; none: nothing is kept
     int width_px = 1280;
     int height_px = 800;
     float scale = 1;  // of letters and buttons

@@ -14,6 +14,7 @@
 #include "sim/body/motion_file.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/dress/dressing.h"
 #include "sim/exchange/mesh_file.h"
@@ -31,13 +32,12 @@ namespace fs = std::filesystem;
 
 editor::FolderListing list_folder(const std::string& folder) {
     std::error_code error;
-    const fs::path path = fs::absolute(folder.empty() ? fs::current_path() : fs::path(folder)).lexically_normal();
+    const fs::path path = sim::absolute_path(folder.empty() ? "." : folder).lexically_normal();
     editor::FolderListing listing{
         .folder = path.string(), .parent = path.has_relative_path() ? path.parent_path().string() : "", .entries = {}};
-    for (const fs::directory_entry& entry : fs::directory_iterator(path, error)) {
-        const std::string name = entry.path().filename().string();
-        std::error_code unreadable;
-        if (!name.starts_with('.')) listing.entries.push_back({name, entry.is_directory(unreadable)});
+    for (const fs::path& entry : sim::entries_of(path, error)) {
+        const std::string name = entry.filename().string();
+        if (!name.starts_with('.')) listing.entries.push_back({name, sim::is_folder(entry)});
     }
     if (error) throw sim::InputError(path.string(), "", error.message());
     std::sort(listing.entries.begin(), listing.entries.end(),
@@ -177,36 +177,60 @@ std::string print_from_editor(const sim::Pattern& pattern, const std::string& fi
 
 }  // namespace
 
+namespace {
+
+void add_journals(editor::Services& services, const fs::path& folder) {
+    const auto journals = std::make_shared<JournalStore>(folder);
+    services.begin_journal = [journals](const std::string& text) { journals->begin(text); };
+    services.note_in_journal = [journals](std::string_view line) { journals->note(line); };
+    services.end_journal = [journals] { journals->end(); };
+    services.journal_problem = [journals] { return journals->problem(); };
+    services.orphaned_journals = [journals] { return orphaned_journals(*journals); };
+    services.discard_journal = [](const std::string& id) { JournalStore::discard(id); };
+    services.set_aside_journal = [](const std::string& id) { return JournalStore::set_aside(id).string(); };
+}
+
+void add_state(editor::Services& services, const fs::path& folder) {
+    add_journals(services, folder / "journals");
+    const auto recent = std::make_shared<const RecentFiles>(folder / "recent.json");
+    const auto keys = std::make_shared<const KeyMapFile>(folder / "settings.json");
+    services.load_key_map = [keys] { return keys->load(); };
+    services.save_key_map = [keys](editor::KeyMap map) { keys->save(map); };
+    services.recent_files = [recent] { return recent->list(); };
+    services.remember_file = [recent](const std::string& file) { recent->add(file); };
+}
+
+void add_no_state(editor::Services& services) {
+    services.recent_files = [] { return std::vector<std::string>(); };
+    services.remember_file = [](const std::string&) {};
+    services.begin_journal = [](const std::string&) {};
+    services.note_in_journal = [](std::string_view) {};
+    services.end_journal = [] {};
+    services.orphaned_journals = [] { return std::vector<editor::OrphanedJournal>(); };
+    services.discard_journal = [](const std::string&) {};
+    services.set_aside_journal = [](const std::string& id) { return id; };
+}
+
+}  // namespace
+
 editor::Services make_editor_services(const EditorServicesOptions& options) {
-    const auto journals = std::make_shared<JournalStore>(options.state / "journals");
-    const auto recent = std::make_shared<const RecentFiles>(options.state / "recent.json");
-    const auto keys = std::make_shared<const KeyMapFile>(options.state / "settings.json");
     editor::Services services;
+    options.state ? add_state(services, *options.state) : add_no_state(services);
     services.load = [](const std::string& file) { return sim::load_pattern(file); };
     services.save = [](const std::string& file, const std::string& text) { sim::write_file_atomically(file, text); };
     services.is_drawing = is_drawing;
     services.import_drawing = import_drawing;
     services.is_photo = is_photo;
     services.read_photo = [](const std::string& file) { return render::read_photo(file); };
-    services.full_path = [](const std::string& file) { return fs::weakly_canonical(fs::absolute(file)).string(); };
+    services.full_path = [](const std::string& file) { return sim::canonical_path(file).string(); };
     services.print = print_from_editor;
     services.list_folder = list_folder;
-    services.exists = [](const std::string& file) { return fs::exists(file); };
+    services.exists = [](const std::string& file) { return sim::file_exists(file); };
     services.write_export = [options](const editor::ExportRequest& request) { write_export(request, options); };
     services.make_body = make_body;
     services.find_motion = sim::find_motion;
-    services.load_key_map = [keys] { return keys->load(); };
-    services.save_key_map = [keys](editor::KeyMap map) { keys->save(map); };
     services.read_fabric = sim::read_fabric_file;
-    services.recent_files = [recent] { return recent->list(); };
-    services.remember_file = [recent](const std::string& file) { recent->add(file); };
     services.examples = examples();
-    services.begin_journal = [journals](const std::string& text) { journals->begin(text); };
-    services.note_in_journal = [journals](std::string_view line) { journals->note(line); };
-    services.end_journal = [journals] { journals->end(); };
-    services.orphaned_journals = [journals] { return orphaned_journals(*journals); };
-    services.discard_journal = [](const std::string& id) { JournalStore::discard(id); };
-    services.set_aside_journal = [](const std::string& id) { return JournalStore::set_aside(id).string(); };
     return services;
 }
 
@@ -216,7 +240,7 @@ std::vector<std::string> RecentFiles::list() const {
         const sim::Json json = sim::read_json(file_);
         const sim::JsonView view(json, file_.string());
         for (std::size_t i = 0; i < view.size(); ++i) {
-            if (std::filesystem::exists(view.at(i).string())) files.push_back(view.at(i).string());
+            if (sim::file_exists(view.at(i).string())) files.push_back(view.at(i).string());
         }
     } catch (const sim::InputError&) {  // no list yet, or an invalid one
     }
@@ -226,7 +250,7 @@ std::vector<std::string> RecentFiles::list() const {
 void RecentFiles::add(const std::string& path) const {
     constexpr std::size_t kMaxRecentFiles = 12;
     std::vector<std::string> files = list();
-    const std::string whole = std::filesystem::absolute(path).lexically_normal().string();
+    const std::string whole = sim::absolute_path(path).lexically_normal().string();
     std::erase(files, whole);
     files.insert(files.begin(), whole);
     if (files.size() > kMaxRecentFiles) files.resize(kMaxRecentFiles);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,12 @@
 namespace selvedge::app {
 
 struct EditorServicesOptions {
-    std::filesystem::path state;  // folder of journals and recent files
+    std::optional<std::filesystem::path> state{};  // folder of journals and recent files; none: nothing is kept
     // Renders a scene at full quality, for exports.
     std::function<render::Image(const render::Scene& scene)> render_full_quality;
 };
 
-// Throws InputError if the state folder cannot be created.
+// Throws InputError if there is to be a state folder and it cannot be created.
 editor::Services make_editor_services(const EditorServicesOptions& options);
 
 // The recently opened or saved files, stored between runs.

@@ -24,7 +24,9 @@
 #include "render/draw/renderer.h"
 #include "render/image/image.h"
 #include "sim/core/assert.h"
+#include "sim/core/atomic_file.h"
 #include "sim/core/error.h"
+#include "sim/core/file_path.h"
 
 namespace selvedge::app {
 namespace {
@@ -176,7 +178,7 @@ void check_folder(const fs::path& path) {
     const bool is_there = fs::exists(folder, ignored);
     if (is_there && !fs::is_directory(folder, ignored))
         throw sim::InputError(path.string(), "", "cannot write: what stands there is not a folder");
-    const fs::path written = is_there ? folder : fs::absolute(folder, ignored).parent_path();
+    const fs::path written = is_there ? folder : sim::absolute_path(folder).parent_path();
     if (::access(written.c_str(), W_OK | X_OK) != 0)
         throw sim::InputError(path.string(), "", std::string("cannot write: ") + std::strerror(errno));
 }
@@ -234,7 +236,8 @@ std::vector<std::string> encoder_arguments(FilmKind kind, const FilmFormat& form
                                        "pipe:0"};
     const std::vector<std::string> more = kind == FilmKind::Gif ? gif_arguments() : mp4_arguments();
     arguments.insert(arguments.end(), more.begin(), more.end());
-    arguments.insert(arguments.end(), {"-fflags", "+bitexact", "-flags:v", "+bitexact", fs::absolute(output).string()});
+    arguments.insert(arguments.end(),
+                     {"-fflags", "+bitexact", "-flags:v", "+bitexact", sim::absolute_path(output).string()});
     return arguments;
 }
 
@@ -285,12 +288,10 @@ class FilmWriter::Encoder {
  public:
     Encoder(const fs::path& path, FilmKind kind, const FilmFormat& format)
         : path_(path),
-          temporary_(path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".tmp")),
-          process_(std::in_place, encoder_arguments(kind, format, temporary_)) {}
+          file_(path, sim::TemporaryName::Random),
+          process_(std::in_place, encoder_arguments(kind, format, file_.temporary())) {}
     ~Encoder() {
         process_.reset();  // stops ffmpeg before its file is removed
-        std::error_code ignored;
-        fs::remove(temporary_, ignored);
     }
     Encoder(const Encoder&) = delete;
     Encoder& operator=(const Encoder&) = delete;
@@ -302,8 +303,7 @@ class FilmWriter::Encoder {
     }
     void finish() {
         if (!process_->finish()) fail();
-        if (::rename(temporary_.c_str(), path_.c_str()) != 0)
-            throw sim::InputError(path_.string(), "", std::string("cannot write: ") + std::strerror(errno));
+        file_.commit();
     }
 
  private:
@@ -313,7 +313,7 @@ class FilmWriter::Encoder {
     }
 
     fs::path path_;
-    fs::path temporary_;
+    sim::AtomicFile file_;
     std::optional<PipedProcess> process_;
 };
 

@@ -6,7 +6,9 @@
 #include <iterator>
 
 #include "sim/dress/anchor.h"
+#include "sim/dress/dress_check.h"
 #include "sim/pattern/garments.h"
+#include "sim/pattern/named_file.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/tartan/tartan_file.h"
 
@@ -82,21 +84,36 @@ void add_thread_options(CLI::App& command, GarmentOptions& options) {
     command.add_flag("-q,--quiet", options.is_quiet, "Show no progress, and print only faults");
 }
 
+namespace {
+
+// Throws InputError for what `selvedge check` reports too. A body file is read where it is needed.
+sim::Pattern load_dressable(const std::filesystem::path& file, const GarmentOptions& options) {
+    sim::Pattern pattern = sim::load_pattern(file).pattern;
+    const sim::DressCheck check{
+        .has_fabrics = options.fabric.empty(), .reads_body_file = false, .edge_length = options.dress.edge_length};
+    if (pattern.panels.empty())
+        throw sim::InputError(file.string(), "pattern.panels", "no panel that is worn: nothing to dress");
+    for (const sim::Fault& fault : dress_faults(pattern, file.string(), check))
+        throw sim::InputError(fault.file, fault.place, fault.problem);
+    return pattern;
+}
+
+}  // namespace
+
 sim::Pattern load_garments(const GarmentOptions& options, std::vector<std::string>& notes) {
-    sim::Pattern pattern = sim::load_pattern(options.garment).pattern;
+    sim::Pattern pattern = load_dressable(options.garment, options);
     for (const std::filesystem::path& over : options.over) {
-        const sim::Pattern outer = moved_to_body_of(pattern, sim::load_pattern(over).pattern, notes);
+        const sim::Pattern outer = moved_to_body_of(pattern, load_dressable(over, options), notes);
         std::ranges::move(put_over(pattern, outer), std::back_inserter(notes));
         pattern.name += " + " + outer.name;
     }
-    if (std::ranges::none_of(pattern.panels, &sim::Panel::is_worn))
-        throw sim::InputError(options.garment.string(), "pattern.panels", "no panel that is worn: nothing to dress");
     return pattern;
 }
 
 std::vector<std::filesystem::path> input_files(const GarmentOptions& options, const BodyOptions& body) {
     std::vector<std::filesystem::path> inputs{options.garment};
     inputs.insert(inputs.end(), options.over.begin(), options.over.end());
+    inputs.insert(inputs.end(), options.named.begin(), options.named.end());
     if (body.is_file()) inputs.emplace_back(body.source);
     return inputs;
 }
@@ -133,6 +150,8 @@ void fill_in(GarmentOptions& options, BodyOptions& body, PictureOptions& picture
     picture.pattern = std::make_shared<const sim::Pattern>(shown_pattern(pattern, options, picture));
     picture.looks = std::make_shared<render::ClothLooks>(render::ClothLooks::Unknown::Fail);
     picture.looks->read(*picture.pattern);
+    const std::vector<std::string> named = named_files(*picture.pattern);
+    options.named.assign(named.begin(), named.end());
     if (!picture.sett && !picture.sett_size) picture.sett_size = pattern.sett_size;
     if (!picture.sett && !pattern.tartan.empty()) picture.sett = sim::find_tartan(pattern.tartan);
     if (!picture.sett_position) picture.sett_position = pattern.sett_position;

@@ -25,6 +25,7 @@ struct GarmentOptions {
     std::optional<int> threads;        // none: one per CPU core
     bool coarsens_back_faces = false;  // of the mesh, as the picture sees it
     bool is_quiet = false;
+    std::vector<std::filesystem::path> named{};  // files that the garments and options name; set by fill_in()
 };
 
 template <class T>
@@ -53,10 +54,12 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, Limits<T> li
 void add_garment_options(CLI::App& command, GarmentOptions& options);
 void add_thread_options(CLI::App& command, GarmentOptions& options);
 
-// The garment with those over it. Notes: one sentence per change. Throws InputError.
+// The garment with those over it. Notes: one sentence per change. Throws InputError, for what dress_faults() finds
+// too.
 sim::Pattern load_garments(const GarmentOptions& options, std::vector<std::string>& notes);
 
-// The files that are read: the garment and those over it, and the body's, if it is a file.
+// The files that are read: the garment and those over it, and the body's, if it is a file; after fill_in() all others
+// too, such as fabrics and pictures.
 std::vector<std::filesystem::path> input_files(const GarmentOptions& options, const BodyOptions& body);
 
 // Takes values that the command line does not set from the pattern: fabric, body, and how the cloth is drawn. Tells the

@@ -45,11 +45,11 @@ int run(ImportArguments& arguments) {
     if (!arguments.unit.empty()) options.panels.metres_per_unit = metres_of_unit(arguments.unit);
     if (arguments.allowance_mm) options.panels.allowance = *arguments.allowance_mm / 1000;
     if (!arguments.body.source.empty()) options.body = arguments.body.source;
-    for (const std::filesystem::path& file : arguments.files) {
-        std::error_code error;
-        if (std::filesystem::equivalent(file, arguments.output, error))
-            throw sim::InputError(arguments.output.string(), "", "cannot write: it is one of the files that are read");
-    }
+    std::vector<std::filesystem::path> inputs = arguments.files;
+    if (!options.measurements.empty()) inputs.emplace_back(options.measurements);
+    if (arguments.body.is_file()) inputs.emplace_back(arguments.body.source);
+    check_output(arguments.output);
+    check_distinct({arguments.output}, inputs);
     const ImportedGarment garment = import_garment(arguments.files, options);
     print_list("Read:", garment.notes);
     print_list("Body:", garment.body);

@@ -1,7 +1,8 @@
 #pragma once
 // Journals on disk: one file per running editor, locked while the editor runs, so that the next editor finds the
 // journals of crashed ones. A line is written to the operating system before note() returns, and synced to disk within
-// a second.
+// a second. What a full disk does not take is kept in memory and tried again with every line and every second, so that
+// the journal never has a hole.
 #include <condition_variable>
 #include <filesystem>
 #include <mutex>
@@ -30,14 +31,14 @@ class JournalStore {
     // Replaces the current journal by a new one that begins with these lines, atomically. Throws InputError.
     void begin(std::string_view lines);
 
-    // Appends a line; does nothing without a journal. Write errors are not thrown: problem() returns the first.
+    // Appends a line; does nothing without a journal. Write errors are not thrown: see problem().
     void note(std::string_view line);
 
     // Deletes the journal: nothing is left to recover.
     void end();
 
-    // The first write error; empty: all lines were written.
-    std::string problem() const { return problem_; }
+    // Why lines are missing on disk now; empty: all are there. After a failed sync it stays until a journal begins.
+    std::string problem() const;
 
     // Journals of editors that no longer run, newest first.
     std::vector<StoredJournal> left() const;
@@ -49,21 +50,25 @@ class JournalStore {
 
  private:
     void sync_periodically();
+    void write_pending();  // pre: mutex_ is held
     void close_file();
 
     std::filesystem::path folder_;
     std::filesystem::path path_;
     int file_ = -1;
-    std::string problem_;
 
-    std::mutex mutex_;  // guards file_ and the members below
+    mutable std::mutex mutex_;  // guards file_ and the members below
+    std::string pending_;       // not written yet
+    std::string write_problem_;
+    std::string sync_problem_;
     std::condition_variable wake_;
     bool is_dirty_ = false;
     bool is_ending_ = false;
     std::thread syncing_;
 };
 
-// The folder for state that persists between runs (not settings): $XDG_STATE_HOME/selvedge, or ~/.local/state/selvedge.
-std::filesystem::path state_folder();
+// The folder for state that persists between runs (not settings): $XDG_STATE_HOME/selvedge, or ~/.local/state/selvedge,
+// where ~ is $HOME or else the user's home as the system knows it. None: the user has no home.
+std::optional<std::filesystem::path> state_folder();
 
 }  // namespace selvedge::app

@@ -64,6 +64,7 @@ void take_measurements(MannequinArguments& arguments) {
 
 int run(MannequinArguments arguments) {
     check_output(arguments.output, sim::mesh_extensions());
+    if (!arguments.measurements.empty()) check_distinct({arguments.output}, {arguments.measurements});
     for (const std::string_view name : sim::measure_names()) {
         std::optional<double>& measure = *find_measure(arguments.options.measures, name);
         if (measure) *measure /= 100;

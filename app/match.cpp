@@ -17,6 +17,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
+#include "sim/pattern/named_file.h"
 #include "sim/pattern/pattern.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/tartan/offset_graph.h"
@@ -86,12 +87,17 @@ std::optional<double> sett_size(const MatchArguments& arguments, const sim::Patt
     return arguments.tartan.empty() ? pattern.sett_size : std::nullopt;
 }
 
-void check_arguments(const MatchArguments& arguments) {
-    const std::optional<double>& size = arguments.sett_size_cm;
-    if (size && !(*size >= 0.1 && *size <= 500)) throw sim::InputError("", "--sett-size", "must be from 0.1 to 500 cm");
+std::vector<Path> outputs_of(const MatchArguments& arguments) {
     std::vector<Path> outputs;
     if (!arguments.is_dry) outputs.push_back(arguments.output.empty() ? arguments.garment : arguments.output);
     if (!arguments.json_file.empty()) outputs.push_back(arguments.json_file);
+    return outputs;
+}
+
+void check_arguments(const MatchArguments& arguments) {
+    const std::optional<double>& size = arguments.sett_size_cm;
+    if (size && !(*size >= 0.1 && *size <= 500)) throw sim::InputError("", "--sett-size", "must be from 0.1 to 500 cm");
+    const std::vector<Path> outputs = outputs_of(arguments);
     for (const Path& file : outputs) check_output(file);
     check_distinct(outputs, {});
     if (!arguments.json_file.empty()) check_distinct({arguments.json_file}, {arguments.garment});
@@ -143,6 +149,8 @@ int run(const MatchArguments& arguments) {
     check_arguments(arguments);
     sim::PatternDocument document = sim::load_pattern(arguments.garment);
     sim::Pattern& pattern = document.pattern;
+    const std::vector<std::string> named = named_files(pattern);
+    check_distinct(outputs_of(arguments), {named.begin(), named.end()});
     const sim::Sett sett = sim::find_sett(tartan_of(arguments, pattern), sett_size(arguments, pattern));
     const sim::SettMatch match = match_sett(pattern, sett,
                                             {.first_seams = seams_of(pattern, arguments.seams),

@@ -15,6 +15,7 @@
 
 #include "sim/collide/body_collider.h"
 #include "sim/core/error.h"
+#include "sim/core/file_path.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/mannequin/stored_mannequin.h"
 #include "sim/pattern/pattern.h"
@@ -229,21 +230,13 @@ void check_extension(const fs::path& path, std::span<const std::string_view> ext
     throw sim::InputError(path.string(), "", "cannot write: the name should end in " + known);
 }
 
-// A canonical name of the file, independent of its spelling; the file need not exist.
-fs::path one_name(const fs::path& path) {
-    std::error_code error;
-    const fs::path name = fs::weakly_canonical(fs::absolute(path), error);
-    return error ? path : name;
-}
-
 }  // namespace
 
 void check_output(const fs::path& path, std::span<const std::string_view> extensions) {
     if (!extensions.empty()) check_extension(path, extensions);
-    std::error_code ignored;
-    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
-        throw sim::InputError(path.string(), "", "cannot write: what stands there is not a file");
-    const fs::path folder = one_name(path).parent_path();
+    if (sim::file_exists(path) && !sim::is_file(path))
+        throw sim::InputError(path.string(), "", "cannot write: it is no regular file");
+    const fs::path folder = sim::canonical_path(path).parent_path();
     if (access(folder.c_str(), W_OK | X_OK) != 0)
         throw sim::InputError(path.string(), "", std::string("cannot write: ") + std::strerror(errno));
     if (!path.has_filename()) throw sim::InputError(path.string(), "", "cannot write: this names a folder");
@@ -251,9 +244,9 @@ void check_output(const fs::path& path, std::span<const std::string_view> extens
 
 void check_distinct(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
     std::set<fs::path> taken;
-    for (const fs::path& input : inputs) taken.insert(one_name(input));
+    for (const fs::path& input : inputs) taken.insert(sim::canonical_path(input));
     for (const fs::path& output : outputs) {
-        if (!taken.insert(one_name(output)).second)
+        if (!taken.insert(sim::canonical_path(output)).second)
             throw sim::InputError(output.string(), "", "cannot write: the same command reads or writes it already");
     }
 }

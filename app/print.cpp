@@ -5,10 +5,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/print_files.h"
+#include "sim/pattern/named_file.h"
 #include "sim/pattern/pattern_file.h"
 
 namespace selvedge::app {
@@ -26,6 +28,8 @@ int run(PrintArguments& arguments) {
     check_output(arguments.output, kPrintFormats);
     check_distinct({arguments.output}, {arguments.garment});
     sim::Pattern pattern = sim::load_pattern(arguments.garment).pattern;
+    const std::vector<std::string> named = named_files(pattern);
+    check_distinct({arguments.output}, {named.begin(), named.end()});
     if (arguments.allowance_mm) pattern.allowance = *arguments.allowance_mm / 1000;
     arguments.settings.fabric_width = arguments.fabric_width_cm / 100;
     const Printed printed = print_pattern(pattern, arguments.output, arguments.settings);

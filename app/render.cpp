@@ -12,6 +12,7 @@
 #include "render/image/image.h"
 #include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
+#include "sim/pattern/named_file.h"
 
 namespace selvedge::app {
 namespace {
@@ -31,6 +32,15 @@ void check_outputs(const RenderArguments& arguments) {
         throw sim::InputError("", "render", "nothing to write: name a picture with -o or a film with --turntable");
     if (!arguments.output.empty()) check_output(arguments.output, kPictureExtensions);
     check_turntable(arguments.turntable, arguments.picture);
+    std::vector<std::filesystem::path> inputs{arguments.garment};
+    if (arguments.body.is_file()) inputs.emplace_back(arguments.body.source);
+    sim::Pattern drawn;
+    drawn.fabric = arguments.fabric;
+    drawn.surface = arguments.picture.design;
+    for (const std::string& file : named_files(drawn)) inputs.emplace_back(file);
+    std::vector<std::filesystem::path> outputs{arguments.output, arguments.turntable.file};
+    std::erase(outputs, std::filesystem::path());
+    check_distinct(outputs, inputs);
 }
 
 // A mesh has no pattern: with a design, it is drawn as if its pattern had no more than that.

@@ -11,6 +11,7 @@
 #include "editor/geometry/draft.h"
 #include "editor/geometry/panel_edit.h"
 #include "sim/core/assert.h"
+#include "sim/pattern/limits.h"
 #include "sim/pattern/pattern_file.h"
 
 namespace selvedge::editor {
@@ -74,11 +75,22 @@ void follow_links(sim::Pattern& changed, const sim::Pattern& before, const std::
     }
 }
 
+// Of the panels that changed: a file with such values could not be opened again.
+void require_limits(const sim::Pattern& changed, const sim::Pattern& before) {
+    for (const sim::Panel& panel : changed.panels) {
+        const auto was = std::ranges::find(before.panels, panel.name, &sim::Panel::name);
+        if (was != before.panels.end() && *was == panel) continue;
+        for (const sim::LimitFault& fault : limit_faults(panel))
+            throw GeometryError("'" + panel.name + "': " + fault.place + ": " + fault.problem, {{.panel = panel.name}});
+    }
+}
+
 Changed changed_by(const sim::Pattern& before, const Command& command, const PanelStates& states) {
     Changed changed{.pattern = before};
     changed.outcome = apply(changed.pattern, command);
     follow_links(changed.pattern, before, states.locked);
     keep_sheet_positions(changed.pattern, before);
+    require_limits(changed.pattern, before);
     return changed;
 }
 

@@ -79,6 +79,7 @@ struct AppState {
     ExportThickness export_thickness;  // of the next export from the menu
     TimelineDrag timeline;
     InspectorState inspectors;
+    std::string journal_problem;  // that was told last; empty: none
     bool shows_start_page = true;
     bool wants_to_close = false;
     float user_scale = 1;            // of the interface, multiplied by the screen's scale
@@ -86,7 +87,10 @@ struct AppState {
     int documents_opened = 0;        // so far: the views are reset with each one
 };
 
-// Starts a new journal that records the document's changes from now on.
+// Starts a new journal that records the document's changes from now on. If that is not possible, a message says so.
 void begin_journal(AppState& state);
+
+// Tells the user when the journal begins to lack changes, and when it has them all again.
+void report_journal_problem(AppState& state);
 
 }  // namespace selvedge::editor

@@ -430,6 +430,7 @@ FrameOutput Editor::frame(const std::vector<InputEvent>& events, const FrameSize
     state.workspace.drape.update(*state.workspace.document, state.workspace.messages);
     state.underlays.update(state.workspace.document->pattern().underlays, state.services.read_photo,
                            state.workspace.messages);
+    report_journal_problem(state);
     impl.message_clock.update(state.workspace.messages, seconds);
     impl.build_frame(seconds);
     for (int i = 1; i < kFramesPerPicture && impl.input.has_more(); ++i) impl.build_frame(0);

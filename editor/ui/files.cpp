@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <exception>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "editor/frame/item.h"
 #include "editor/geometry/outline_edit.h"
@@ -20,6 +22,7 @@
 #include "editor/ui/fabric_files.h"
 #include "editor/ui/widgets.h"
 #include "sim/core/error.h"
+#include "sim/pattern/named_file.h"
 
 namespace selvedge::editor {
 namespace {
@@ -72,10 +75,40 @@ void write_pose_file(AppState& state, const std::string& file, const sim::PoseAn
     workspace.drape.choose_pose(file);
 }
 
+std::vector<std::string> files_of(const AppState& state) {
+    return named_files(state.workspace.document->pattern());
+}
+
+// Throws InputError if the garment is read from this file, or names it: it is not to be written over.
+void refuse_inputs(const AppState& state, const std::string& file, std::vector<std::string> inputs) {
+    const std::string target = state.services.full_path(file);
+    for (const std::string& input : inputs) {
+        if (!input.empty() && state.services.full_path(input) == target)
+            throw sim::InputError(file, "", "cannot write: the garment is made of this file");
+    }
+}
+
+void refuse_garment_and_its_files(const AppState& state, const std::string& file) {
+    std::vector<std::string> inputs = files_of(state);
+    inputs.push_back(state.workspace.file);
+    refuse_inputs(state, file, std::move(inputs));
+}
+
+// Throws InputError for what could not be opened again.
+void require_readable(const std::string& text, const std::string& file) {
+    for (const sim::Fault& fault : sim::check_pattern_text(text, file)) {
+        if (fault.severity == sim::Severity::Error)
+            throw sim::InputError(file, fault.place, "not saved, for it could not be opened again: " + fault.problem);
+    }
+}
+
 void write_document(AppState& state, const std::string& file) {
     Document& document = *state.workspace.document;
     document.commit();
-    state.services.save(file, document.text(file));
+    refuse_inputs(state, file, files_of(state));
+    const std::string text = document.text(file);
+    require_readable(text, file);
+    state.services.save(file, text);
     document.mark_saved();
     state.workspace.file = file;
     state.services.remember_file(file);
@@ -89,7 +122,7 @@ bool try_to(AppState& state, const std::function<void()>& function) {
     try {
         function();
         return true;
-    } catch (const sim::InputError& error) {
+    } catch (const std::exception& error) {  // InputError, or what the system refuses
         state.workspace.messages.say({.kind = MessageKind::Error, .text = error.what(), .places = {}});
         return false;
     }
@@ -277,10 +310,11 @@ bool save(AppState& state) {
     return try_to(state, [&] { write_document(state, state.workspace.file); });
 }
 
-void save_as(AppState& state, const std::string& file) {
+void save_as(AppState& state, const std::string& file, IfExists if_exists) {
     const std::string target = with_ending(file, ".json");
     const auto write = [target](AppState& current) { try_to(current, [&] { write_document(current, target); }); };
-    if (target == state.workspace.file || !state.services.exists(target)) return write(state);
+    const bool asks = if_exists == IfExists::Ask && target != state.workspace.file && state.services.exists(target);
+    if (!asks) return write(state);
     ask_to_replace(state, target, write);
 }
 
@@ -295,18 +329,23 @@ void export_to(AppState& state, const std::string& file, const ExportThickness& 
     if (!request.scene || request.garment.triangles.empty()) {
         return state.workspace.messages.warn("There is nothing to export yet");
     }
-    if (try_to(state, [&] { state.services.write_export(request); })) state.workspace.messages.note("Wrote " + file);
+    const auto write = [&] {
+        refuse_garment_and_its_files(state, file);
+        state.services.write_export(request);
+    };
+    if (try_to(state, write)) state.workspace.messages.note("Wrote " + file);
 }
 
-void print_to(AppState& state, const std::string& file) {
+void print_to(AppState& state, const std::string& file, IfExists if_exists) {
     state.workspace.document->commit();
     const auto write = [file](AppState& current) {
         try_to(current, [&] {
+            refuse_garment_and_its_files(current, file);
             current.workspace.messages.note("Wrote " + file + ": " +
                                             current.services.print(current.workspace.document->pattern(), file));
         });
     };
-    if (!state.services.exists(file)) return write(state);
+    if (if_exists == IfExists::Replace || !state.services.exists(file)) return write(state);
     ask_to_replace(state, file, write);
 }
 
@@ -484,7 +523,8 @@ void report_damaged(AppState& state, const OrphanedJournal& journal) {
     try_to(state, [&] {
         const std::string file = state.services.set_aside_journal(journal.id);
         state.questions.push_back({"The journal of an editor that ended " + journal.age +
-                                       " is damaged: nothing was recovered. It is kept as '" + file + "'.",
+                                       " is damaged or of another version: nothing was recovered. It is kept as '" +
+                                       file + "'.",
                                    {{"OK", [](AppState&) {}}}});
     });
 }
@@ -513,10 +553,24 @@ void begin_journal(AppState& state) {
     const std::string file = workspace.file.empty() ? "" : state.services.full_path(workspace.file);
     std::string text = journal_head(file, workspace.document->text(file), workspace.document->has_unsaved_changes());
     for (const std::string& line : workspace.fabrics.journal_lines()) text += "\n" + line;
-    state.services.begin_journal(text);
+    if (!try_to(state, [&] { state.services.begin_journal(text); })) return;
     const auto note = [&state](std::string_view line) { state.services.note_in_journal(line); };
     workspace.document->set_journal(note);
     workspace.fabrics.set_journal(note);
+}
+
+void report_journal_problem(AppState& state) {
+    if (!state.services.journal_problem) return;
+    std::string problem = state.services.journal_problem();
+    const bool is_new = !problem.empty() && state.journal_problem.empty();
+    const bool has_ended = problem.empty() && !state.journal_problem.empty();
+    if (is_new)
+        state.workspace.messages.say(
+            {.kind = MessageKind::Error,
+             .text = "After a crash, the last changes could not be recovered: save them. " + problem,
+             .places = {}});
+    if (has_ended) state.workspace.messages.note("All changes can be recovered after a crash again");
+    state.journal_problem = std::move(problem);
 }
 
 namespace {

@@ -26,9 +26,13 @@ void recover_journal(AppState& state, const OrphanedJournal& journal);  // Pre: 
 void take_dropped_file(AppState& state, const std::string& file);
 
 bool save(AppState& state);  // asks for a name if there is none; false: not saved (yet)
-void save_as(AppState& state, const std::string& file);
+// What becomes of a file that is there already.
+enum class IfExists { Ask, Replace };
+
+void save_as(AppState& state, const std::string& file, IfExists if_exists = IfExists::Ask);
 void export_to(AppState& state, const std::string& file, const ExportThickness& thickness = {});
-void print_to(AppState& state, const std::string& file);   // the pattern, at true size
+// The pattern, at true size.
+void print_to(AppState& state, const std::string& file, IfExists if_exists = IfExists::Ask);
 void save_pose(AppState& state, const std::string& file);  // the body's, which is then the file's
 void close(AppState& state);
 

@@ -150,8 +150,8 @@ void ScriptPlayer::play_document(const ScriptStep& step) {
     if (step.verb == "new") new_document(state);
     if (step.verb == "open") open_file(state, word(step, 0));
     if (step.verb == "import") import_file(state, word(step, 0));
-    if (step.verb == "print") print_to(state, word(step, 0));
-    if (step.verb == "save") save_as(state, word(step, 0));
+    if (step.verb == "print") print_to(state, word(step, 0), IfExists::Replace);  // nobody is there to ask
+    if (step.verb == "save") save_as(state, word(step, 0), IfExists::Replace);
     if (step.verb == "export") {
         const bool is_thick = step.arguments.size() > 1 && word(step, 1) == "thickness";
         export_to(state, word(step, 0), is_thick ? parse_export_thickness(word(step, 2)) : ExportThickness{});

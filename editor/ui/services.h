@@ -96,7 +96,8 @@ struct Services {
     // note_in_journal appends one line per change.
     std::function<void(const std::string& text)> begin_journal;
     std::function<void(std::string_view line)> note_in_journal;
-    std::function<void()> end_journal;  // deletes the journal: nothing to recover
+    std::function<void()> end_journal;               // deletes the journal: nothing to recover
+    std::function<std::string()> journal_problem{};  // why it lacks lines now; empty: it has all. Unset: likewise
     std::function<std::vector<OrphanedJournal>()> orphaned_journals;
     std::function<void(const std::string& id)> discard_journal;
     // Moves a damaged journal to where it is not offered again, and returns the name of the file.

@@ -10,6 +10,7 @@
 #include "sim/body/guarded_import.h"
 #include "sim/body/pose.h"
 #include "sim/core/error.h"
+#include "sim/core/file_path.h"
 
 namespace selvedge::sim {
 
@@ -200,9 +201,7 @@ void write_notes(LoadBodyReport& report, const Body& body) {
 }  // namespace
 
 std::string canonical_name(const std::filesystem::path& path) {
-    std::error_code error;
-    const std::filesystem::path name = std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
-    return error ? path.string() : name.string();
+    return canonical_path(path).string();
 }
 
 namespace {

@@ -1,15 +1,21 @@
 #include "sim/core/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/random.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <utility>
 
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
+#include "sim/core/file_path.h"
 
 namespace selvedge::sim {
 namespace {
@@ -19,32 +25,109 @@ namespace {
     throw InputError(path.string(), "", "cannot write: " + reason);
 }
 
-// The path with symbolic links resolved, so that writing replaces the target of a link and not the link itself.
-std::filesystem::path behind_links(const std::filesystem::path& path) {
-    std::error_code error;
-    const std::filesystem::path target = std::filesystem::canonical(path, error);
-    return error ? path : target;
+constexpr std::string_view kPrefix = ".selvedge-", kSuffix = ".tmp";
+constexpr std::size_t kDigits = 16;
+
+std::string random_name() {
+    std::uint64_t number = 0;
+    while (::getrandom(&number, sizeof number, 0) != static_cast<ssize_t>(sizeof number)) {
+    }
+    std::array<char, kDigits + 1> digits{};
+    std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(number));
+    return std::string(kPrefix) + digits.data() + std::string(kSuffix);
 }
 
-std::filesystem::path folder_of(const std::filesystem::path& path) {
-    return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+bool is_temporary_name(std::string_view name) {
+    if (name.size() != kPrefix.size() + kDigits + kSuffix.size()) return false;
+    if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) return false;
+    return name.substr(kPrefix.size(), kDigits).find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+// Whether it is one of this user's, and no program that lives holds its lock. The age spares one that was made just now
+// and is not locked yet.
+bool is_left_behind(const std::filesystem::path& path) {
+    constexpr double kLeastAge = 60;  // s
+    const int fd = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (fd < 0) return false;
+    struct stat status {};
+    const bool is_old_and_ours = ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid() &&
+                                 std::difftime(std::time(nullptr), status.st_mtime) >= kLeastAge;
+    const bool is_free = is_old_and_ours && ::flock(fd, LOCK_EX | LOCK_NB) == 0;
+    ::close(fd);
+    return is_free;
+}
+
+// Looks at no more than a number of entries, so that many files in one folder stay fast to write.
+void remove_left_behind(const std::filesystem::path& folder) {
+    constexpr int kMostEntries = 10'000;
+    std::error_code error;
+    std::filesystem::directory_iterator entry(folder, error);
+    for (int i = 0; i < kMostEntries && !error && entry != std::filesystem::directory_iterator(); ++i) {
+        const std::filesystem::path path = entry->path();
+        if (is_temporary_name(path.filename().native()) && is_left_behind(path)) ::unlink(path.c_str());
+        entry.increment(error);
+    }
+}
+
+// Whether a file without a name can be given one.
+bool can_link_descriptors() {
+    return ::access("/proc/self/fd", X_OK) == 0;
 }
 
 }  // namespace
 
-AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(path), target_(behind_links(path)) {
+AtomicFile::AtomicFile(const std::filesystem::path& path, TemporaryName name)
+    : path_(path), target_(behind_links(path)) {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(target_, error);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
         throw InputError(path_.string(), "", "cannot write: it is no regular file");
-    temporary_ = folder_of(target_) / ("." + target_.filename().string() + "." + std::to_string(::getpid()) + ".tmp");
-    fd_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    if (std::filesystem::is_symlink(std::filesystem::symlink_status(target_, error))) {
+        errno = ELOOP;  // rename() would replace the link itself
+        fail(path_);
+    }
+    remove_left_behind(folder_of(target_));
+    open_temporary(name);
+    take_rights_of_old();
+}
+
+void AtomicFile::open_temporary(TemporaryName name) {
+    constexpr mode_t kMode = 0666;  // less the umask
+    if (name == TemporaryName::None && can_link_descriptors())
+        fd_ = ::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kMode);
+    if (fd_ < 0) {
+        temporary_ = folder_of(target_) / random_name();
+        fd_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kMode);
+        if (fd_ < 0) temporary_.clear();
+    }
     if (fd_ < 0) fail(path_);
+    ::flock(fd_, LOCK_EX | LOCK_NB);
+}
+
+void AtomicFile::take_rights_of_old() {
+    struct stat old {};
+    struct stat own {};
+    if (::stat(target_.c_str(), &old) != 0 || ::fstat(fd_, &own) != 0) return;
+    mode_t mode = old.st_mode & 0777;
+    if (old.st_uid != own.st_uid || old.st_gid != own.st_gid) {
+        const bool is_kept = ::fchown(fd_, old.st_uid, old.st_gid) == 0;
+        constexpr auto kSameUser = static_cast<uid_t>(-1);
+        if (!is_kept && ::fchown(fd_, kSameUser, old.st_gid) != 0) mode &= ~mode_t{0070};
+    }
+    if (::fchmod(fd_, mode) != 0) fail(path_);
 }
 
 AtomicFile::~AtomicFile() {
     if (fd_ >= 0) ::close(fd_);
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+// A file cannot replace another one without a name.
+void AtomicFile::give_name() {
+    const std::string descriptor = "/proc/self/fd/" + std::to_string(fd_);
+    const std::filesystem::path name = folder_of(target_) / random_name();
+    if (::linkat(AT_FDCWD, descriptor.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) fail(path_);
+    temporary_ = name;
 }
 
 void AtomicFile::write_at(std::uint64_t offset, std::string_view content) {
@@ -71,10 +154,11 @@ void AtomicFile::overwrite(std::uint64_t offset, std::string_view content) {
 void AtomicFile::commit() {
     SELVEDGE_ASSERT(fd_ >= 0);
     if (::fsync(fd_) != 0) fail(path_);
-    const int fd = std::exchange(fd_, -1);
-    if (::close(fd) != 0) fail(path_);
+    if (temporary_.empty()) give_name();
     if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(path_);
     temporary_.clear();
+    const int fd = std::exchange(fd_, -1);
+    if (::close(fd) != 0) fail(path_);
     const int folder = ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder < 0) return;
     ::fsync(folder);

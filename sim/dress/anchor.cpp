@@ -62,6 +62,16 @@ Body placed_for(const Pattern& pattern, const ContentStore* store) {
     return stored_mannequin(mannequin_of(pattern), store).body;
 }
 
+void check_placed_for(const Pattern& pattern) {
+    if (is_body_file(pattern.body)) {
+        load_body(pattern.body);
+        return;
+    }
+    MannequinOptions options = mannequin_of(pattern);
+    options.subdivisions = 1;
+    make_mannequin(options);
+}
+
 bool is_placed_below_floor(const Pattern& pattern) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Panel& panel : pattern.panels) {

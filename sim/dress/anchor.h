@@ -17,6 +17,9 @@ class ContentStore;
 // unknown mannequin, and for a file as load_body() does. store: where it may be found and is kept; null for none.
 Body placed_for(const Pattern& pattern, const ContentStore* store = nullptr);
 
+// Throws InputError if placed_for() would. Makes a coarse mannequin, and reads a body file.
+void check_placed_for(const Pattern& pattern);
+
 struct AnchoredPattern {
     Pattern pattern;
     Pattern designed;                    // as it was placed, in the frame of ...

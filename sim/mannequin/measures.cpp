@@ -56,6 +56,10 @@ constexpr std::array<Proportion, 12> kProportions{{
     {.girth = Girth::Ankle, .hip = 0.25, .female = 1.10},
 }};
 
+constexpr double kChildHeight = 0.40;  // m: who is smaller is a wrong number
+constexpr const char* kAdultData =
+    ": its data are of adults and end there; for a child, name a body file instead (docs/mannequin.md)";
+
 std::string in_cm(double metres) {
     char text[32];
     std::snprintf(text, sizeof text, "%.4g cm", 100 * metres);
@@ -106,7 +110,8 @@ void check_options(const MannequinOptions& options) {
         const std::optional<double>& value = options.measures.*entry.value;
         if (!value) continue;
         if (*value >= entry.least && *value <= entry.most) continue;  // false for NaN
-        refuse(entry, *value, entry.least, entry.most, "");
+        const bool is_child = entry.value == &Measures::height && *value < entry.least && *value >= kChildHeight;
+        refuse(entry, *value, entry.least, entry.most, is_child ? kAdultData : "");
     }
     if (options.stance && !(*options.stance >= 0 && *options.stance <= kMaxStance)) {  // true for NaN
         char text[64];

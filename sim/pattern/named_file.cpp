@@ -1,26 +1,16 @@
 #include "sim/pattern/named_file.h"
 
 #include <optional>
-#include <system_error>
 
+#include "sim/core/error.h"
+#include "sim/core/file_path.h"
+#include "sim/pattern/fabric.h"
 #include "sim/pattern/fabric_file.h"
 
 namespace selvedge::sim {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A path that is not absolute is relative to the working directory.
-fs::path canonical_path(const fs::path& path) {
-    std::error_code error;
-    const fs::path whole = fs::absolute(path, error);
-    const fs::path found = fs::weakly_canonical(whole, error);
-    return error ? whole.lexically_normal() : found;
-}
-
-fs::path folder_of(const fs::path& file) {
-    return canonical_path(fs::absolute(file).parent_path());
-}
 
 void resolve(std::string& name, const fs::path& file) {
     name = resolve_named_file(name, file);
@@ -37,7 +27,7 @@ void resolve_picture(std::optional<SurfaceDesign>& surface, const fs::path& file
 }  // namespace
 
 std::string resolve_named_file(const std::string& name, const fs::path& file) {
-    return file.empty() || name.empty() ? name : canonical_path(fs::absolute(file).parent_path() / name).string();
+    return file.empty() || name.empty() ? name : canonical_path(absolute_path(file).parent_path() / name).string();
 }
 
 void resolve_named_files(Pattern& pattern, const fs::path& file) {
@@ -52,11 +42,38 @@ void resolve_named_files(Pattern& pattern, const fs::path& file) {
     }
 }
 
+std::vector<std::string> named_files(const Pattern& pattern) {
+    std::vector<std::string> files;
+    const auto add_fabric = [&](const std::string& name) {
+        if (!is_fabric_file(name)) return;
+        files.push_back(name);
+        try {
+            const std::optional<SurfaceDesign> surface = find_fabric(name).surface;
+            if (surface && surface->kind == DesignKind::Picture) files.push_back(surface->source);
+        } catch (const InputError&) {  // the fabric is reported where it is used
+        }
+    };
+    const auto add_picture = [&](const std::optional<SurfaceDesign>& surface) {
+        if (surface && surface->kind == DesignKind::Picture) files.push_back(surface->source);
+    };
+    if (is_body_file(pattern.body)) files.push_back(pattern.body);
+    add_fabric(pattern.fabric);
+    add_picture(pattern.surface);
+    for (const Underlay& underlay : pattern.underlays) files.push_back(underlay.file);
+    for (const Panel& panel : pattern.panels) {
+        add_fabric(panel.fabric);
+        for (const std::string& interlining : panel.interlinings) add_fabric(interlining);
+        add_picture(panel.surface);
+    }
+    return files;
+}
+
 void set_named_file(Json& name, const std::string& path, const fs::path& file) {
     const bool is_as_given = file.empty() || path.empty();
     const fs::path whole = is_as_given ? fs::path(path) : canonical_path(path);
     if (name.is_string() && resolve_named_file(name.string(), file) == whole.string()) return;
-    const fs::path relative = is_as_given ? fs::path() : whole.lexically_relative(folder_of(file));
+    const fs::path relative =
+        is_as_given ? fs::path() : whole.lexically_relative(canonical_path(absolute_path(file).parent_path()));
     const bool is_below = !relative.empty() && *relative.begin() != "..";
     name = (is_below ? relative : whole).string();
 }

@@ -5,6 +5,7 @@
 // canonical path.
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "sim/core/json.h"
 #include "sim/pattern/pattern.h"
@@ -17,6 +18,10 @@ std::string resolve_named_file(const std::string& name, const std::filesystem::p
 
 // The same for all files that the pattern names.
 void resolve_named_files(Pattern& pattern, const std::filesystem::path& file);
+
+// The files that are read when the pattern is dressed, drawn or edited, as the pattern holds them; the picture of a
+// fabric's file too. A file may come twice.
+std::vector<std::string> named_files(const Pattern& pattern);
 
 // Names the file at `path` in JSON that will be stored as `file`. A path that is not absolute is relative to the
 // working directory. A name that leads there already is kept. If `file` is empty, the name is the path.

@@ -10,6 +10,7 @@
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/fabric_file.h"
 #include "sim/pattern/fault.h"
+#include "sim/pattern/limits.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
@@ -101,7 +102,6 @@ class Reader : private FaultReader {
         read_outline(*this, node, is_relative_, panel);
         if (const Node translation = node.member("translation")) {
             if (const auto values = triple(translation)) panel.translation = *values / units_in_meter;
-            if (panel.translation.cwiseAbs().maxCoeff() > kMaxCoordinate) error(translation, "further than 100 m");
         }
         if (const Node rotation = node.member("rotation")) {
             if (const auto angles = triple(rotation)) panel.rotation = rotation_from_degrees(*angles);
@@ -109,6 +109,8 @@ class Reader : private FaultReader {
         if (const Node label = node.member("label"); label && label.value->is_string())
             panel.label = label.value->string();
         if (const Node own = node.member("selvedge")) read_panel_additions(own, panel);
+        for (const LimitFault& fault : limit_faults(panel))
+            error({node.value, node.path + "." + fault.place}, fault.problem);
         if (error_count() == before) convert_to_panel_frame(*this, node, panel);
     }
 
@@ -122,8 +124,7 @@ class Reader : private FaultReader {
         if (const Node layer = node.member("layer")) {
             const auto value = number(layer);
             if (value && (*value != std::floor(*value) || std::abs(*value) > kHighestLayer)) {
-                const std::string most = std::to_string(kHighestLayer);
-                error(layer, "a layer is a whole number from -" + most + " to " + most);
+                error(layer, layer_problem());
             } else {
                 panel.layer = static_cast<int>(value.value_or(0));
             }

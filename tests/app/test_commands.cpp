@@ -1,5 +1,6 @@
 // selvedge bench, as a black box.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -7,6 +8,7 @@
 #include "render/image/image.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
+#include "sim/pattern/fabric_file.h"
 #include "tests/app/selvedge_program.h"
 #include "tests/support/checkout.h"
 
@@ -135,6 +137,62 @@ TEST(CheckCommand, a_tartan_that_dressing_would_refuse_is_a_fault) {
     }
 }
 
+// Two squares with two seams, the second in that direction, and these members of `selvedge`.
+std::string two_squares(const std::string& additions, const std::string& second = "") {
+    const auto square = [](const char* name, const char* place) {
+        return std::string("\"") + name +
+               R"(": {"vertices": [[-20, 0], [20, 0], [20, 40], [-20, 40]], "translation": )" + place +
+               R"(, "rotation": [0, 0, 0], "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]},
+                  {"endpoints": [2, 3]}, {"endpoints": [3, 0]}]})";
+    };
+    const auto stitch = [](int first, int other, const std::string& more) {
+        return R"([{"panel": "front", "edge": )" + std::to_string(first) + R"(}, {"panel": "back", "edge": )" +
+               std::to_string(other) + "}" + more + "]";
+    };
+    return R"({"pattern": {"panels": {)" + square("front", "[0, 100, 25]") + ", " + square("back", "[0, 100, -25]") +
+           R"(}, "stitches": [)" + stitch(1, 3, "") + ", " + stitch(3, 1, second) + R"(]}, "selvedge": {)" + additions +
+           R"(}, "properties": {"curvature_coords": "relative", "units_in_meter": 100}})";
+}
+
+// What `dress` refuses, `check` reports: with the same words.
+TEST(CheckCommand, finds_whatever_dress_refuses) {
+    const ScratchFolder folder;
+    const std::string garment = folder / "garment.json";
+    std::ofstream(folder / "no_fabric.json") << "{}";
+    std::ofstream(folder / "no_body.obj") << "v 0 0 0\n";
+    std::ofstream(folder / "plaid.json") << sim::read_fabric_file("silk").text.insert(
+        1, R"("surface": {"kind": "picture", "file": "missing.png"}, )");
+    for (const char* additions :
+         {R"("fabric": "nosuch")", R"("fabric": "nosuch.json")", R"("fabric": "no_fabric.json")",
+          R"("fabric": "plaid.json")", R"("body": "missing.obj")", R"("body": "no_body.obj")",
+          R"("body": "mannequin:bust=7")", R"("body": "mannequin:tail=70")",
+          R"("body": "mannequin:height=170,inseam=105")", R"("body_height": 40)", R"("body_height": 120)",
+          R"("body_height": 250)", R"("tartan": "nosuch")",
+          R"("surface": {"kind": "picture", "file": "missing.png"})"}) {
+        std::ofstream(garment) << two_squares(additions);
+        const ProgramResult checked = run_selvedge("check '" + garment + "'");
+        const ProgramResult dressed = run_selvedge("dress '" + garment + "' --seconds 0.01 -q");
+        EXPECT_EQ(checked.exit_code, 2) << additions << checked.out;
+        EXPECT_EQ(count_lines(checked.out), 1) << checked.out;
+        EXPECT_EQ(dressed.exit_code, 2) << additions << dressed.out;
+        EXPECT_EQ(count_lines(dressed.err), 1) << dressed.err;
+        EXPECT_NE(checked.out.find("garment.json: selvedge."), std::string::npos) << checked.out;
+    }
+    std::ofstream(garment) << two_squares("");
+    EXPECT_EQ(run_selvedge("check '" + garment + "'").exit_code, 0);
+}
+
+TEST(CheckCommand, finds_a_body_beside_the_garment_from_any_folder) {
+    const ScratchFolder folder;
+    std::filesystem::create_directory(folder.path() / "sub");
+    ASSERT_EQ(run_selvedge("mannequin --resolution 1 -o '" + folder / "sub/body.obj" + "'").exit_code, 0);
+    std::ofstream(folder / "sub/garment.json") << two_squares(R"("body": "body.obj")");
+    const ProgramResult checked = run_selvedge("check '" + folder / "sub/garment.json" + "'");
+    EXPECT_EQ(checked.exit_code, 0) << checked.out;
+    const ProgramResult dressed = run_selvedge("dress '" + folder / "sub/garment.json" + "' --seconds 0.01 -q");
+    EXPECT_EQ(dressed.exit_code, 3) << dressed.err << "it is not at rest so soon";
+}
+
 TEST(CheckCommand, text_that_is_no_json_is_a_fault) {
     EXPECT_EQ(check_text("{\"pattern\": ").exit_code, 2);
     EXPECT_EQ(check_text("").exit_code, 2);
@@ -158,7 +216,6 @@ class DiffCommand : public testing::Test {
     }
     std::string picture() const { return folder_ / "difference.png"; }
 
- private:
     ScratchFolder folder_;
 };
 
@@ -174,6 +231,51 @@ TEST_F(DiffCommand, one_pixel_exits_1_and_writes_a_difference_picture) {
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_NE(result.out, "");
     EXPECT_EQ(render::read_png(picture()).width_px, 8);
+}
+
+TEST_F(DiffCommand, replaces_neither_what_it_compares_nor_what_is_no_file) {
+    ASSERT_EQ(::mkfifo(picture().c_str(), 0600), 0);
+    EXPECT_EQ(diff(render::Image(8, 4, kGrey), render::Image(4, 8, kGrey)).exit_code, 2);
+    EXPECT_TRUE(std::filesystem::is_fifo(picture()));
+    const std::string a = folder_ / "a.png", b = folder_ / "b.png";
+    std::filesystem::create_symlink("a.png", folder_ / "link.png");
+    for (const std::string& output : {a, b, folder_ / "link.png", folder_ / "./a.png"}) {
+        const ProgramResult result = run_selvedge("diff '" + a + "' '" + b + "' -o '" + output + "'");
+        EXPECT_EQ(result.exit_code, 2) << output;
+        EXPECT_EQ(count_lines(result.err), 1) << result.err;
+    }
+    EXPECT_EQ(render::read_png(a).width_px, 8);
+    EXPECT_EQ(render::read_png(b).width_px, 4);
+}
+
+TEST(Outputs, are_never_inputs) {
+    const ScratchFolder folder;
+    const std::string skirt = source_folder() + "/patterns/skirt.json", copy = folder / "skirt.json";
+    const std::string fabric = folder / "silk.json", measures = folder / "anna.json", picture = folder / "roses.png";
+    std::string text = content_of(skirt);
+    text.replace(text.find("\"wool_twill_light\""), 18, "\"silk.json\"");
+    sim::write_file_atomically(copy, text);
+    sim::write_file_atomically(fabric, sim::read_fabric_file("silk").text);
+    sim::write_file_atomically(measures, "{}");
+    write_png(picture, render::Image(8, 4, kGrey));
+    const auto quoted = [](const std::string& name) { return " '" + name + "'"; };
+    for (const std::string& command :
+         {"dress" + quoted(copy) + " --report" + quoted(copy), "dress" + quoted(copy) + " --report" + quoted(fabric),
+          "dress" + quoted(skirt) + " --fabric" + quoted(fabric) + " --report" + quoted(fabric),
+          "dress" + quoted(skirt) + " --design" + quoted(picture) + " --render" + quoted(picture),
+          "animate" + quoted(copy) + " --report" + quoted(fabric),
+          "mannequin --measurements" + quoted(measures) + " -o" + quoted(measures),
+          "match" + quoted(copy) + " --dry-run --json" + quoted(fabric),
+          "match" + quoted(copy) + " -o" + quoted(fabric), "bench tshirt" + quoted(copy) + " --json" + quoted(copy),
+          "import" + quoted(copy) + " -o" + quoted(copy)}) {
+        const ProgramResult result = run_selvedge(command);
+        EXPECT_EQ(result.exit_code, 2) << command << result.out;
+        EXPECT_EQ(count_lines(result.err), 1) << result.err;
+    }
+    EXPECT_EQ(content_of(copy), text);
+    EXPECT_EQ(content_of(fabric), sim::read_fabric_file("silk").text);
+    EXPECT_EQ(content_of(measures), "{}");
+    EXPECT_EQ(render::read_png(picture).width_px, 8);
 }
 
 TEST_F(DiffCommand, pictures_of_two_sizes_differ) {
@@ -237,6 +339,68 @@ TEST(MannequinCommand, a_measure_that_contradicts_another_is_said_and_not_silent
     const ProgramResult result = make_mannequin_file("--height 170 --inseam 105", folder / "body.obj");
     EXPECT_NE(result.exit_code, 0);
     EXPECT_NE((result.out + result.err).find("inseam"), std::string::npos);
+}
+
+TEST(MannequinCommand, says_where_its_data_end_for_a_child) {
+    const ScratchFolder folder;
+    const ProgramResult result = make_mannequin_file("--height 110", folder / "body.obj");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("its data are of adults and end there"), std::string::npos) << result.err;
+    EXPECT_EQ(count_lines(result.err), 1) << result.err;
+}
+
+class EditScriptFiles : public testing::Test {
+ protected:
+    // Plays the steps on a copy of the skirt.
+    ProgramResult play(const std::string& steps, const std::string& before = "") {
+        sim::write_file_atomically(script_, steps);
+        sim::write_file_atomically(garment_, content_of(source_folder() + "/patterns/skirt.json"));
+        return run_command(before + " '" + program_folder() + "/selvedge' edit '" + garment_ + "' --script '" +
+                           script_ + "'" + state_);
+    }
+
+    ScratchFolder folder_;
+    std::string script_ = folder_ / "script.txt", garment_ = folder_ / "skirt.json";
+    std::string state_ = " --state '" + folder_ / "state" + "'";
+};
+
+TEST_F(EditScriptFiles, saves_and_prints_over_a_file_that_is_there) {
+    for (const char* name : {"saved.json", "printed.svg"}) std::ofstream(folder_ / name) << "old";
+    const ProgramResult result =
+        play("save \"" + folder_ / "saved.json" + "\"\nprint \"" + folder_ / "printed.svg" + "\"\n");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    for (const char* name : {"saved.json", "printed.svg"}) EXPECT_GT(content_of(folder_ / name).size(), 100U) << name;
+}
+
+TEST_F(EditScriptFiles, writes_over_neither_what_it_reads_nor_what_is_no_file) {
+    ASSERT_EQ(::mkfifo((folder_ / "pipe.png").c_str(), 0600), 0);
+    const std::string fabric = folder_ / "silk.json";
+    sim::write_file_atomically(fabric, sim::read_fabric_file("silk").text);
+    const std::string text = content_of(source_folder() + "/patterns/skirt.json");
+    for (const std::string& step :
+         {"screenshot \"" + folder_ / "pipe.png" + "\"", "screenshot \"" + script_ + "\"",
+          "screenshot \"" + garment_ + "\"", "screenshot /dev/null", "print \"" + garment_ + "\"",
+          R"(do {"set_fabric": {"fabric": ")" + fabric + "\"}}\nsave \"" + fabric + "\"",
+          R"(do {"set_fabric": {"fabric": ")" + fabric + "\"}}\nscreenshot \"" + fabric + "\""}) {
+        const ProgramResult result = play(step + "\n");
+        EXPECT_EQ(result.exit_code, 2) << step;
+        EXPECT_EQ(count_lines(result.err), 1) << result.err;
+        EXPECT_EQ(content_of(script_), step + "\n");
+        EXPECT_EQ(content_of(garment_), text) << step;
+    }
+    EXPECT_EQ(content_of(fabric), sim::read_fabric_file("silk").text);
+    EXPECT_TRUE(std::filesystem::is_fifo(folder_ / "pipe.png"));
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST_F(EditScriptFiles, run_without_a_home_that_can_be_written_and_leave_nothing_in_shared_folders) {
+    const std::string shared = folder_ / "shared";
+    std::filesystem::create_directory(shared);
+    state_.clear();
+    const ProgramResult closed = play("frames 1\n", "TMPDIR='" + shared + "' XDG_STATE_HOME=/dev/null/state");
+    EXPECT_EQ(closed.exit_code, 0) << closed.err;
+    EXPECT_NE(closed.err.find("after a crash, nothing can be recovered"), std::string::npos) << closed.err;
+    EXPECT_TRUE(std::filesystem::is_empty(shared));
 }
 
 TEST(EditScript, that_ends_unsaved_leaves_nothing_to_recover) {

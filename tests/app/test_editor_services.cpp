@@ -241,7 +241,9 @@ fs::path only_file_of(const fs::path& folder, const std::string& ending) {
 TEST_F(CrashedEditor, keeps_a_journal_of_which_nothing_can_be_recovered_and_names_its_file) {
     const std::string head = editor::journal_head("shirt.json", services_.examples[1].text) + "\n";
     for (const std::string& text :
-         {std::string("damaged\n"), head.substr(0, head.size() / 2), head + "{\"do\": 7}\n", std::string(100, '\0')}) {
+         {std::string("damaged\n"), head.substr(0, head.size() / 2), head + "{\"do\": 7}\n", std::string(100, '\0'),
+          "{\"selvedge_journal\": 2, \"file\": \"shirt.json\", \"text\": \"{}\"}\n",
+          head + "{\"try\": {\"rename_panel\": {\"panel\": \"front\", \"to\": \"a\"}}}\n"}) {
         const fs::path journal = leave_journal(folder_.path() / "state", text);
         std::unique_ptr<editor::Editor> editor;
         start(editor);
@@ -278,6 +280,71 @@ TEST_F(CrashedEditor, gives_back_what_stands_before_a_damaged_line_and_keeps_the
     ASSERT_FALSE(kept.empty());
     EXPECT_EQ(content_of(kept), text);
     EXPECT_NE(editor->state().workspace.messages.all().back().text.find(kept.string()), std::string::npos);
+}
+
+TEST_F(EditorServices, the_user_is_told_when_the_journal_lacks_changes_and_when_it_has_them_again) {
+    std::string problem;
+    services_.journal_problem = [&problem] { return problem; };
+    editor::Editor editor(std::move(services_), {.drive = sim::SessionDrive::Caller, .is_steady = true});
+    editor::AppState& state = editor.state();
+    const std::size_t before = state.workspace.messages.count();
+    report_journal_problem(state);
+    EXPECT_EQ(state.workspace.messages.count(), before);
+    problem = "1.journal: No space left on device";
+    for (int i = 0; i < 2; ++i) report_journal_problem(state);
+    ASSERT_EQ(state.workspace.messages.count(), before + 1) << "it is told once";
+    EXPECT_EQ(state.workspace.messages.all().back().kind, editor::MessageKind::Error);
+    EXPECT_NE(state.workspace.messages.all().back().text.find(problem), std::string::npos);
+    problem.clear();
+    report_journal_problem(state);
+    EXPECT_EQ(state.workspace.messages.all().back().text, "All changes can be recovered after a crash again");
+}
+
+TEST_F(EditorServices, an_editor_whose_journal_cannot_begin_starts_and_says_so) {
+    services_.begin_journal = [](const std::string&) { throw sim::InputError("1.journal", "", "No space left"); };
+    const editor::Editor editor(std::move(services_), {.drive = sim::SessionDrive::Caller, .is_steady = true});
+    ASSERT_FALSE(editor.state().workspace.messages.all().empty());
+    EXPECT_EQ(editor.state().workspace.messages.all().back().text, "1.journal: No space left");
+}
+
+TEST_F(EditorServices, what_could_not_be_opened_again_is_not_saved) {
+    const std::string file = folder_ / "far.json";
+    editor::Editor editor(std::move(services_), {.drive = sim::SessionDrive::Caller, .is_steady = true});
+    editor::AppState& state = editor.state();
+    sim::PatternDocument source = sim::parse_pattern(state.services.examples[1].text, "");
+    source.pattern.panels[0].translation.x() = 101;
+    state.workspace.document = std::make_unique<editor::Document>(std::move(source));
+    state.workspace.document->mark_changed();
+    save_as(state, file);
+    EXPECT_FALSE(fs::exists(file));
+    EXPECT_TRUE(state.workspace.document->has_unsaved_changes());
+    const std::string text = state.workspace.messages.all().back().text;
+    EXPECT_NE(text.find("not saved, for it could not be opened again: further than 100 m"), std::string::npos) << text;
+}
+
+TEST_F(EditorServices, a_garment_is_not_saved_over_a_file_that_it_names) {
+    const std::string fabric = folder_ / "mine.json", garment = folder_ / "skirt.json";
+    sim::write_file_atomically(fabric, sim::read_fabric_file("silk").text);
+    editor::Editor editor(std::move(services_), {.drive = sim::SessionDrive::Caller, .is_steady = true});
+    editor::AppState& state = editor.state();
+    open_example(state, state.services.examples[1]);
+    state.workspace.run(editor::SetFabric{.fabric = fabric});
+    save_as(state, fabric, editor::IfExists::Replace);
+    EXPECT_EQ(content_of(fabric), sim::read_fabric_file("silk").text);
+    EXPECT_NE(state.workspace.messages.all().back().text.find("the garment is made of this file"), std::string::npos);
+    save_as(state, garment);
+    save_as(state, garment);
+    EXPECT_FALSE(state.workspace.document->has_unsaved_changes());
+}
+
+TEST_F(EditorServices, an_editor_without_a_folder_for_state_keeps_nothing_and_works) {
+    editor::Services services = make_editor_services({.state = {}, .render_full_quality = {}});
+    EXPECT_TRUE(services.recent_files().empty());
+    const std::string file = folder_ / "begun.json";
+    editor::Editor editor(std::move(services), {.drive = sim::SessionDrive::Caller, .is_steady = true});
+    new_document(editor.state());
+    save_as(editor.state(), file);
+    EXPECT_TRUE(fs::exists(file));
 }
 
 TEST_F(EditorServices, a_garment_without_panels_is_saved_and_opened_again) {
@@ -397,6 +464,31 @@ TEST(RecentFiles, come_newest_first_each_once_and_only_while_they_are_there) {
     EXPECT_EQ(recent.list(), (Files{folder / "a", folder / "b"}));
     std::filesystem::remove(folder / "a");
     EXPECT_EQ(recent.list(), Files{folder / "b"});
+}
+
+TEST(RecentFiles, that_cannot_be_looked_at_are_left_out) {
+    const ScratchFolder folder;
+    const RecentFiles recent(folder / "recent.json");
+    const std::string there = folder / "a.json", loop = folder / "loop.json";
+    std::ofstream(there) << "{}";
+    fs::create_symlink("loop.json", loop);
+    const std::string deep = there + "/in_a_file.json", endless = folder / std::string(300, 'n') + ".json";
+    std::ofstream(folder / "recent.json")
+        << "[\"" << loop << "\", \"" << deep << "\", \"" << endless << "\", \"" << there << "\"]";
+    EXPECT_EQ(recent.list(), std::vector<std::string>{there});
+    for (const std::string& file : {loop, endless, std::string(5000, 'n')}) EXPECT_NO_THROW(recent.add(file));
+    EXPECT_EQ(recent.list(), std::vector<std::string>{there});
+}
+
+TEST_F(EditorServices, paths_that_cannot_be_looked_at_are_no_files) {
+    fs::create_symlink("loop", folder_ / "loop");
+    for (const std::string& file : {folder_ / "loop", folder_ / std::string(300, 'n'), std::string(5000, 'n')}) {
+        EXPECT_FALSE(services_.exists(file));
+        EXPECT_EQ(services_.full_path(file).front(), '/');
+        EXPECT_THROW(services_.list_folder(file), sim::InputError);
+        EXPECT_THROW(services_.load(file), sim::InputError);
+        EXPECT_THROW(services_.save(file, ""), sim::InputError);
+    }
 }
 
 TEST(RecentFiles, are_a_dozen_at_most) {

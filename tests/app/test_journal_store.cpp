@@ -2,12 +2,17 @@
 #include "app/journal_store.h"
 
 #include <gtest/gtest.h>
+#include <pwd.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <set>
+#include <utility>
 
 #include "sim/core/error.h"
 #include "tests/app/run_program.h"
@@ -141,6 +146,99 @@ TEST(JournalStore, a_damaged_journal_is_kept_under_another_name) {
     }
     EXPECT_EQ(kept.size(), 2U) << "each has a name of its own";
     EXPECT_THROW(JournalStore::set_aside(folder / "1.journal"), sim::InputError) << "there is none";
+}
+
+// Files of this process may grow no further until it is destroyed, as on a full disk.
+class FullDisk {
+ public:
+    explicit FullDisk(rlim_t bytes) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+    rlimit before_{};
+};
+
+TEST(JournalStore, tells_of_a_full_disk_and_writes_all_lines_when_there_is_room_again) {
+    const ScratchFolder folder;
+    JournalStore store(folder.path());
+    store.begin("head");
+    const fs::path journal = files_of(folder.path()).at(0);
+    {
+        const FullDisk disk(7);
+        store.note("first");
+        EXPECT_NE(store.problem().find(journal.string()), std::string::npos) << store.problem();
+        store.note("second");
+        EXPECT_THROW(store.begin(std::string(100, 'n')), sim::InputError);
+        EXPECT_NE(store.problem(), "");
+        EXPECT_EQ(content_of(journal).rfind("head\nfi", 0), 0U) << "the old one goes on";
+    }
+    store.note("third");
+    EXPECT_EQ(store.problem(), "");
+    EXPECT_EQ(content_of(journal), "head\nfirst\nsecond\nthird\n");
+    EXPECT_EQ(files_of(folder.path()).size(), 1U);
+}
+
+TEST(JournalStore, is_not_led_elsewhere_by_a_link) {
+    const ScratchFolder folder;
+    write(folder / "mine", "mine");
+    JournalStore store(folder / "journals");
+    store.begin("head");
+    const fs::path journal = files_of(folder / "journals").at(0);
+    fs::create_symlink(folder / "mine", journal.string() + ".new");
+    store.begin("new");
+    EXPECT_EQ(content_of(folder / "mine"), "mine");
+    EXPECT_EQ(content_of(journal), "new\n");
+    EXPECT_FALSE(fs::is_symlink(journal));
+    EXPECT_EQ(fs::status(folder / "journals").permissions(), fs::perms::owner_all) << "nobody else reads it";
+}
+
+TEST(JournalStore, removes_what_a_killed_editor_had_only_begun) {
+    const ScratchFolder folder;
+    for (const char* name : {"1.journal.new", "2.journal.new", "3.journal.new.txt"}) write(folder / name, "half");
+    for (const char* name : {"1.journal.new", "3.journal.new.txt"})
+        fs::last_write_time(folder / name, fs::file_time_type::clock::now() - std::chrono::hours(2));
+    EXPECT_TRUE(JournalStore(folder.path()).left().empty());
+    EXPECT_FALSE(fs::exists(folder / "1.journal.new"));
+    EXPECT_TRUE(fs::exists(folder / "2.journal.new")) << "it may be another editor's in a moment";
+    EXPECT_TRUE(fs::exists(folder / "3.journal.new.txt"));
+}
+
+class StateFolder : public testing::Test {
+ protected:
+    StateFolder() {
+        for (const char* name : {"HOME", "XDG_STATE_HOME"}) {
+            const char* value = std::getenv(name);
+            before_.emplace_back(name, value == nullptr ? std::optional<std::string>() : value);
+            unsetenv(name);
+        }
+    }
+    ~StateFolder() override {
+        for (const auto& [name, value] : before_)
+            value ? setenv(name.c_str(), value->c_str(), 1) : unsetenv(name.c_str());
+    }
+
+ private:
+    std::vector<std::pair<std::string, std::optional<std::string>>> before_;
+};
+
+TEST_F(StateFolder, is_the_users_own_also_without_a_home_in_the_environment) {
+    const passwd* user = getpwuid(geteuid());
+    if (user == nullptr) {
+        EXPECT_FALSE(state_folder());
+    } else {
+        EXPECT_EQ(state_folder(), fs::path(user->pw_dir) / ".local/state/selvedge");
+    }
+    setenv("HOME", "/somebody", 1);
+    EXPECT_EQ(state_folder(), "/somebody/.local/state/selvedge");
+    setenv("XDG_STATE_HOME", "/state", 1);
+    EXPECT_EQ(state_folder(), "/state/selvedge");
 }
 
 TEST(JournalStore, a_folder_that_cannot_be_made_is_an_input_error) {

@@ -42,6 +42,7 @@ def flow(root):
 def text(root):
     yield from check_text.check_lines(read_tree(root, rules.TEXT_FOLDERS, rules.TEXT_SUFFIXES))
     yield from check_text.check_headers(cpp_sources(root))
+    yield from check_text.check_paths(cpp_sources(root))
 
 
 def lengths(root):

@@ -32,6 +32,43 @@ def check_headers(sources):
             yield Fault(source.path, 2, "a header says first what it is for")
 
 
+THROWING = re.compile(r"\b(?:std::filesystem|fs)::(absolute|canonical|copy|copy_file|create_directories|create_directory|"
+                      r"create_symlink|current_path|directory_iterator|equivalent|exists|file_size|is_directory|"
+                      r"is_empty|is_fifo|is_other|is_regular_file|is_symlink|last_write_time|permissions|proximate|"
+                      r"read_symlink|recursive_directory_iterator|relative|remove|remove_all|rename|resize_file|space|"
+                      r"status|symlink_status|temp_directory_path|weakly_canonical)(?: \w+)?\(")
+
+
+def last_argument(text, start):
+    """The last argument of a call whose bracket opens before text[start], and whether it has any."""
+    depth, begin = 1, start
+    for i in range(start, len(text)):
+        if text[i] in "([{":
+            depth += 1
+        elif text[i] in ")]}":
+            depth -= 1
+        elif text[i] == "," and depth == 1:
+            begin = i + 1
+        if depth == 0:
+            return text[begin:i].strip()
+    return ""
+
+
+def check_paths(sources):
+    """Calls of std::filesystem that throw for a path that cannot be looked at, instead of taking an error code."""
+    for source in sources:
+        if source.path.startswith("tests/") or not source.path.endswith((".h", ".cpp")):
+            continue
+        codes = set(re.findall(r"\bstd::error_code&? (\w+)", source.text))
+        for found in THROWING.finditer(source.text):
+            argument = last_argument(source.text, found.end())
+            is_status = argument == "status" or argument.startswith("std::filesystem::symlink_status(")  # asked before, not a path
+            is_end = found[1].endswith("directory_iterator") and not argument
+            if argument not in codes and not is_status and not is_end:
+                line = source.text.count("\n", 0, found.start()) + 1
+                yield Fault(source.path, line, f"{found[1]}() throws: see sim/core/file_path.h")
+
+
 def check_lengths(sources):
     """Files and functions that are too long."""
     for source in sources:

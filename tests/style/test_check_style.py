@@ -213,6 +213,23 @@ class Text(unittest.TestCase):
             self.assertEqual(len(list(check_text.check_headers([Source("sim/core/x.h", text)]))), 1, text)
         self.assertEqual(problems(check_text.check_headers([Source("sim/core/x.h", PRAGMA)])), [])
 
+    def paths(self, line, path="sim/core/x.cpp"):
+        return problems(check_text.check_paths([Source(path, "void f(std::error_code& why) {\n" + line + "\n}\n")]))
+
+    def test_a_question_about_a_path_that_may_throw_fails(self):
+        self.assertEqual(self.paths("if (std::filesystem::exists(path)) {}"),
+                         ["sim/core/x.cpp:2: exists() throws: see sim/core/file_path.h"])
+        for call in ["fs::absolute(f(a, b))", "fs::is_directory(path)", "fs::temp_directory_path()",
+                     "for (auto& e : fs::directory_iterator(path)) {}", "fs::directory_iterator entry(path);"]:
+            self.assertEqual(len(self.paths(call)), 1, call)
+
+    def test_one_with_an_error_code_passes(self):
+        for call in ["fs::exists(path, why)", "fs::weakly_canonical(f(a, b), why)", "fs::temp_directory_path(why)",
+                     "fs::directory_iterator entry(path, why);", "it != fs::directory_iterator()", "fs::path(text)",
+                     "std::filesystem::exists(status)"]:
+            self.assertEqual(self.paths(call), [], call)
+        self.assertEqual(self.paths("fs::exists(path)", "tests/sim/core/x.cpp"), [])
+
 
 class Lengths(unittest.TestCase):
     def test_a_file_that_is_too_long_fails(self):

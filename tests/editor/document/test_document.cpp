@@ -42,6 +42,25 @@ TEST(Document, a_command_is_undone_and_redone_byte_for_byte) {
     EXPECT_FALSE(document.can_redo());
 }
 
+TEST(Document, takes_no_value_that_a_file_may_not_hold) {
+    Document document(shipped("tshirt.json"));
+    const std::string before = document.text();
+    const std::vector<Command> commands{SetLayer{.panel = "front", .layer = sim::kHighestLayer + 1},
+                                        SetLayer{.panel = "front", .layer = -sim::kHighestLayer - 1},
+                                        PlacePanel{.panel = "front", .translation = {0, 0, 101}},
+                                        TranslateAll{.by = {-120, 0, 0}},
+                                        MovePanels{.panels = {"front"}, .by = {0, 150}},
+                                        SetSettOffset{.panel = "front", .offset = {101, 0}}};
+    for (const Command& command : commands) {
+        EXPECT_THROW(document.run(command), GeometryError) << label_of(command);
+        EXPECT_THROW(document.preview(command), GeometryError) << label_of(command);
+        EXPECT_EQ(document.text(), before) << label_of(command);
+    }
+    document.run(SetLayer{.panel = "front", .layer = sim::kHighestLayer});
+    document.run(PlacePanel{.panel = "front", .translation = {0, 0, 99}});
+    EXPECT_NO_THROW(sim::parse_pattern(document.text(), "f.json"));
+}
+
 TEST(Document, several_commands_are_one_step_or_none) {
     Document document(shipped("tshirt.json"));
     const std::string before = document.text();

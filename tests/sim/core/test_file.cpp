@@ -1,10 +1,18 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "sim/core/atomic_file.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/file_path.h"
 #include "sim/core/json.h"
 
 namespace selvedge::sim {
@@ -53,6 +61,123 @@ TEST_F(File, writes_what_a_link_points_to_and_leaves_the_link) {
     write_file_atomically(folder_ / "link.txt", "new");
     EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link.txt"));
     EXPECT_EQ(read_file(folder_ / "elsewhere" / "a.txt", 100), "new");
+}
+
+TEST_F(File, writes_the_missing_target_of_a_link_and_leaves_the_link) {
+    std::filesystem::create_directories(folder_ / "elsewhere");
+    std::filesystem::create_symlink("elsewhere/a.txt", folder_ / "link.txt");
+    std::filesystem::create_symlink("link.txt", folder_ / "link_to_link.txt");
+    write_file_atomically(folder_ / "link_to_link.txt", "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link.txt"));
+    EXPECT_EQ(read_file(folder_ / "elsewhere" / "a.txt", 100), "new");
+    std::filesystem::create_symlink("loop", folder_ / "loop");
+    EXPECT_THROW(write_file_atomically(folder_ / "loop", "x"), InputError);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "loop"));
+}
+
+TEST_F(File, does_not_replace_a_device_or_a_pipe) {
+    ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+    EXPECT_THROW(write_file_atomically(folder_ / "pipe", "x"), InputError);
+    EXPECT_TRUE(std::filesystem::is_fifo(folder_ / "pipe"));
+    EXPECT_THROW(write_file_atomically("/dev/null", "x"), InputError);
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST_F(File, keeps_permissions_of_what_it_replaces_and_gives_new_ones_those_of_the_umask) {
+    const auto rights = [&](const char* name) {
+        return static_cast<unsigned>(std::filesystem::status(folder_ / name).permissions());
+    };
+    for (const TemporaryName name : {TemporaryName::None, TemporaryName::Random}) {
+        for (const unsigned mode : {0600U, 0640U, 0755U}) {
+            write_file_atomically(folder_ / "a.txt", "old");
+            std::filesystem::permissions(folder_ / "a.txt", std::filesystem::perms{mode});
+            AtomicFile(folder_ / "a.txt", name).commit();
+            EXPECT_EQ(rights("a.txt"), mode);
+        }
+        const mode_t before = ::umask(027);
+        AtomicFile(folder_ / "new.txt", name).commit();
+        ::umask(before);
+        EXPECT_EQ(rights("new.txt"), 0640U);
+        std::filesystem::remove(folder_ / "new.txt");
+    }
+}
+
+TEST_F(File, keeps_the_owner_of_what_it_replaces) {
+    if (::geteuid() != 0) GTEST_SKIP() << "only root may give files away";
+    write_file_atomically(folder_ / "a.txt", "old");
+    ASSERT_EQ(::chown((folder_ / "a.txt").c_str(), 1234, 4321), 0);
+    write_file_atomically(folder_ / "a.txt", "new");
+    struct stat status {};
+    ASSERT_EQ(::stat((folder_ / "a.txt").c_str(), &status), 0);
+    EXPECT_EQ(status.st_uid, 1234U);
+    EXPECT_EQ(status.st_gid, 4321U);
+}
+
+TEST_F(File, takes_a_name_as_long_as_the_system_allows) {
+    const std::string name(255, 'n');
+    write_file_atomically(folder_ / name, "old");
+    AtomicFile(folder_ / name, TemporaryName::Random).commit();
+    EXPECT_EQ(read_file(folder_ / name, 100), "");
+    EXPECT_THROW(write_file_atomically(folder_ / (name + "n"), "x"), InputError);
+}
+
+// A program that is killed with its file half written.
+void kill_while_writing(const std::filesystem::path& path, TemporaryName name) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        AtomicFile file(path, name);
+        file.append("half");
+        ::kill(::getpid(), SIGKILL);
+    }
+    ::waitpid(child, nullptr, 0);
+}
+
+std::vector<std::filesystem::path> hidden_files(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().filename().native().front() == '.') files.push_back(entry.path());
+    return files;
+}
+
+TEST_F(File, a_killed_program_leaves_nothing_or_what_the_next_one_removes) {
+    kill_while_writing(folder_ / "a.txt", TemporaryName::None);
+    EXPECT_TRUE(hidden_files(folder_).empty());
+    kill_while_writing(folder_ / "a.txt", TemporaryName::Random);
+    ASSERT_EQ(hidden_files(folder_).size(), 1U);
+    write_file_atomically(folder_ / "b.txt", "");
+    ASSERT_EQ(hidden_files(folder_).size(), 1U) << "it may be one that was made just now";
+    const auto long_ago = std::filesystem::file_time_type::clock::now() - std::chrono::minutes(2);
+    std::filesystem::last_write_time(hidden_files(folder_)[0], long_ago);
+    AtomicFile under_way(folder_ / "c.txt", TemporaryName::Random);
+    std::filesystem::last_write_time(under_way.temporary(), long_ago);
+    for (const char* name : {".selvedge-mine.tmp", ".a.txt.tmp", ".selvedge-0123456789abcdef.tmp.txt"}) {
+        write_file_atomically(folder_ / name, "");
+        std::filesystem::last_write_time(folder_ / name, long_ago);
+    }
+    write_file_atomically(folder_ / "b.txt", "");
+    EXPECT_EQ(hidden_files(folder_).size(), 4U) << "files of others and one that is being written stay";
+    under_way.commit();
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "c.txt"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.txt"));
+}
+
+TEST_F(File, paths_that_cannot_be_looked_at_are_missing) {
+    std::filesystem::create_symlink("loop", folder_ / "loop");
+    for (const std::filesystem::path& path :
+         {folder_ / "loop", folder_ / "loop" / "in", folder_ / std::string(300, 'n'),
+          folder_ / std::string(5000, '/') / std::string(5000, 'n')}) {
+        EXPECT_FALSE(file_exists(path));
+        EXPECT_FALSE(is_file(path));
+        EXPECT_FALSE(is_folder(path));
+        EXPECT_TRUE(canonical_path(path).is_absolute());
+        std::error_code error;
+        EXPECT_TRUE(entries_of(path, error).empty());
+        EXPECT_TRUE(error);
+    }
+    std::error_code error;
+    EXPECT_EQ(entries_of(folder_, error), std::vector<std::filesystem::path>{folder_ / "loop"});
+    EXPECT_FALSE(error);
+    EXPECT_EQ(canonical_path(folder_ / "no" / ".." / "x"), canonical_path(folder_ / "x"));
 }
 
 TEST_F(File, written_in_parts_appears_when_it_is_complete) {

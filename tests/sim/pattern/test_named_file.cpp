@@ -147,6 +147,21 @@ TEST_F(NamedFile, of_a_fabrics_picture_is_named_from_the_fabrics_folder) {
     EXPECT_EQ(parse_fabric(moved, at("work/roses.json")), fabric);
 }
 
+TEST_F(NamedFile, every_one_of_a_pattern_is_listed) {
+    Fabric fabric = find_fabric("silk");
+    fabric.surface = SurfaceDesign{.kind = DesignKind::Picture, .source = at("work/tulips.png")};
+    write_file_atomically(at("work/my_silk.json"), write_fabric(fabric, at("work/my_silk.json")));
+    std::vector<std::string> files = named_files(sample().pattern);
+    std::ranges::sort(files);
+    files.erase(std::unique(files.begin(), files.end()), files.end());
+    std::vector<std::string> expected;
+    for (const char* name : {"bodies/anna.obj", "fabrics/canvas.json", "fabrics/denim.json", "lace.png", "my_silk.json",
+                             "photos/front.jpg", "roses.png", "tulips.png"})
+        expected.push_back(at(std::string("work/") + name));
+    EXPECT_EQ(files, expected);
+    EXPECT_TRUE(named_files(parse_pattern(sample_text(), "").pattern).empty());
+}
+
 TEST(FabricTitle, is_the_name_without_folder_and_ending) {
     EXPECT_EQ(fabric_title("wool_twill"), "wool_twill");
     EXPECT_EQ(fabric_title("/fabrics/my_silk.json"), "my_silk");

@@ -1,0 +1,24 @@
+#pragma once
+// What would stop a garment from being dressed, besides what its file alone shows (check_pattern_file in
+// sim/pattern/pattern_file.h): fabrics and a body that are missing or wrong, and seams that cannot be closed. `check`
+// and `dress` share it, so that `check` reports what `dress` refuses.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/pattern/fault.h"
+#include "sim/pattern/pattern.h"
+
+namespace selvedge::sim {
+
+struct DressCheck {
+    bool has_fabrics = true;                 // false: another fabric replaces those of the pattern and its panels
+    bool reads_body_file = true;             // false: whoever dresses it reads the body first
+    std::optional<double> edge_length = {};  // m, of the base mesh; none: the pattern's
+};
+
+// Errors only, each with its path in the file `file`. Pre: the pattern was loaded, so that its parts exist. A garment
+// that was only begun, without panels, has no fault.
+std::vector<Fault> dress_faults(const Pattern& pattern, const std::string& file, const DressCheck& check = {});
+
+}  // namespace selvedge::sim

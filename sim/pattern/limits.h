@@ -1,0 +1,23 @@
+#pragma once
+// The largest values that a panel may have. The reader of pattern files and the editor share them, so that whatever the
+// editor makes can be opened again.
+#include <string>
+#include <vector>
+
+#include "sim/pattern/pattern.h"
+
+namespace selvedge::sim {
+
+struct LimitFault {
+    std::string place;    // the value's key in a pattern file, from its panel on: "selvedge.layer"
+    std::string problem;  // message for the user
+};
+
+// The values of the panel that are too large or not finite, but for those of its outline (read_outline() in
+// sim/pattern/pattern_read.h, check_edit() in editor/geometry/draft.h).
+std::vector<LimitFault> limit_faults(const Panel& panel);
+
+// The problem of a layer beyond kHighestLayer, as text.
+std::string layer_problem();
+
+}  // namespace selvedge::sim
