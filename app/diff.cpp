@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "render/image/image.h"
+#include "sim/core/printable.h"
 
 namespace selvedge::app {
 namespace {
@@ -35,13 +36,13 @@ int diff(const DiffArguments& arguments) {
         return 0;
     }
     if (!comparison.has_same_size) {
-        std::printf("sizes differ: %s is %s, %s is %s\n", arguments.first.c_str(), size_text(first).c_str(),
-                    arguments.second.c_str(), size_text(second).c_str());
+        std::printf("sizes differ: %s is %s, %s is %s\n", sim::printable(arguments.first).c_str(),
+                    size_text(first).c_str(), sim::printable(arguments.second).c_str(), size_text(second).c_str());
     } else {
         std::printf("%s\n", describe(comparison).c_str());
     }
     write_png(output_path(arguments), difference_picture(first, second));
-    std::printf("wrote %s\n", output_path(arguments).c_str());
+    std::printf("wrote %s\n", sim::printable(output_path(arguments)).c_str());
     return 1;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <iterator>
 
+#include "sim/core/printable.h"
 #include "sim/dress/anchor.h"
 #include "sim/pattern/garments.h"
 #include "sim/pattern/pattern_file.h"
@@ -144,9 +145,10 @@ void fill_in(GarmentOptions& options, BodyOptions& body, PictureOptions& picture
 void print_faults(const sim::DressReport& report) {
     for (const sim::DressFault& fault : report.faults) {
         if (class_of(fault) == sim::FaultClass::DoesNotFit) {
-            std::printf("does not fit: %s\n", fault.place.c_str());
+            std::printf("does not fit: %s\n", sim::printable(fault.place).c_str());
         } else {
-            std::printf("defect: %s: %s (%.4g)\n", fault_text(fault.kind).c_str(), fault.place.c_str(), fault.value);
+            std::printf("defect: %s: %s (%.4g)\n", fault_text(fault.kind).c_str(), sim::printable(fault.place).c_str(),
+                        fault.value);
         }
     }
 }

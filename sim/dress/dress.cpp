@@ -76,6 +76,7 @@ void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phas
 
 DressedGarment dress(const Pattern& pattern, const Body& body, const DressOptions& options, const Progress& progress) {
     check_layers(pattern, options);
+    check_size(pattern);
     DressedGarment dressed;
     DressReport& report = dressed.report;
     PhaseTimer timer(report.timing);
