@@ -28,6 +28,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/parallel.h"
+#include "sim/core/printable.h"
 #include "sim/dress/animation.h"
 #include "sim/dress/animation_report.h"
 #include "sim/dress/dressing_pose.h"
@@ -246,8 +247,9 @@ std::string seconds_text(double seconds) {
 
 void print_summary(const AnimateArguments& arguments, const sim::Animation& animation, const Actor& actor) {
     const sim::MotionQuality& quality = animation.quality();
-    std::printf("%s on %s, '%s': %d of %d frames, %s, about %zu triangles\n", animation.dress_report().garment.c_str(),
-                actor.body->name.c_str(), actor.clip.name.c_str(), animation.frame() + 1, animation.frame_count(),
+    std::printf("%s on %s, '%s': %d of %d frames, %s, about %zu triangles\n",
+                sim::printable(animation.dress_report().garment).c_str(), sim::printable(actor.body->name).c_str(),
+                sim::printable(actor.clip.name).c_str(), animation.frame() + 1, animation.frame_count(),
                 seconds_text(animation.seconds()).c_str(), animation.cloth().mesh.leaf_triangles().size());
     std::printf(
         "stretch: 99 %% of the triangles at most %.1f %%, one %.1f %%; deeper in the body than 1 mm: %d vertices and "
@@ -259,9 +261,10 @@ void print_summary(const AnimateArguments& arguments, const sim::Animation& anim
         std::printf(
             "note: limbs that lie inside of other parts of the body stretch the cloth between them; --open-arms moves "
             "arms out of the trunk\n");
-    for (const std::string& note : actor.notes) std::printf("note: %s\n", note.c_str());
-    for (const std::string& note : animation.dress_report().notes) std::printf("note: %s\n", note.c_str());
-    for (const Path& file : all_outputs(arguments)) std::printf("wrote %s\n", file.c_str());
+    for (const std::string& note : actor.notes) std::printf("note: %s\n", sim::printable(note).c_str());
+    for (const std::string& note : animation.dress_report().notes)
+        std::printf("note: %s\n", sim::printable(note).c_str());
+    for (const Path& file : all_outputs(arguments)) std::printf("wrote %s\n", sim::printable(file.string()).c_str());
 }
 
 // Whether more of a clip is asked for than there is. A pose is held anyway.
@@ -320,7 +323,8 @@ int run(AnimateArguments arguments) {
     if (!arguments.garment.is_quiet) print_summary(arguments, animation, actor);
     print_faults(animation.dress_report());
     const std::vector<std::string> motion_faults = animation.quality().faults(animation.panel_names());
-    for (const std::string& fault : motion_faults) std::printf("defect: in motion: %s\n", fault.c_str());
+    for (const std::string& fault : motion_faults)
+        std::printf("defect: in motion: %s\n", sim::printable(fault).c_str());
     if (stop.is_raised()) {
         std::fprintf(stderr, "selvedge: stopped after %s of %s\n", seconds_text(animation.seconds()).c_str(),
                      seconds_text(animation.timeline().seconds()).c_str());

@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "render/image/image.h"
+#include "sim/core/printable.h"
 
 namespace selvedge::app {
 namespace {
@@ -36,15 +37,15 @@ int diff(const DiffArguments& arguments) {
         return 0;
     }
     if (!comparison.has_same_size) {
-        std::printf("sizes differ: %s is %s, %s is %s\n", arguments.first.c_str(), size_text(first).c_str(),
-                    arguments.second.c_str(), size_text(second).c_str());
+        std::printf("sizes differ: %s is %s, %s is %s\n", sim::printable(arguments.first).c_str(),
+                    size_text(first).c_str(), sim::printable(arguments.second).c_str(), size_text(second).c_str());
     } else {
         std::printf("%s\n", describe(comparison).c_str());
     }
     const std::string output = output_path(arguments);
     check_distinct({output}, {arguments.first, arguments.second});
     write_png(output, difference_picture(first, second));
-    std::printf("wrote %s\n", output.c_str());
+    std::printf("wrote %s\n", sim::printable(output).c_str());
     return 1;
 }
 

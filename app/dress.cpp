@@ -26,6 +26,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/parallel.h"
+#include "sim/core/printable.h"
 #include "sim/dress/anchor.h"
 #include "sim/dress/report.h"
 #include "sim/exchange/garmentcode_element.h"
@@ -124,15 +125,15 @@ Writing write_outputs(const DressArguments& arguments, const sim::Pattern& patte
 }
 
 void print_summary(const sim::DressReport& report) {
-    std::printf("%s on %s: %d triangles (%d before refining), ", report.garment.c_str(), report.body.c_str(),
-                report.mesh.leaf_triangles, report.mesh.base_triangles);
+    std::printf("%s on %s: %d triangles (%d before refining), ", sim::printable(report.garment).c_str(),
+                sim::printable(report.body).c_str(), report.mesh.leaf_triangles, report.mesh.base_triangles);
     if (report.settled) {
         std::printf("settled after %.2f simulated seconds\n", report.simulated_seconds);
     } else {
         std::printf("stopped after %.2f simulated seconds: %s\n", report.simulated_seconds,
                     report.stopped_because.c_str());
     }
-    for (const std::string& note : report.notes) std::printf("note: %s\n", note.c_str());
+    for (const std::string& note : report.notes) std::printf("note: %s\n", sim::printable(note).c_str());
 }
 
 // Offsets matched for one sett are not valid for another.
@@ -142,7 +143,7 @@ void print_sett_note(const sim::Pattern& pattern, const PictureOptions& picture)
     if (!is_sett_of(matched, chosen_sett(picture))) {
         std::printf(
             "note: the setts were matched for %s, repeat %.4g cm, and may not meet at the seams (selvedge match)\n",
-            matched.tartan.c_str(), 100 * matched.repeat.x());
+            sim::printable(matched.tartan).c_str(), 100 * matched.repeat.x());
     }
 }
 
@@ -176,7 +177,7 @@ int dress_and_write(DressArguments& arguments, sim::DressReport& refused, const 
     if (!arguments.garment.is_quiet && draws(arguments)) print_sett_note(pattern, arguments.picture);
     print_faults(report);
     if (!arguments.garment.is_quiet)
-        for (const std::string& file : writing.written) std::printf("wrote %s\n", file.c_str());
+        for (const std::string& file : writing.written) std::printf("wrote %s\n", sim::printable(file).c_str());
     for (const std::string& failure : writing.failures) std::fprintf(stderr, "selvedge: %s\n", failure.c_str());
     return writing.failures.empty() ? exit_code_of(outcome_of(report)) : 2;
 }

@@ -26,6 +26,7 @@
 #include "render/image/image.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/printable.h"
 #include "sim/pattern/named_file.h"
 
 namespace selvedge::app {
@@ -195,7 +196,7 @@ render::Image play_script(const EditorScript& script) {
         write_png(file, loop.screenshot());
     };
     const auto step = [&](const std::vector<editor::InputEvent>& events) { loop.step(surface, events); };
-    const auto say = [](const std::string& text) { std::printf("%s\n", text.c_str()); };
+    const auto say = [](const std::string& text) { std::printf("%s\n", sim::printable(text).c_str()); };
     editor::ScriptPlayer player(editor, {step, shoot, say}, script.name);
     for (int i = 0; i < 3; ++i) loop.step(surface);
     // What a script leaves unsaved is nobody's work to recover.

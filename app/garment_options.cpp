@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <iterator>
 
+#include "sim/core/printable.h"
 #include "sim/dress/anchor.h"
 #include "sim/dress/dress_check.h"
 #include "sim/pattern/garments.h"
@@ -163,9 +164,9 @@ void fill_in(GarmentOptions& options, BodyOptions& body, PictureOptions& picture
 void print_faults(const sim::DressReport& report) {
     for (const sim::DressFault& fault : report.faults) {
         if (class_of(fault) == sim::FaultClass::DoesNotFit) {
-            std::printf("does not fit: %s\n", cause_of(fault).c_str());
+            std::printf("does not fit: %s\n", sim::printable(cause_of(fault)).c_str());
         } else {
-            std::printf("defect: %s: %s\n", fault_text(fault.kind).c_str(), cause_of(fault).c_str());
+            std::printf("defect: %s: %s\n", fault_text(fault.kind).c_str(), sim::printable(cause_of(fault)).c_str());
         }
     }
 }

@@ -9,6 +9,7 @@
 #include "app/import_garment.h"
 #include "app/options.h"
 #include "sim/core/error.h"
+#include "sim/core/printable.h"
 #include "sim/pattern/pattern_file.h"
 
 namespace selvedge::app {
@@ -37,7 +38,7 @@ double metres_of_unit(const std::string& unit) {
 void print_list(const char* title, const std::vector<std::string>& lines) {
     if (lines.empty()) return;
     std::printf("%s\n", title);
-    for (const std::string& line : lines) std::printf("  %s\n", line.c_str());
+    for (const std::string& line : lines) std::printf("  %s\n", sim::printable(line).c_str());
 }
 
 int run(ImportArguments& arguments) {
@@ -63,8 +64,8 @@ int run(ImportArguments& arguments) {
         std::printf("  and %zu less likely ones (--list-all)\n", garment.possible.size() - possible.size());
     }
     sim::save_pattern({.pattern = garment.pattern, .json = {}}, arguments.output);
-    std::printf("wrote %s: %zu panels, %zu seams\n", arguments.output.string().c_str(), garment.pattern.panels.size(),
-                garment.pattern.seams.size());
+    std::printf("wrote %s: %zu panels, %zu seams\n", sim::printable(arguments.output.string()).c_str(),
+                garment.pattern.panels.size(), garment.pattern.seams.size());
     return 0;
 }
 

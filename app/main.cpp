@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "sim/core/error.h"
+#include "sim/core/printable.h"
 #include "sim/core/version.h"
 
 namespace {
@@ -13,7 +14,7 @@ namespace {
 // Prints command-line errors on one line, like every other input error.
 int report_usage(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    std::fprintf(stderr, "selvedge: %s (see selvedge --help)\n", error.what());
+    std::fprintf(stderr, "selvedge: %s (see selvedge --help)\n", selvedge::sim::printable(error.what()).c_str());
     return 2;
 }
 
@@ -46,7 +47,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "selvedge: %s\n", error.what());
         return 2;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "selvedge: %s\n", error.what());
+        std::fprintf(stderr, "selvedge: %s\n", selvedge::sim::printable(error.what()).c_str());
         return 2;
     }
     return exit_code;

@@ -10,6 +10,7 @@
 #include "app/measured_body.h"
 #include "app/options.h"
 #include "sim/core/error.h"
+#include "sim/core/printable.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/mannequin/mannequin.h"
 
@@ -48,13 +49,13 @@ void print_readings(const sim::MeasureReport& report) {
         std::printf("%9.1f ", 100 * reading.measured);
         reading.level ? std::printf("%9.1f\n", 100 * *reading.level) : std::printf("\n");
     }
-    for (const std::string& message : report.messages) std::printf("not met: %s\n", message.c_str());
+    for (const std::string& message : report.messages) std::printf("not met: %s\n", sim::printable(message).c_str());
 }
 
 // Those of the file, where the command line has none.
 void take_measurements(MannequinArguments& arguments) {
     MeasuredBody body = read_measured_body(arguments.measurements);
-    for (const std::string& line : body.lines) std::printf("%s\n", line.c_str());
+    for (const std::string& line : body.lines) std::printf("%s\n", sim::printable(line).c_str());
     for (const std::string_view name : sim::measure_names()) {
         std::optional<double>& measure = *find_measure(arguments.options.measures, name);
         if (!measure) measure = *find_measure(body.fit.options.measures, name);
@@ -75,8 +76,8 @@ int run(MannequinArguments arguments) {
     const sim::Mannequin mannequin = make_mannequin(arguments.options);
     write_body(mannequin.body, arguments.output);
     print_readings(mannequin.report);
-    std::printf("%s: %zu vertices, %zu triangles\n", arguments.output.string().c_str(), mannequin.body.x.size(),
-                mannequin.body.triangles.size());
+    std::printf("%s: %zu vertices, %zu triangles\n", sim::printable(arguments.output.string()).c_str(),
+                mannequin.body.x.size(), mannequin.body.triangles.size());
     return mannequin.report.messages.empty() ? 0 : 1;
 }
 

@@ -17,6 +17,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
+#include "sim/core/printable.h"
 #include "sim/pattern/named_file.h"
 #include "sim/pattern/pattern.h"
 #include "sim/pattern/pattern_file.h"
@@ -130,7 +131,7 @@ std::string to_json(const sim::SettMatch& match, const sim::MatchedSett& sett) {
 }
 
 void print_table(const sim::SettMatch& match, const sim::MatchedSett& sett) {
-    std::printf("%s, repeat %.1f cm", sett.tartan.c_str(), 100 * sett.repeat.x());
+    std::printf("%s, repeat %.1f cm", sim::printable(sett.tartan).c_str(), 100 * sett.repeat.x());
     if (sett.repeat.x() != sett.repeat.y()) std::printf(", of the weft %.1f cm", 100 * sett.repeat.y());
     std::printf("\n");
     if (match.seams.empty()) return void(std::printf("no seams: nothing to match\n"));
@@ -139,9 +140,9 @@ void print_table(const sim::SettMatch& match, const sim::MatchedSett& sett) {
     std::printf("%-*s %9s %10s %9s %7s\n", static_cast<int>(width), "seam", "length cm", "before mm", "after mm",
                 "met %");
     for (const sim::SeamMatch& seam : match.seams) {
-        std::printf("%-*s %9.1f %10.1f %9.1f %7.0f%s%s\n", static_cast<int>(width), seam.name.c_str(),
+        std::printf("%-*s %9.1f %10.1f %9.1f %7.0f%s%s\n", static_cast<int>(width), sim::printable(seam.name).c_str(),
                     100 * seam.length, 1e3 * seam.before, 1e3 * seam.after, 100 * seam.met,
-                    seam.why.empty() ? "" : "  ", seam.why.c_str());
+                    seam.why.empty() ? "" : "  ", sim::printable(seam.why).c_str());
     }
 }
 
@@ -166,7 +167,7 @@ int run(const MatchArguments& arguments) {
     if (arguments.is_dry) return 0;
     const Path& target = arguments.output.empty() ? arguments.garment : arguments.output;
     save_pattern(document, target);
-    std::printf("wrote %s\n", target.string().c_str());
+    std::printf("wrote %s\n", sim::printable(target.string()).c_str());
     return 0;
 }
 

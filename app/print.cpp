@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/print_files.h"
+#include "sim/core/printable.h"
 #include "sim/pattern/named_file.h"
 #include "sim/pattern/pattern_file.h"
 
@@ -33,9 +34,10 @@ int run(PrintArguments& arguments) {
     if (arguments.allowance_mm) pattern.allowance = *arguments.allowance_mm / 1000;
     arguments.settings.fabric_width = arguments.fabric_width_cm / 100;
     const Printed printed = print_pattern(pattern, arguments.output, arguments.settings);
-    for (const std::string& note : printed.notes) std::fprintf(stderr, "selvedge: note: %s\n", note.c_str());
-    std::printf("wrote %s: %zu %s, %s\n", arguments.output.string().c_str(), pattern.panels.size(),
-                pattern.panels.size() == 1 ? "panel" : "panels", printed.what.c_str());
+    for (const std::string& note : printed.notes)
+        std::fprintf(stderr, "selvedge: note: %s\n", sim::printable(note).c_str());
+    std::printf("wrote %s: %zu %s, %s\n", sim::printable(arguments.output.string()).c_str(), pattern.panels.size(),
+                pattern.panels.size() == 1 ? "panel" : "panels", sim::printable(printed.what).c_str());
     return 0;
 }
 

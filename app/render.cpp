@@ -11,6 +11,7 @@
 #include "app/progress_bar.h"
 #include "render/image/image.h"
 #include "sim/core/error.h"
+#include "sim/core/printable.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/pattern/named_file.h"
 
@@ -69,13 +70,13 @@ int render(RenderArguments& arguments) {
     const RenderSubject subject{.garment = garment, .body = body ? &*body : nullptr};
     if (!arguments.output.empty()) {
         write_png(arguments.output, draw_picture(subject, arguments.picture));
-        std::printf("wrote %s\n", arguments.output.c_str());
+        std::printf("wrote %s\n", sim::printable(arguments.output).c_str());
     }
     if (!arguments.turntable.file.empty()) {
         ProgressBar bar(progress_bar_options(arguments.is_quiet));
         write_turntable(subject, arguments.picture, arguments.turntable, bar.progress());
         bar.finish();
-        std::printf("wrote %s\n", arguments.turntable.file.c_str());
+        std::printf("wrote %s\n", sim::printable(arguments.turntable.file.string()).c_str());
     }
     return 0;
 }

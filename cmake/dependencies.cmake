@@ -13,6 +13,7 @@ find_package(CLI11 REQUIRED)                   # app
 find_package(GTest REQUIRED)                   # tests
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(nettle REQUIRED IMPORTED_TARGET nettle>=3.7)  # sim/core/sha256
+pkg_check_modules(seccomp REQUIRED IMPORTED_TARGET libseccomp>=2.5)  # sim/body/system_call_filter
 pkg_check_modules(turbojpeg REQUIRED IMPORTED_TARGET libturbojpeg>=2.1)  # render/image
 pkg_check_modules(exif REQUIRED IMPORTED_TARGET libexif>=0.6.24)  # render/image
 pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui>=1.86)  # editor, app/ui_draw

@@ -1,7 +1,6 @@
 #include "editor/ui/script.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -15,64 +14,6 @@
 #include "sim/core/error.h"
 
 namespace selvedge::editor {
-namespace {
-
-constexpr std::array<std::string_view, 23> kVerbs{"where",      "expect", "open", "new",    "save",   "do",
-                                                  "action",     "key",    "type", "move",   "press",  "release",
-                                                  "click",      "double", "drag", "wheel",  "frames", "settle",
-                                                  "screenshot", "export", "wear", "import", "print"};
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-// Splits at blanks; quoted text keeps its blanks.
-std::vector<std::string> split_words(std::string_view text) {
-    std::vector<std::string> words;
-    std::string word;
-    bool is_quoted = false, has_word = false;
-    for (const char c : text) {
-        if (c == '"') {
-            is_quoted = !is_quoted;
-            has_word = true;
-        } else if (c == ' ' && !is_quoted) {
-            if (has_word) words.push_back(word);
-            word.clear();
-            has_word = false;
-        } else {
-            word += c;
-            has_word = true;
-        }
-    }
-    if (has_word) words.push_back(word);
-    return words;
-}
-
-}  // namespace
-
-std::vector<ScriptStep> parse_script(std::string_view text, const std::string& file) {
-    std::vector<ScriptStep> steps;
-    int number = 0;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = trimmed(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-        ++number;
-        if (line.empty() || line.front() == '#') continue;
-        const std::size_t blank = std::min(line.find(' '), line.size());
-        ScriptStep step{.line = number, .verb = std::string(line.substr(0, blank)), .arguments = {}, .rest = {}};
-        step.rest = trimmed(line.substr(blank));
-        step.arguments = split_words(step.rest);
-        if (std::find(kVerbs.begin(), kVerbs.end(), step.verb) == kVerbs.end()) {
-            throw sim::InputError(file, "line " + std::to_string(number), "there is no step '" + step.verb + "'");
-        }
-        steps.push_back(std::move(step));
-    }
-    return steps;
-}
-
 namespace {
 
 constexpr double kCm = 0.01;
@@ -114,7 +55,7 @@ void ScriptPlayer::play(const std::vector<ScriptStep>& steps) {
 
 void ScriptPlayer::play(const ScriptStep& step) {
     const std::string& verb = step.verb;
-    if (verb == "frames") return wait_frames(static_cast<int>(number(step, 0)));
+    if (verb == "frames") return wait_frames(whole_number(step, 0));
     if (verb == "settle") return settle(number(step, 0));
     if (verb == "expect") return expect(step);
     if (verb == "screenshot") return stage_.screenshot(word(step, 0));
@@ -216,7 +157,7 @@ Vec2d ScriptPlayer::place(const ScriptStep& step, std::size_t& at) const {
     }
     if (kind == "vertex") {
         const std::string& name = word(step, at++);
-        const auto vertex = state.tools.geometry().vertex({name, static_cast<int>(take())});
+        const auto vertex = state.tools.geometry().vertex({name, whole_number(step, at++)});
         if (!vertex) fail(step, "'" + name + "' has no such point");
         return editor_.sheet_to_px(*vertex);
     }
@@ -259,6 +200,14 @@ double ScriptPlayer::number(const ScriptStep& step, std::size_t at) const {
         fail(step, "'" + text + "' is no number");
     }
     return value;
+}
+
+int ScriptPlayer::whole_number(const ScriptStep& step, std::size_t at) const {
+    constexpr double kMost = 1e9;
+    const double value = number(step, at);
+    if (!(value >= 0 && value <= kMost && value == std::floor(value)))
+        fail(step, "'" + word(step, at) + "' is no whole number from 0 on");
+    return static_cast<int>(value);
 }
 
 void ScriptPlayer::fail(const ScriptStep& step, const std::string& problem) const {

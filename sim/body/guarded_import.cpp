@@ -22,6 +22,7 @@
 #include "sim/body/body_bytes.h"
 #include "sim/body/bvh_text.h"
 #include "sim/body/gltf_skins.h"
+#include "sim/body/system_call_filter.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/flat_bytes.h"
@@ -133,6 +134,8 @@ ImportAnswer run_guarded(const std::filesystem::path& path, const std::string& i
             return fail("no process could be started to read it");
         case ChildEnd::Crashed:
             return fail("the file crashes its reader");
+        case ChildEnd::Forbidden:
+            return fail("the file makes its reader do what is forbidden to it");
         case ChildEnd::TimedOut:
             return fail("the file takes its reader too long");
         case ChildEnd::TooMuch:
@@ -217,14 +220,35 @@ void check_scene(const ImportedScene& scene, const std::string& file, ImportKind
     for (const Clip& clip : scene.clips) check_clip(clip, scene.bones, file, limits.motion.clip);
 }
 
-}  // namespace
-
-ImportedScene guarded_import(const std::filesystem::path& path, ImportKind kind, const ImportLimits& limits) {
+// Checks the content as far as it can be without reading it. Returns assimp's extension for the importer.
+std::string check_content(const std::filesystem::path& path, ImportKind kind, const ImportLimits& limits) {
     const std::string content = read_file(path, limits.file_bytes);
     const std::string importer = importer_for(path, content, kind);
     if (kind == ImportKind::Surface && (importer == "gltf" || importer == "glb")) check_gltf_skins(path, content);
     if (importer == "bvh") check_bvh(content, path.string(), limits.motion);
-    ImportAnswer answer = run_guarded(path, importer, kind, limits);
+    return importer;
+}
+
+}  // namespace
+
+ImportedScene guarded_import(const std::filesystem::path& path, ImportKind kind, const ImportLimits& limits) {
+    const std::string importer = check_content(path, kind, limits);
+    return scene_of(run_guarded(path, importer, kind, limits), path, kind, limits);
+}
+
+ImportedScene unguarded_import(const std::filesystem::path& path, ImportKind kind, const ImportLimits& limits) {
+    const std::string importer = check_content(path, kind, limits);
+    try {
+        return scene_of(read_with_assimp(path.string(), importer, kind, limits.motion), path, kind, limits);
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw InputError(path.string(), "", "cannot be read: " + one_line(error.what()));
+    }
+}
+
+ImportedScene scene_of(ImportAnswer answer, const std::filesystem::path& path, ImportKind kind,
+                       const ImportLimits& limits) {
     // Only one importer is enabled, so "no suitable reader" means that it found the content broken.
     if (answer.failure.starts_with("No suitable reader")) answer.failure = "its content is broken";
     if (!answer.failure.empty()) throw InputError(path.string(), "", "cannot be read: " + one_line(answer.failure));
@@ -346,7 +370,7 @@ std::size_t address_space_in_use() {
     return std::size_t(pages) * std::size_t(::sysconf(_SC_PAGESIZE));
 }
 
-void confine(const ChildLimits& limits) {
+void confine(const ChildLimits& limits, int pipe_end) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, 0);
@@ -354,15 +378,16 @@ void confine(const ChildLimits& limits) {
     if (kLimitMemory) limit(RLIMIT_AS, address_space_in_use() + limits.memory_bytes);
     const int nowhere = ::open("/dev/null", O_RDWR);
     for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, standard);
-    for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT, SIGPIPE})
+    for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT, SIGPIPE, SIGSYS})
         ::signal(signal, SIG_DFL);
+    forbid_all_but_reading(pipe_end);
 }
 
 // Exits without running the parent's destructors and exit handlers.
 [[noreturn]] void run_and_exit(const std::function<std::string()>& work, const ChildLimits& limits, int pipe_end) {
     constexpr int kFailed = 1;
     try {
-        confine(limits);
+        confine(limits, pipe_end);
         const std::string answer = work();
         for (std::size_t done = 0; done < answer.size();) {
             const ssize_t written = ::write(pipe_end, answer.data() + done, answer.size() - done);
@@ -425,6 +450,7 @@ ChildResult run_in_child(const std::function<std::string()>& work, const ChildLi
     const int status = reap(child);
     if (result.end != ChildEnd::Done) return result;
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return {ChildEnd::TimedOut, {}};
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGSYS) return {ChildEnd::Forbidden, {}};
     // SIGKILL comes from the hard CPU limit: run_in_child() itself has not killed this child.
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) return {ChildEnd::TimedOut, {}};
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return {ChildEnd::Crashed, {}};

@@ -1,7 +1,8 @@
 #pragma once
 // Reads untrusted mesh files with assimp in a child process, because assimp crashes or hangs on some malformed files.
-// The child has limits on memory, CPU time and wall time. Its result is serialised, and lengths, indices and number
-// ranges are checked. Accepted formats, by extension and content: OBJ, glTF 2.0 (.gltf, .glb), FBX, and BVH for motion.
+// The child has limits on memory, CPU time and wall time, and may read files, but write none. Its result is serialised,
+// and lengths, indices and number ranges are checked. Accepted formats, by extension and content: OBJ, glTF 2.0 (.gltf,
+// .glb), FBX, and BVH for motion.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -67,6 +68,10 @@ struct ImportedScene {
 ImportedScene guarded_import(const std::filesystem::path& path, ImportKind kind = ImportKind::Surface,
                              const ImportLimits& limits = {});
 
+// The same in this process, which a malformed file may crash or stop for ever: for fuzzers and debuggers.
+ImportedScene unguarded_import(const std::filesystem::path& path, ImportKind kind = ImportKind::Surface,
+                               const ImportLimits& limits = {});
+
 // What the child process sends to its parent: an ImportedScene, or the reason for its failure.
 
 struct ImportAnswer {
@@ -79,6 +84,11 @@ std::string to_bytes(const ImportAnswer& answer);
 // nullopt when the bytes are not a valid ImportAnswer.
 std::optional<ImportAnswer> from_bytes(std::string_view bytes);
 
+// The scene in an answer, which a malformed file may have corrupted. Throws as guarded_import(), with the same
+// postcondition.
+ImportedScene scene_of(ImportAnswer answer, const std::filesystem::path& path, ImportKind kind,
+                       const ImportLimits& limits = {});
+
 // Converts assimp's scene to ours. It does not check the file: call it in the guarded child process only.
 
 // extension: "obj", "gltf", "glb", "fbx" or "bvh"; all importers for other extensions are disabled. Skinned vertices
@@ -88,7 +98,7 @@ ImportAnswer read_with_assimp(const std::string& path, const std::string& extens
 
 // Runs a function that may crash, hang or exhaust memory in a child process and returns the bytes that it produces.
 
-enum class ChildEnd { Done, Crashed, TimedOut, TooMuch, NotStarted };
+enum class ChildEnd { Done, Crashed, Forbidden, TimedOut, TooMuch, NotStarted };
 
 struct ChildResult {
     ChildEnd end = ChildEnd::Done;
@@ -98,7 +108,9 @@ struct ChildResult {
 // The child is a fork without exec. It has a copy of this program's memory but only the calling thread, so `work` must
 // not start parallel loops or take locks that other threads of the program may hold. The C library resets the
 // allocator's locks. If another lock (of a locale or a stream) is held at the fork, the child blocks and ends as
-// TimedOut; the parent is never at risk. The child's standard output and error go to /dev/null.
+// TimedOut; the parent is never at risk. The child's standard output and error go to /dev/null. It may read files, and
+// ends as Forbidden if it writes one, opens a socket or starts a program (sim/body/system_call_filter.h), except where
+// the kernel has no such filters.
 ChildResult run_in_child(const std::function<std::string()>& work, const ChildLimits& limits = {});
 
 }  // namespace selvedge::sim

@@ -222,10 +222,14 @@ void take_bones(Body& body, std::vector<Bone> bones, const Frame& frame) {
 }  // namespace
 
 BodyClips load_moving_body(const std::filesystem::path& path, const LoadBodyOptions& options, LoadBodyReport* report) {
+    return body_of(guarded_import(path), path, options, report);
+}
+
+BodyClips body_of(ImportedScene scene, const std::filesystem::path& path, const LoadBodyOptions& options,
+                  LoadBodyReport* report) {
     LoadBodyReport own;
     LoadBodyReport& filled_report = report ? *report : own;
     filled_report = {};
-    ImportedScene scene = guarded_import(path);
     const Frame frame = choose_frame(scene, path, options, filled_report);
     JoinedScene joined = join(scene, frame);
     Surface surface = repair(std::move(joined.surface), path.string(), options.repair, filled_report.repair);

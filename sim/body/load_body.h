@@ -12,6 +12,8 @@
 
 namespace selvedge::sim {
 
+struct ImportedScene;  // sim/body/guarded_import.h
+
 enum class LengthUnit { Auto, Metres, Decimetres, Centimetres, Millimetres, Inches };  // Auto: by height and depth
 enum class UpAxis { Auto, Y, Z };  // Auto: the longer of y and z; y for glTF
 
@@ -47,6 +49,10 @@ struct BodyClips {
 // A body with the clips of its file. Throws as load_body(), and where check_clip() does.
 BodyClips load_moving_body(const std::filesystem::path& path, const LoadBodyOptions& options = {},
                            LoadBodyReport* report = nullptr);
+
+// The same of a scene that was read from this path already.
+BodyClips body_of(ImportedScene scene, const std::filesystem::path& path, const LoadBodyOptions& options = {},
+                  LoadBodyReport* report = nullptr);
 
 // Skeleton and clips of a BVH, FBX, glTF or GLB file, in the file's unit and axes: for retarget(). All nodes of the
 // file are bones. Throws InputError.

@@ -41,6 +41,50 @@ float longest_edge(const std::array<Vec2f, 3>& u) {
     return std::sqrt(std::max({(u[1] - u[0]).squaredNorm(), (u[2] - u[1]).squaredNorm(), (u[0] - u[2]).squaredNorm()}));
 }
 
+// Triangles with longer edges are sampled by area. In a coarse mesh of a finely drawn outline, most are slivers, whose
+// lattices would have hundreds of points each.
+constexpr float kLongestOnLattice = 0.2F;  // m
+
+// Calls take(shares of the corners) for the inner points of a lattice with that many parts per side.
+template <class Take>
+void for_each_on_lattice(int parts, const Take& take) {
+    for (int i = 1; i < parts - 1; ++i) {
+        for (int j = 1; j < parts - i; ++j) {
+            const float part = 1.0F / static_cast<float>(parts);
+            take(std::array<float, 3>{part * static_cast<float>(i), part * static_cast<float>(j),
+                                      part * static_cast<float>(parts - i - j)});
+        }
+    }
+}
+
+// The same for points in rows along the longest edge: height / spacing rows, at least one, each in the middle of its
+// strip, with its points spread evenly over it. So a sample stands for an area of spacing x spacing.
+template <class Take>
+void for_each_in_rows(const std::array<Vec2f, 3>& u, float spacing, const Take& take) {
+    std::size_t first = 0;  // corner at which the longest edge begins
+    for (std::size_t k = 1; k < 3; ++k) {
+        if ((u[(k + 1) % 3] - u[k]).squaredNorm() > (u[(first + 1) % 3] - u[first]).squaredNorm()) first = k;
+    }
+    const std::size_t second = (first + 1) % 3, third = (first + 2) % 3;
+    const Vec2f base = u[second] - u[first], side = u[third] - u[first];
+    const float length = base.norm();
+    const float height = std::abs(base.x() * side.y() - base.y() * side.x()) / length;
+    const auto count = [&](float extent) { return std::max(1, static_cast<int>(std::lround(extent / spacing))); };
+    const int rows = count(height);
+    for (int row = 0; row < rows; ++row) {
+        const float up = (static_cast<float>(row) + 0.5F) / static_cast<float>(rows);
+        const int points = count((1 - up) * length);
+        for (int i = 0; i < points; ++i) {
+            const float along = (1 - up) * (static_cast<float>(i) + 0.5F) / static_cast<float>(points);
+            std::array<float, 3> shares{};
+            shares[first] = 1 - up - along;
+            shares[second] = along;
+            shares[third] = up;
+            take(shares);
+        }
+    }
+}
+
 // Adds and removes the samples of edges and triangles.
 class SampleLists {
  public:
@@ -87,7 +131,7 @@ class SampleLists {
         contacts_.of_edge[e.value] = next;
     }
 
-    // Samples a triangle within: at its centroid, or at the inner points of a finer lattice if it is large.
+    // Samples a triangle within: at its centroid, at the inner points of a finer lattice, or in rows if it is large.
     void add(TriangleId t) {
         const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
         const float longest = longest_edge(triangle.u);
@@ -96,17 +140,16 @@ class SampleLists {
         const std::array<std::uint32_t, 3> v{triangle.vertices[0].value, triangle.vertices[1].value,
                                              triangle.vertices[2].value};
         const float friction = static_cast<float>(cloth_.material.fabrics[triangle.panel].friction);
-        const int parts = std::max(3, static_cast<int>(std::ceil(longest / contacts_.spacing)));
         std::uint32_t next = kNoBlockSlot;
-        for (int i = 1; i < parts - 1; ++i) {
-            for (int j = 1; j < parts - i; ++j) {
-                const float part = 1.0F / static_cast<float>(parts);
-                const std::array<float, 3> shares{part * static_cast<float>(i), part * static_cast<float>(j),
-                                                  part * static_cast<float>(parts - i - j)};
-                const std::uint32_t slot = put(contacts_.coloring.insert(v), v, shares, friction);
-                contacts_.next[slot] = next;
-                next = slot;
-            }
+        const auto sample = [&](const std::array<float, 3>& shares) {
+            const std::uint32_t slot = put(contacts_.coloring.insert(v), v, shares, friction);
+            contacts_.next[slot] = next;
+            next = slot;
+        };
+        if (longest > kLongestOnLattice) {
+            for_each_in_rows(triangle.u, contacts_.spacing, sample);
+        } else {
+            for_each_on_lattice(std::max(3, static_cast<int>(std::ceil(longest / contacts_.spacing))), sample);
         }
         contacts_.of_triangle[t.value] = next;
     }

@@ -4,10 +4,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/core/printable.h"
+
 namespace selvedge::sim {
 
-// what() returns "file: place: problem"; an empty file or place is omitted. `place` is the location in the file, such
-// as a JSON path.
+// what() returns "file: place: problem" as one line (sim/core/printable.h); an empty file or place is omitted. `place`
+// is the location in the file, such as a JSON path. The members are exact.
 class InputError : public std::runtime_error {
  public:
     InputError(std::string file, std::string place, std::string problem)
@@ -22,7 +24,8 @@ class InputError : public std::runtime_error {
 
  private:
     static std::string join(const std::string& file, const std::string& place, const std::string& problem) {
-        return (file.empty() ? "" : file + ": ") + (place.empty() ? "" : place + ": ") + problem;
+        return (file.empty() ? "" : printable(file) + ": ") + (place.empty() ? "" : printable(place) + ": ") +
+               printable(problem);
     }
 
     std::string file_;

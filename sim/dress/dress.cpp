@@ -91,6 +91,7 @@ void inspect(DressedGarment& dressed, Dressing& dressing, const Body& body, cons
 DressedGarment dress(const Pattern& pattern, const Body& body, const DressOptions& options, const Progress& progress,
                      const ContentStore* store) {
     check_layers(pattern, options);
+    check_size(pattern);
     DressedGarment dressed;
     DressReport& report = dressed.report;
     PhaseTimer timer(report.timing);

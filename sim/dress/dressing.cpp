@@ -110,9 +110,26 @@ void check_layers(const Pattern& pattern, const DressOptions& options) {
     }
 }
 
+void check_size(const Pattern& pattern) {
+    constexpr double kLargest = 50;  // m^2: a ball gown over its petticoats takes 25, a sari 10
+    double area = 0;                 // m^2, inside the straight lines between the corners
+    for (const Panel& panel : pattern.panels) {
+        if (!panel.is_worn) continue;
+        double twice = 0;
+        for (std::size_t v = 0; v < panel.vertices.size(); ++v)
+            twice += cross2(panel.vertices[v], panel.vertices[(v + 1) % panel.vertices.size()]);
+        area += std::abs(twice) / 2;
+    }
+    if (area > kLargest)
+        throw InputError(pattern.name, "panels",
+                         "they cover " + std::to_string(std::llround(area)) + " square metres, and a garment at most " +
+                             std::to_string(std::llround(kLargest)) + ": is units_in_meter right?");
+}
+
 void Dressing::sew() {
     if (!body_) throw InputError("", "", "there is no body to put it on");
     check_layers(pattern_, options_);
+    check_size(pattern_);
     begin_sewing({});
     past_seconds_ = 0;
 }

@@ -61,6 +61,10 @@ enum class DressingStage {
 // Throws InputError if the garment has layers and the options leave out the contact that keeps them in order.
 void check_layers(const Pattern& pattern, const DressOptions& options);
 
+// Throws InputError if the panels that are worn cover more than a garment can: their units are wrong, and sewing would
+// take minutes or hours.
+void check_size(const Pattern& pattern);
+
 class Dressing {
  public:
     // interrupt: called regularly during long operations; its exceptions propagate from any method here. store: where

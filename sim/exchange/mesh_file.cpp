@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -110,12 +112,16 @@ void merge_positions(const std::vector<Vec3d>& corners, DrawMesh& mesh) {
         for (std::uint32_t& v : triangle) v = place[v];
 }
 
+// Of several values for one name, the last. A file may name as many panels and values as it has lines.
 template <class T>
 std::vector<T> by_panel(const std::vector<std::pair<std::string, T>>& named, const DrawMesh& mesh, const T& usual) {
+    std::map<std::string_view, const T*> last;
+    for (const auto& [name, value] : named) last[name] = &value;
     std::vector<T> values(mesh.panel_names.size(), usual);
-    for (std::size_t panel = 0; panel < mesh.panel_names.size(); ++panel)
-        for (const auto& [name, value] : named)
-            if (name == mesh.panel_names[panel]) values[panel] = value;
+    for (std::size_t panel = 0; panel < mesh.panel_names.size(); ++panel) {
+        const auto found = last.find(mesh.panel_names[panel]);
+        if (found != last.end()) values[panel] = *found->second;
+    }
     return values;
 }
 
@@ -190,10 +196,9 @@ DrawMesh read_garment(const std::filesystem::path& path) {
     const ImportedScene scene = guarded_import(path);
     const PanelData data = format.panel_data(read_file(path, ImportLimits().file_bytes), path.string());
     // In a file with charts, what has none is the body beside the garment.
-    const auto is_panel = [&](const std::string& name) {
-        return data.charts.empty() ||
-               std::ranges::find(data.charts, name, &std::pair<std::string, UvChart>::first) != data.charts.end();
-    };
+    std::set<std::string_view> with_chart;
+    for (const auto& [name, chart] : data.charts) with_chart.insert(name);
+    const auto is_panel = [&](const std::string& name) { return with_chart.empty() || with_chart.contains(name); };
     DrawMesh mesh;
     std::vector<Vec3d> corners;
     bool has_u = true;
@@ -251,13 +256,14 @@ std::vector<PanelPart> split_by_panel(const DrawMesh& mesh) {
         triangles_of_panel[panel].push_back(t);
     }
     std::vector<PanelPart> parts;
+    Copies copies{std::vector<std::uint32_t>(mesh.x.size(), kNone), {}};
     for (std::size_t panel = 0; panel < triangles_of_panel.size(); ++panel) {
         if (triangles_of_panel[panel].empty()) continue;
         PanelPart part;
         part.name = panel_name(mesh, panel);
         if (panel < mesh.panel_grain_angles.size()) part.grain_angle = mesh.panel_grain_angles[panel];
         if (panel < mesh.panel_sett_offsets.size()) part.sett_offset = mesh.panel_sett_offsets[panel];
-        Copies copies{std::vector<std::uint32_t>(mesh.x.size(), kNone), {}};
+        copies.next.clear();
         for (const std::size_t t : triangles_of_panel[panel]) {
             std::array<std::uint32_t, 3> corners{};
             for (std::size_t k = 0; k < 3; ++k) {
@@ -267,6 +273,7 @@ std::vector<PanelPart> split_by_panel(const DrawMesh& mesh) {
             }
             part.triangles.push_back(corners);
         }
+        for (const std::uint32_t v : part.vertices) copies.first[v] = kNone;
         parts.push_back(std::move(part));
     }
     return parts;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/printable.h"
+
 namespace selvedge::sim {
 std::string describe(const Fault& fault) {
-    return fault.file + ": " + (fault.place.empty() ? "" : fault.place + ": ") +
-           (fault.severity == Severity::Warning ? "warning: " : "") + fault.problem;
+    return printable(fault.file) + ": " + (fault.place.empty() ? "" : printable(fault.place) + ": ") +
+           (fault.severity == Severity::Warning ? "warning: " : "") + printable(fault.problem);
 }
 
 bool has_error(const std::vector<Fault>& faults) {
@@ -23,12 +25,19 @@ JsonNode JsonNode::element(std::size_t index) const {
 }
 
 void FaultReader::error(const JsonNode& node, const std::string& problem) {
-    faults_.push_back({Severity::Error, file_, node.path, problem});
-    ++errors_;
+    add(Severity::Error, node, problem, ++errors_);
 }
 
 void FaultReader::warn(const JsonNode& node, const std::string& problem) {
-    faults_.push_back({Severity::Warning, file_, node.path, problem});
+    add(Severity::Warning, node, problem, ++warnings_);
+}
+
+void FaultReader::add(Severity severity, const JsonNode& node, const std::string& problem, std::size_t count) {
+    if (count <= kMostFaults) {
+        faults_.push_back({severity, file_, node.path, problem});
+    } else if (count == kMostFaults + 1) {
+        faults_.push_back({severity, file_, "", "more than " + std::to_string(kMostFaults) + ": no others are listed"});
+    }
 }
 
 bool FaultReader::expect(const JsonNode& node, Json::Kind kind) {

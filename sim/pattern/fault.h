@@ -22,13 +22,16 @@ struct Fault {
     std::string problem;  // message for the user
 };
 
-// The fault on one line: "garment.json: pattern.panels.front.edges[3]: warning: ..."
+// The fault on one printable line: "garment.json: pattern.panels.front.edges[3]: warning: ..."
 std::string describe(const Fault& fault);
 
 bool has_error(const std::vector<Fault>& faults);
 
 // The largest coordinate that is accepted, m. No garment is larger, and squares of it keep enough precision.
 inline constexpr double kMaxCoordinate = 100;
+
+// A file with more faults is not one that was meant to be a pattern, and their texts would fill the memory.
+inline constexpr std::size_t kMostFaults = 1000;
 
 // A JSON value and its path. A null `value`: the key does not exist.
 struct JsonNode {
@@ -42,7 +45,7 @@ struct JsonNode {
 };
 
 // Reads values of a JSON document that may be wrong anywhere. Each failed access records a fault with the path, and
-// reading continues, so that one run lists all faults.
+// reading continues, so that one run lists all faults: of errors and of warnings, the first kMostFaults each.
 class FaultReader {
  public:
     explicit FaultReader(std::string file) : file_(std::move(file)) {}
@@ -72,9 +75,12 @@ class FaultReader {
     double units_in_meter = 100;
 
  private:
+    void add(Severity severity, const JsonNode& node, const std::string& problem, std::size_t count);
+
     std::string file_;
     std::vector<Fault> faults_;
     std::size_t errors_ = 0;
+    std::size_t warnings_ = 0;
 };
 
 }  // namespace selvedge::sim

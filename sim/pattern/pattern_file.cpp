@@ -44,6 +44,12 @@ PatternDocument accept(Json json, const std::string& file) {
     return {std::move(reading.pattern), std::move(json)};
 }
 
+// Smaller than what JSON may be otherwise: a pattern takes up to 40 times its file in memory.
+Json read_document(const std::filesystem::path& path) {
+    constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+    return parse_json(read_file(path, kMostBytes), path.string());
+}
+
 template <class ReadJson>
 std::vector<Fault> check(const std::string& file, ReadJson read_json_of_file) {
     try {
@@ -56,7 +62,7 @@ std::vector<Fault> check(const std::string& file, ReadJson read_json_of_file) {
 }  // namespace
 
 PatternDocument load_pattern(const std::filesystem::path& path) {
-    return accept(read_json(path), path.string());
+    return accept(read_document(path), path.string());
 }
 
 PatternDocument parse_pattern(std::string_view text, const std::string& file) {
@@ -64,7 +70,7 @@ PatternDocument parse_pattern(std::string_view text, const std::string& file) {
 }
 
 std::vector<Fault> check_pattern_file(const std::filesystem::path& path) {
-    return check(path.string(), [&] { return read_json(path); });
+    return check(path.string(), [&] { return read_document(path); });
 }
 
 std::vector<Fault> check_pattern_text(std::string_view text, const std::string& file) {

@@ -17,6 +17,7 @@ namespace selvedge::sim {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
+constexpr std::size_t kMostPanels = 10'000;
 
 // Sets the value that the text names.
 template <class T>
@@ -83,7 +84,11 @@ class Reader : private FaultReader {
         // A garment that was only begun can be saved and opened; one with a photo to trace is at its usual beginning.
         const Json* own = root_.value->find("selvedge");
         const bool has_photos = own && own->find("underlays");
-        if (panels.value->members().empty() && !has_photos) warn(panels, "no panels");
+        const std::size_t count = panels.value->members().size();
+        if (count == 0 && !has_photos) warn(panels, "no panels");
+        if (count > kMostPanels) {
+            return error(panels, std::to_string(count) + " panels: at most " + std::to_string(kMostPanels));
+        }
         for (const Json::Member& member : panels.value->members()) {
             const Node node{&member.value, json_path(panels.path, member.key)};
             panel_index_[member.key] = static_cast<int>(out_.pattern.panels.size());
@@ -256,6 +261,8 @@ class Reader : private FaultReader {
         for (std::size_t i = 0; i < stitches.size(); ++i) {
             const Node node = stitches.element(i);
             if (const auto seam = read_seam(node)) {
+                for (const SeamSide& side : {seam->first, seam->second})
+                    seam_at_.emplace(side, out_.pattern.seams.size());
                 out_.pattern.seams.push_back(*seam);
                 out_.seam_indices.push_back(static_cast<int>(i));
             }
@@ -444,11 +451,8 @@ class Reader : private FaultReader {
     Seam* read_seam_at(const Node& node) {
         const auto side = read_edge(node);
         if (!side) return nullptr;
-        std::vector<Seam>& seams = out_.pattern.seams;
-        const auto seam = std::find_if(seams.begin(), seams.end(), [&](const Seam& candidate) {
-            return candidate.first == *side || candidate.second == *side;
-        });
-        if (seam != seams.end()) return &*seam;
+        const auto seam = seam_at_.find(*side);
+        if (seam != seam_at_.end()) return &out_.pattern.seams[seam->second];
         error(node, "this edge is not sewn");
         return nullptr;
     }
@@ -473,7 +477,8 @@ class Reader : private FaultReader {
     PatternReading out_;
     bool is_relative_ = true;
     std::map<std::string, int> panel_index_;
-    std::map<SeamSide, std::string> sewn_;
+    std::map<SeamSide, std::string> sewn_;       // where in the file each edge is sewn
+    std::map<SeamSide, std::size_t> seam_at_{};  // index into Pattern::seams
     std::vector<Mirror> mirrors_;
 };
 

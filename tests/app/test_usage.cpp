@@ -154,6 +154,23 @@ TEST(Usage, a_garment_without_panels_is_opened_by_the_editor_and_refused_by_what
     expect_one_line_and_exit_2("print '" + garment + "' -o '" + folder / "a.pdf" + "'");
 }
 
+// The names would clear a terminal, move its cursor, and take two lines.
+TEST(Usage, names_of_a_file_reach_a_terminal_as_one_printable_line) {
+    const ScratchFolder folder;
+    const std::string name = "\\u001b[2Jfront\\nsecond line" + std::string(2000, 'x');
+    std::ofstream(folder / "names.json") << R"({"pattern": {"panels": {")" + name +
+                                                R"(": {"vertices": [[0, 0]], "edges": 7}}}})";
+    for (const char* command : {"check", "dress"}) {
+        const ProgramResult result = run_selvedge(std::string(command) + " '" + folder / "names.json" + "'");
+        EXPECT_EQ(result.exit_code, 2);
+        const std::string text = result.out + result.err;
+        EXPECT_EQ(text.find('\x1b'), std::string::npos) << command;
+        EXPECT_NE(text.find("second line"), std::string::npos) << command;
+        EXPECT_LT(text.size(), 4500U) << command;
+        EXPECT_LT(count_lines(text), 4) << text;
+    }
+}
+
 TEST(Usage, a_file_that_is_no_picture_gets_one_line) {
     const ScratchFolder folder;
     std::ofstream(folder / "text.png") << "no picture\n";

@@ -13,6 +13,7 @@
 #include "editor/ui/files.h"
 #include "editor/ui/script.h"
 #include "editor/viewport3d/view_keys.h"
+#include "sim/core/error.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/editor/ui/services_without_files.h"
 #include "tests/support/checkout.h"
@@ -62,6 +63,11 @@ TEST_F(KeysOfEditor, go_to_the_sheet_after_enter_in_a_number_box) {
     EXPECT_GT(corner().x(), before.x()) << "arrows move what is selected";
     play("key escape\n");
     EXPECT_TRUE(document().selection().is_empty()) << "Escape selects nothing";
+}
+
+TEST_F(KeysOfEditor, of_a_script_are_refused_where_a_number_of_steps_is_none) {
+    for (const char* script : {"frames 1e300\n", "frames -1\n", "frames 0.5\n", "click vertex front 1e300\n"})
+        EXPECT_THROW(play(script), sim::InputError) << script;
 }
 
 TEST_F(KeysOfEditor, go_to_the_sheet_after_the_keypads_enter) {

@@ -103,6 +103,28 @@ TEST(RefreshContacts, samples_every_edge_longer_than_the_spacing_and_triangles_t
     }
 }
 
+// As in a mesh of 50 cm edges: lattices would have twice as many, and in slivers any number.
+TEST(RefreshContacts, samples_triangles_with_long_edges_by_their_area) {
+    const Cloth cloth = make_patch(find_fabric("silk"), {.side = 1, .quads = 2});
+    constexpr float kArea = 1;  // m^2
+    const float spacing = ContactOptions{}.sample_spacing;
+    float nearest_edge = 1;
+    std::size_t middles = 0;
+    for (std::size_t slot = 0; slot < kBlock * cloth.solver.contacts.samples.size(); ++slot) {
+        const SampleBlock& block = cloth.solver.contacts.samples[slot / kBlock];
+        if (block.shares[2][slot % kBlock] <= 0) continue;
+        ++middles;
+        float sum = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            sum += block.shares[k][slot % kBlock];
+            nearest_edge = std::min(nearest_edge, block.shares[k][slot % kBlock]);
+        }
+        EXPECT_NEAR(sum, 1, 1e-5F);
+    }
+    EXPECT_NEAR(static_cast<float>(middles), kArea / (spacing * spacing), 0.15F * kArea / (spacing * spacing));
+    EXPECT_GT(nearest_edge, 0) << "inside";
+}
+
 // The number of samples whose first vertex belongs to an edge that may be split, and the number of the others.
 std::array<std::size_t, 2> samples_of(const Cloth& cloth, const SplitLimits& limits) {
     std::set<std::uint32_t> near;  // vertices of edges that may be split

@@ -1,12 +1,16 @@
 #include "sim/core/parallel.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <vector>
 
+#include "tests/support/processor_time.h"
 #include "tests/support/wait_until.h"
 
 namespace selvedge::sim {
@@ -91,6 +95,56 @@ TEST(ThreadLimit, of_any_number_gives_the_same_results) {
     const std::vector<double> alone = sines(1);
     EXPECT_EQ(sines(2), alone);
     EXPECT_EQ(sines(3), alone);
+}
+
+// Keeps every CPU busy with a process of its own.
+class BusyMachine {
+ public:
+    BusyMachine() {
+        for (int i = 0; i < available_threads(); ++i) {
+            const pid_t child = ::fork();
+            if (child == 0) {
+                ::alarm(60);  // it ends also if the test does not
+                for (volatile unsigned work = 0;;) work = work + 1;
+            }
+            if (child > 0) children_.push_back(child);
+        }
+    }
+    ~BusyMachine() {
+        for (const pid_t child : children_) {
+            ::kill(child, SIGKILL);
+            ::waitpid(child, nullptr, 0);
+        }
+    }
+    BusyMachine(const BusyMachine&) = delete;
+    BusyMachine& operator=(const BusyMachine&) = delete;
+
+ private:
+    std::vector<pid_t> children_;
+};
+
+// Short loops with work in between that only one thread does, as while a garment is dressed.
+double processor_seconds_of_loops(int threads) {
+    const ThreadLimit limit(threads);
+    const double before = processor_seconds();
+    std::vector<double> values(20'000);
+    for (int loop = 0; loop < 100; ++loop) {
+        parallel_for(values.size(), 500, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) values[i] = std::sin(static_cast<double>(i) + values[i]);
+        });
+        for (double& value : values) value = std::cos(value);
+    }
+    return processor_seconds() - before;
+}
+
+TEST(Parallel, threads_that_wait_take_no_processor_time_from_a_busy_machine) {
+#if defined(SELVEDGE_THREAD_SANITIZER)
+    GTEST_SKIP() << "the sanitizer's own threads take time";
+#endif
+    processor_seconds_of_loops(2);  // starts the threads
+    const BusyMachine busy;
+    const double alone = processor_seconds_of_loops(1);
+    EXPECT_LT(processor_seconds_of_loops(2), 2 * alone);
 }
 
 }  // namespace

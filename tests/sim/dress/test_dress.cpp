@@ -64,6 +64,24 @@ void expect_dressed(const DressedGarment& dressed, const Body& body) {
     EXPECT_GT(lowest, 0.2F) << "it fell off";
 }
 
+TEST(Dress, refuses_panels_in_a_wrong_unit_before_the_work) {
+    Pattern pattern = shipped("tshirt");
+    for (Panel& panel : pattern.panels) {
+        for (Vec2d& v : panel.vertices) v *= 10;
+        panel.translation *= 10;
+    }
+    try {
+        dress(pattern, mannequin());
+        ADD_FAILURE() << "dressed";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("square metres, and a garment at most 50"), std::string::npos)
+            << error.what();
+    }
+    for (Panel& panel : pattern.panels) panel.is_worn = &panel == &pattern.panels.front();
+    for (Vec2d& v : pattern.panels.front().vertices) v /= 10;
+    EXPECT_NO_THROW(check_size(pattern)) << "what is not worn does not count";
+}
+
 TEST(Dress, two_squares_hang_on_the_mannequin_without_a_fault) {
     const DressedGarment dressed = dress(shipped("two_squares"), mannequin(), up_to_level(1));
     expect_dressed(dressed, mannequin());

@@ -20,6 +20,7 @@
 #include "tests/sim/exchange/glb_container.h"
 #include "tests/sim/exchange/two_panels.h"
 #include "tests/support/bodies.h"
+#include "tests/support/processor_time.h"
 #include "tests/support/temporary_folder.h"
 
 namespace selvedge::sim {
@@ -56,6 +57,25 @@ TEST(MeshFile, a_garment_comes_back_from_glb_as_it_went) {
     const DrawMesh read = read_garment(folder / "garment.glb");
     expect_same_garment(read, two_panels(), 2e-7F);  // v is converted to 1 - v twice
     EXPECT_EQ(read.panel_names, two_panels().panel_names);
+}
+
+TEST(MeshFile, a_file_of_many_groups_and_comments_is_read_in_time_that_grows_with_its_size) {
+    constexpr int kGroups = 20'000, kComments = 20;  // 4e5 comments; comparing each with each name takes a minute
+    std::string text;
+    for (int g = 0; g < kGroups; ++g) {
+        const std::string x = std::to_string(0.01 * g);
+        text += "g panel_of_many_" + std::to_string(g) + '\n';
+        for (int k = 0; k < kComments; ++k)
+            text += "# grain_angle " + std::to_string(k == kComments - 1 ? g % 3 : 7) + '\n';
+        text += "v " + x + " 0 0\nv " + x + " 1 0\nv " + x + " 0 1\nf -3 -2 -1\n";
+    }
+    const TemporaryFolder folder;
+    std::ofstream(folder / "many.obj") << text;
+    const double before = processor_seconds();
+    const DrawMesh read = read_garment(folder / "many.obj");
+    EXPECT_LT(processor_seconds() - before, 10);
+    ASSERT_EQ(read.panel_names.size(), std::size_t(kGroups));
+    EXPECT_EQ(read.panel_grain_angles[4], 1) << "of several angles, the last";
 }
 
 // Corner by corner, the normal on the triangle's right side.

@@ -1,0 +1,64 @@
+// A libFuzzer target. The input is an OBJ file: the whole way that a body comes in, with assimp, but in this process.
+// Then the same file is read as a garment's panel data. The fuzzer stops at a sanitizer error, an exception other than
+// InputError, and a body that is not finite or not closed.
+#include <unistd.h>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "sim/body/guarded_import.h"
+#include "sim/body/load_body.h"
+#include "sim/core/error.h"
+#include "sim/exchange/mesh_file.h"
+
+namespace selvedge::sim {
+namespace {
+
+const std::string& file() {
+    static const std::string path =
+        (std::filesystem::temp_directory_path() / ("fuzz_body_" + std::to_string(::getpid()) + ".obj")).string();
+    return path;
+}
+
+// Each edge of a closed surface has two triangles, one on each side.
+bool is_closed(const Body& body) {
+    std::map<std::pair<int, int>, int> sides;
+    for (const auto& triangle : body.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int from = int(triangle[k]), to = int(triangle[(k + 1) % 3]);
+            ++sides[{from, to}];
+        }
+    }
+    for (const auto& [side, count] : sides) {
+        const auto other = sides.find({side.second, side.first});
+        if (count != 1 || other == sides.end()) return false;
+    }
+    return true;
+}
+
+void run(std::string_view text) {
+    std::ofstream(file(), std::ios::binary) << text;
+    try {
+        mesh_format_of("garment.obj").panel_data(text, "input");
+        const Body body = body_of(unguarded_import(file()), file()).body;
+        for (const Vec3d& x : body.x) {
+            if (!x.allFinite()) std::abort();
+        }
+        if (!is_closed(body)) std::abort();
+    } catch (const InputError&) {
+    }
+}
+
+}  // namespace
+}  // namespace selvedge::sim
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    selvedge::sim::run({reinterpret_cast<const char*>(data), size});
+    return 0;
+}
