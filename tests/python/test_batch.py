@@ -1,0 +1,55 @@
+"""Many dressings by the program's command batch."""
+
+import json
+import os
+import subprocess
+import unittest
+from unittest import mock
+
+from support import InFolder, shipped
+
+import selvedge
+
+
+def has_batch():
+    shown = subprocess.run([os.environ["SELVEDGE_PROGRAM"], "--help"], capture_output=True, text=True, check=True)
+    return "batch" in shown.stdout.split()
+
+
+class Batch(InFolder):
+    def test_the_program_is_found(self):
+        self.assertTrue(selvedge.program().is_file())
+        with mock.patch.dict(os.environ):
+            del os.environ["SELVEDGE_PROGRAM"]
+            self.assertEqual(selvedge.program().name, "selvedge")
+
+    def stand_in(self, text):
+        path = self.folder / "program"
+        path.write_text("#!/bin/sh\n" + text)
+        path.chmod(0o755)
+        return mock.patch.dict(os.environ, {"SELVEDGE_PROGRAM": str(path)})
+
+    def test_rows_lines_and_failures_come_from_the_command(self):
+        lines = []
+        out = self.folder / "out"
+        with self.stand_in('mkdir -p "$4"; echo "$@"; echo \'{"name": "one"}\' > "$4/results.jsonl"; exit 3'):
+            rows = selvedge.batch("m.json", out, jobs=2, progress=lambda done, line: lines.append(line))
+        self.assertEqual(rows, [{"name": "one"}])
+        self.assertEqual(lines, [f"batch m.json -o {out} --jobs 2"])
+        with self.stand_in("echo selvedge: m.json: no >&2; exit 2"), self.assertRaises(selvedge.InputError) as caught:
+            selvedge.batch("m.json", out)
+        self.assertEqual(str(caught.exception), "selvedge: m.json: no")
+
+    def test_an_exception_in_the_progress_ends_the_command(self):
+        with self.stand_in("while true; do echo line; sleep 0.05; done"), self.assertRaises(KeyError):
+            selvedge.batch("m.json", self.folder, progress=lambda done, line: {}["none"])
+
+    @unittest.skipUnless(has_batch(), "the program has no command batch")
+    def test_a_manifest_of_two_garments(self):
+        manifest = self.folder / "manifest.json"
+        manifest.write_text(json.dumps([{"garment": str(shipped("two_squares"))}, {"garment": str(shipped("poncho"))}]))
+        self.assertEqual(len(selvedge.batch(manifest, self.folder / "out")), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
