@@ -36,7 +36,7 @@ WearingBody make_mannequin(const std::string& sex, const std::map<std::string, d
 }
 
 WearingBody made_from(const app::BodyOptions& options) {
-    app::BodyWithNotes made = app::make_body(options);
+    auto made = app::make_body(options);
     return {.body = std::make_shared<const sim::Body>(std::move(made.body)), .notes = std::move(made.notes)};
 }
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 from collections.abc import Callable
@@ -30,6 +31,9 @@ def program() -> pathlib.Path:
     raise InputError("", "SELVEDGE_PROGRAM", "the program selvedge was not found: name it in this variable")
 
 
+_COUNT = re.compile(r"\] (\d+) of (\d+)")
+
+
 def batch(
     manifest: PathLike,
     output: PathLike,
@@ -37,27 +41,43 @@ def batch(
     jobs: int | None = None,
     progress: Callable[[float, str], object] | None = None,
 ) -> list[dict[str, Any]]:
-    """Runs `selvedge batch MANIFEST -o OUTPUT` and returns the rows of OUTPUT/results.jsonl.
+    """Runs `selvedge batch MANIFEST -o OUTPUT` and returns the rows of OUTPUT/results.jsonl: one dict for each job.
 
-    jobs: how many garments are dressed at once; None: the command's default. progress: called as progress(0, line) for
-    each line that the command prints. An exception in it, or KeyboardInterrupt, ends the command and is raised.
-    Raises InputError with the command's message if it refuses its input.
+    jobs: how many garments are dressed at once; None: the command's default. progress: called as progress(done, line)
+    for each line that the command tells of its progress, done from 0 to 1. An exception in it, or KeyboardInterrupt,
+    ends the command and is raised; the same call later goes on from there.
+    Raises InputError with the command's message if it refuses its input. Jobs with a fault, or that failed, have rows.
     """
     command = [os.fspath(program()), "batch", os.fspath(manifest), "-o", os.fspath(output)]
     if jobs is not None:
         command += ["--jobs", str(int(jobs))]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+    message = ""
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
         try:
-            assert process.stdout is not None and process.stderr is not None
-            for line in process.stdout:
-                if progress is not None:
-                    progress(0.0, line.rstrip("\n"))
-            message = process.stderr.read().strip()
+            assert process.stderr is not None
+            for line in process.stderr:
+                message = line.strip() or message
+                count = _COUNT.search(line)
+                if progress is not None and count:
+                    progress(int(count[1]) / max(1, int(count[2])), message)
         except BaseException:
-            process.terminate()
+            _end(process)
             raise
+    if process.returncode == 130:
+        raise KeyboardInterrupt
+    if process.returncode not in (0, 1):
+        raise InputError("", "", message.removeprefix("selvedge: ") or f"the command ended with {process.returncode}")
     results = pathlib.Path(output) / "results.jsonl"
-    if process.returncode not in (0, 3):
-        lines = message.splitlines()
-        raise InputError("", "", lines[-1] if lines else f"selvedge batch ended with {process.returncode}")
     return [json.loads(line) for line in results.read_text(encoding="utf-8").splitlines() if line]
+
+
+def _end(process: subprocess.Popen[str]) -> None:
+    """Ends the command: the first signal asks it to, a second one makes it."""
+    for _ in range(2):
+        process.terminate()
+        try:
+            process.wait(timeout=1)
+            return
+        except subprocess.TimeoutExpired:
+            continue
+    process.kill()
