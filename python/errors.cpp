@@ -1,9 +1,24 @@
 #include "python/errors.h"
 
+#include <algorithm>
 #include <charconv>
 #include <exception>
+#include <string_view>
 
 namespace selvedge::python {
+
+namespace {
+
+// The argument's name for a place that is an option of the command line: "--sett-size" gives "sett_size".
+std::string argument_name(std::string place) {
+    if (!place.starts_with("--")) return place;
+    place.erase(0, 2);
+    std::ranges::replace(place, '-', '_');
+    constexpr std::string_view kBody = "body_";
+    return place.starts_with(kBody) ? place.substr(kBody.size()) : place;
+}
+
+}  // namespace
 
 void translate_errors() {
     py::register_local_exception_translator([](std::exception_ptr pointer) {
@@ -11,7 +26,8 @@ void translate_errors() {
             if (pointer) std::rethrow_exception(pointer);
         } catch (const sim::InputError& error) {
             const py::object type = py::module_::import("selvedge._errors").attr("InputError");
-            PyErr_SetObject(type.ptr(), py::make_tuple(error.file(), error.place(), error.problem()).ptr());
+            PyErr_SetObject(type.ptr(),
+                            py::make_tuple(error.file(), argument_name(error.place()), error.problem()).ptr());
         }
     });
 }

@@ -108,13 +108,13 @@ ResultPointer dress(const DocumentPointer& pattern, const std::optional<WearingB
     return result;
 }
 
-GarmentMeshView mesh_of(const ResultPointer& self) {
+GarmentMeshView whole_mesh(const ResultPointer& self) {
     return {std::shared_ptr<const sim::DrawMesh>(self, &self->dressed.mesh)};
 }
 
 // A view of the result's mesh: `name` is a property of Mesh.
 auto of_mesh(const char* name) {
-    return [name](const ResultPointer& self) { return py::cast(mesh_of(self)).attr(name); };
+    return [name](const ResultPointer& self) -> py::object { return py::cast(whole_mesh(self)).attr(name); };
 }
 
 py::array strain_view(const py::object& self, float sim::TriangleStrain::*part) {
@@ -204,7 +204,7 @@ void export_result(const Result& self, const std::string& path, const std::vecto
 
 void add_arrays(py::class_<Result, ResultPointer>& result) {
     result
-        .def_property_readonly("mesh", &mesh_of,
+        .def_property_readonly("mesh", &whole_mesh,
                                "The triangles of the cloth as a Mesh, which shares the result's memory.")
         .def_property_readonly("positions", of_mesh("positions"), "Positions, float32 of shape (vertices, 3), m.")
         .def_property_readonly("normals", of_mesh("normals"),
@@ -276,7 +276,7 @@ void add_results(py::module_& module) {
         .def_property_readonly("report", &report_of,
                                "What came of it: the report of `selvedge dress --report`, a dict.")
         .def_property_readonly(
-            "faults", [](const Result& self) { return report_of(self)["faults"]; },
+            "faults", [](const Result& self) -> py::object { return report_of(self)["faults"]; },
             "The report's faults: a list of dicts with kind, class, place and value. Empty: a sound drape.")
         .def_property_readonly(
             "settled", [](const Result& self) { return self.dressed.report.settled; },

@@ -8,7 +8,6 @@ import random
 import re
 import subprocess
 import sys
-import time
 import unittest
 
 import numpy as np
@@ -157,11 +156,9 @@ class Fuzz(unittest.TestCase):
                 if value not in (0, 7, True, None, -1, 2**70) if isinstance(value, int) else True:
                     self.call(selvedge.mannequin, **{name: value})
         for name in names[selvedge.dress]:
-            for value in [None if one is None else one for one in WRONG if one is not None]:
-                arguments = {**QUICK, "seconds": 0.01, name: value}
-                begin = time.monotonic()
+            for value in WRONG:  # what is right after all is ended at its first report
+                arguments = {**QUICK, name: value, "progress": lambda *_: 1 / 0}
                 self.call(selvedge.dress, shipped("two_squares"), body, **arguments)
-                self.assertLess(time.monotonic() - begin, 120)
         for name in names[selvedge.render]:
             for value in WRONG:
                 self.call(selvedge.render, result, **{"size": (32, 32), name: value})
