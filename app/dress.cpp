@@ -183,7 +183,7 @@ int dress_and_write(DressArguments& arguments, sim::DressReport& refused, const 
 }
 
 void add_run_options(CLI::App& command, DressArguments& arguments) {
-    add_number<double>(command, "--seconds", {0.01, 600}, "Longest simulated time of the drape (default 12)",
+    add_number<double>(command, "--seconds", kDrapeSeconds, "Longest simulated time of the drape (default 12)",
                        [&arguments](double seconds) { arguments.garment.dress.max_seconds = seconds; })
         ->type_name("S");
 }

@@ -22,8 +22,6 @@ std::string fault_text(std::string kind) {
     return kind;
 }
 
-constexpr int kFinestLevel = 8;  // with --shortest-edge 0.1: 1 mm
-
 sim::CriteriaOptions parse_criteria(const std::string& text) {
     sim::CriteriaOptions criteria{.collision = false, .curvature = false, .length = false};
     for (const std::string& name : CLI::detail::split(text, ',')) {
@@ -50,18 +48,18 @@ void add_garment_options(CLI::App& command, GarmentOptions& options) {
         ->allow_extra_args(false);
     command.add_option("--fabric", options.fabric, "A shipped fabric or a fabric file (default: the pattern's)")
         ->type_name("NAME|FILE");
-    add_number<double>(command, "--edge-length", {0.5, 50},
+    add_number<double>(command, "--edge-length", kEdgeLengthsCm,
                        "Edge length of the base mesh in cm (default: the pattern's, or 5)",
                        [&dress](double length_cm) { dress.edge_length = length_cm / 100; })
         ->type_name("CM");
-    add_number<int>(command, "--max-level", {0, kFinestLevel}, "Times an edge may be halved (default 3)",
-                    [&dress](int level) { dress.max_level = level; })
-        ->type_name("N");
-    add_number<double>(command, "--shortest-edge", {0.1, 50},
+    add_number<int>(command, "--max-level", kLevels, "Times an edge may be halved (default 3)", [&dress](int level) {
+        dress.max_level = level;
+    })->type_name("N");
+    add_number<double>(command, "--shortest-edge", kShortestEdgesCm,
                        "Edges shorter than this, in cm, are not halved (default 2)",
                        [&dress](double length_cm) { dress.shortest_edge = length_cm / 100; })
         ->type_name("CM");
-    add_number<int>(command, "--triangles", {100, 10'000'000},
+    add_number<int>(command, "--triangles", kTriangleBudgets,
                     "Number of triangles to keep near, by how much shape they show (default: as many as it takes)",
                     [&dress](int target) { dress.triangle_budget = target; })
         ->type_name("N");
@@ -79,7 +77,8 @@ void add_garment_options(CLI::App& command, GarmentOptions& options) {
 }
 
 void add_thread_options(CLI::App& command, GarmentOptions& options) {
-    add_number<int>(command, "--threads", {1, 1024}, "Threads to use (default: all there are); the result is the same",
+    add_number<int>(command, "--threads", kThreadCounts,
+                    "Threads to use (default: all there are); the result is the same",
                     [&options](int threads) { options.threads = threads; })
         ->type_name("N");
     command.add_flag("-q,--quiet", options.is_quiet, "Show no progress, and print only faults");
@@ -101,14 +100,23 @@ sim::Pattern load_dressable(const std::filesystem::path& file, const GarmentOpti
 
 }  // namespace
 
-sim::Pattern load_garments(const GarmentOptions& options, std::vector<std::string>& notes) {
-    sim::Pattern pattern = load_dressable(options.garment, options);
-    for (const std::filesystem::path& over : options.over) {
-        const sim::Pattern outer = moved_to_body_of(pattern, load_dressable(over, options), notes);
+sim::Pattern worn_together(sim::Pattern pattern, std::span<const sim::Pattern> over, const std::string& file,
+                           std::vector<std::string>& notes) {
+    for (const sim::Pattern& one : over) {
+        const sim::Pattern outer = moved_to_body_of(pattern, one, notes);
         std::ranges::move(put_over(pattern, outer), std::back_inserter(notes));
         pattern.name += " + " + outer.name;
     }
+    if (std::ranges::none_of(pattern.panels, &sim::Panel::is_worn))
+        throw sim::InputError(file, "pattern.panels", "no panel that is worn: nothing to dress");
     return pattern;
+}
+
+sim::Pattern load_garments(const GarmentOptions& options, std::vector<std::string>& notes) {
+    sim::Pattern pattern = load_dressable(options.garment, options);
+    std::vector<sim::Pattern> over;
+    for (const std::filesystem::path& file : options.over) over.push_back(load_dressable(file, options));
+    return worn_together(std::move(pattern), over, options.garment.string(), notes);
 }
 
 std::vector<std::filesystem::path> input_files(const GarmentOptions& options, const BodyOptions& body) {

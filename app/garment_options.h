@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,14 @@ struct Limits {
     T most;
 };
 
+// Of options of dress, in the units of the command line.
+inline constexpr Limits<double> kEdgeLengthsCm{0.5, 50};
+inline constexpr Limits<int> kLevels{0, 8};  // with the shortest edge 0.1 cm: to 1 mm
+inline constexpr Limits<double> kShortestEdgesCm{0.1, 50};
+inline constexpr Limits<int> kTriangleBudgets{100, 10'000'000};
+inline constexpr Limits<int> kThreadCounts{1, 1024};
+inline constexpr Limits<double> kDrapeSeconds{0.01, 600};
+
 // A number that is checked while parsing: an InputError names the limits.
 template <class T>
 CLI::Option* add_number(CLI::App& command, const std::string& name, Limits<T> limits, const std::string& help,
@@ -54,8 +63,12 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, Limits<T> li
 void add_garment_options(CLI::App& command, GarmentOptions& options);
 void add_thread_options(CLI::App& command, GarmentOptions& options);
 
-// The garment with those over it. Notes: one sentence per change. Throws InputError, for what dress_faults() finds
-// too.
+// The garment with these over it, from the inside out. `file`: its name in messages. Notes: one sentence per change.
+// Throws InputError.
+sim::Pattern worn_together(sim::Pattern pattern, std::span<const sim::Pattern> over, const std::string& file,
+                           std::vector<std::string>& notes);
+
+// The same, from their files. Throws InputError, for what dress_faults() finds too.
 sim::Pattern load_garments(const GarmentOptions& options, std::vector<std::string>& notes);
 
 // The files that are read: the garment and those over it, and the body's, if it is a file; after fill_in() all others

@@ -162,6 +162,19 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         ->group("Picture");
 }
 
+void show_design(PictureOptions& picture, const std::string& fabric) {
+    if (!picture.design) return;
+    sim::SurfaceDesign design = *picture.design;
+    design.size = picture.sett_size;
+    design.position = picture.sett_position.value_or(Vec2d::Zero());
+    picture.looks = std::make_shared<render::ClothLooks>(render::ClothLooks::Unknown::Fail);
+    sim::Pattern pattern;
+    pattern.fabric = fabric;
+    pattern.surface = design;
+    picture.pattern = std::make_shared<const sim::Pattern>(std::move(pattern));
+    picture.looks->read(*picture.pattern);  // a picture that cannot be read is told first
+}
+
 sim::Sett chosen_sett(const PictureOptions& options) {
     const sim::Sett sett = options.sett ? *options.sett : sim::find_tartan(sim::kDefaultTartan);
     return options.sett_size ? with_repeat_size(sett, *options.sett_size) : sett;

@@ -50,6 +50,10 @@ struct PictureOptions {
 // --transparent and the surface options. Validates all values while parsing. `options` must outlive the parsing.
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
+// A mesh has no pattern: with a design, it is drawn as if its pattern had no more than that and this fabric (empty: the
+// default). Throws InputError if the design's picture cannot be read.
+void show_design(PictureOptions& options, const std::string& fabric);
+
 // The sett for the cloth: the requested tartan at the requested size.
 sim::Sett chosen_sett(const PictureOptions& options);
 

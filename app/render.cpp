@@ -44,20 +44,6 @@ void check_outputs(const RenderArguments& arguments) {
     check_distinct(outputs, inputs);
 }
 
-// A mesh has no pattern: with a design, it is drawn as if its pattern had no more than that.
-void show_design(PictureOptions& picture, const std::string& fabric) {
-    if (!picture.design) return;
-    sim::SurfaceDesign design = *picture.design;
-    design.size = picture.sett_size;
-    design.position = picture.sett_position.value_or(Vec2d::Zero());
-    picture.looks = std::make_shared<render::ClothLooks>(render::ClothLooks::Unknown::Fail);
-    sim::Pattern pattern;
-    pattern.fabric = fabric;
-    pattern.surface = design;
-    picture.pattern = std::make_shared<const sim::Pattern>(std::move(pattern));
-    picture.looks->read(*picture.pattern);  // a picture that cannot be read is told first
-}
-
 int render(RenderArguments& arguments) {
     check_outputs(arguments);
     show_design(arguments.picture, arguments.fabric);

@@ -1,6 +1,18 @@
 # Every package that Selvedge uses, each owned by one module (docs/architecture.md).
 option(SELVEDGE_TESTS "Build the tests" ON)
 set(BUILD_TESTING ${SELVEDGE_TESTS})  # CGAL's package would declare it, switched off
+option(SELVEDGE_PYTHON "Build the Python module" ON)
+if(SELVEDGE_PYTHON AND (SELVEDGE_SANITIZE OR SELVEDGE_FUZZ))
+  # The run-time library of a sanitizer must be the first that a process loads, and Python's own process has none.
+  set(SELVEDGE_PYTHON OFF)
+elseif(SELVEDGE_PYTHON AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  # The presets with clang show that the modules compile with their own includes; a Python module by clang would not
+  # give the bits of the program that is installed, which is built by g++.
+  set(SELVEDGE_PYTHON OFF)
+endif()
+if(NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python3_EXECUTABLE /usr/bin/python3)  # Debian's, for which it has NumPy; another one by -DPython3_EXECUTABLE=
+endif()
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)    # sim/core
 find_package(nlohmann_json 3.11 REQUIRED)      # sim/core/json
@@ -11,6 +23,11 @@ find_package(PNG REQUIRED)                     # render/image
 find_path(SELVEDGE_STB_FOLDER stb_truetype.h PATH_SUFFIXES stb REQUIRED)  # render/image/outline_font
 find_package(CLI11 REQUIRED)                   # app
 find_package(GTest REQUIRED)                   # tests
+if(SELVEDGE_PYTHON)
+  find_package(Python3 3.10 REQUIRED COMPONENTS Interpreter Development.Module NumPy)  # python
+  set(PYBIND11_FINDPYTHON ON)
+  find_package(pybind11 2.10 REQUIRED)         # python
+endif()
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(nettle REQUIRED IMPORTED_TARGET nettle>=3.7)  # sim/core/sha256
 pkg_check_modules(seccomp REQUIRED IMPORTED_TARGET libseccomp>=2.5)  # sim/body/system_call_filter

@@ -122,7 +122,7 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     timer.done("sewing");
 
     selvedge::sim::report(progress, "draping", 0);
-    finish_stage(dressing, DressingStage::Relax, "draping", {});
+    finish_stage(dressing, DressingStage::Relax, "draping", progress);
     finish_stage(dressing, DressingStage::Fall, "draping", progress);
     selvedge::sim::report(progress, "draping", 1);
     Cloth& cloth = dressed.cloth.emplace(*dressing.cloth());

@@ -44,10 +44,10 @@ class Architecture:
         return cls(pathlib.Path(root, ARCHITECTURE).read_text(encoding="utf-8"))
 
 
-SOURCE_FOLDERS = ["sim", "render", "editor", "batch", "app", "bench", "tests"]
+SOURCE_FOLDERS = ["sim", "render", "editor", "batch", "app", "bench", "python", "tests"]
 SOURCE_SUFFIXES = [".h", ".cpp"]
 TEXT_FOLDERS = SOURCE_FOLDERS + ["shaders", "cmake", "scripts", ".ci", "docs"]
-TEXT_SUFFIXES = SOURCE_SUFFIXES + [".py", ".cmake", ".txt", ".md", ".glsl", ".vert", ".frag", ".sh", ""]
+TEXT_SUFFIXES = SOURCE_SUFFIXES + [".py", ".pyi", ".cmake", ".txt", ".md", ".glsl", ".vert", ".frag", ".sh", ""]
 
 MAX_FILE_LINES = 700
 MAX_FUNCTION_LINES = 60  # fails above; a function should fit on one screen

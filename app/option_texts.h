@@ -1,0 +1,23 @@
+#pragma once
+// Options of subcommands from texts such as "--show=strain", for callers without a command line, such as the Python
+// module: so they have the same names, limits and errors. Each throws InputError for what the command line would
+// refuse.
+#include <string>
+#include <vector>
+
+#include "app/garment_files.h"
+#include "app/options.h"
+#include "app/picture.h"
+
+namespace selvedge::app {
+
+PictureOptions read_picture_options(const std::vector<std::string>& texts);
+BodyOptions read_body_options(const std::vector<std::string>& texts);
+
+struct ExportOptions {
+    PictureOptions picture;
+    GarmentFileOptions files;
+};
+ExportOptions read_export_options(const std::vector<std::string>& texts);
+
+}  // namespace selvedge::app

@@ -1,0 +1,103 @@
+#include "python/pictures.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "app/interface_fonts.h"
+#include "app/option_texts.h"
+#include "app/picture.h"
+#include "python/errors.h"
+#include "python/meshes.h"
+#include "python/results.h"
+#include "python/views.h"
+#include "render/image/image.h"
+
+namespace selvedge::python {
+namespace {
+
+// One thread draws at a time: only one renderer may exist.
+std::mutex& drawing() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+// Shape (height, width, 4), uint8, over the picture's own memory.
+py::array array_of(render::Image image) {
+    auto kept = std::make_unique<render::Image>(std::move(image));
+    const render::Image& picture = *kept;
+    const py::capsule owner(kept.get(), [](void* pointer) { delete static_cast<render::Image*>(pointer); });
+    static_cast<void>(kept.release());  // the capsule deletes it
+    const std::vector<py::ssize_t> shape{picture.height_px, picture.width_px, 4};
+    return py::array(py::dtype::of<std::uint8_t>(), shape, {}, picture.pixels.data(), owner);
+}
+
+render::Image draw(const app::RenderSubject& subject, app::PictureOptions options) {
+    const std::scoped_lock lock(drawing());
+    options.legend_font = app::read_legend_font();
+    return draw_picture(subject, options);
+}
+
+py::array render_result(const ResultPointer& result, const std::optional<WearingBody>& body,
+                        const std::vector<std::string>& texts) {
+    render::Image image;
+    {
+        const py::gil_scoped_release release;
+        const app::PictureOptions options = picture_of(*result, app::read_picture_options(texts));
+        image = draw({.garment = result->dressed.mesh,
+                      .body = body ? body->body.get() : result->body.body.get(),
+                      .hierarchy = &result->dressed.hierarchy},
+                     options);
+    }
+    return array_of(std::move(image));
+}
+
+py::array render_mesh(const GarmentMeshView& mesh, const std::optional<WearingBody>& body,
+                      const std::vector<std::string>& texts, const std::string& fabric) {
+    render::Image image;
+    {
+        const py::gil_scoped_release release;
+        app::PictureOptions options = app::read_picture_options(texts);
+        if (!fabric.empty()) options.material = render::material_of(sim::find_fabric(fabric));
+        show_design(options, fabric);
+        image = draw({.garment = *mesh.mesh, .body = body ? body->body.get() : nullptr}, options);
+    }
+    return array_of(std::move(image));
+}
+
+void write_picture(const py::object& picture, const std::filesystem::path& path) {
+    const auto array = py::array_t<std::uint8_t, py::array::c_style>::ensure(picture);
+    PyErr_Clear();
+    if (!array || array.ndim() != 3 || array.shape(0) < 1 || array.shape(1) < 1 || array.shape(2) < 3 ||
+        array.shape(2) > 4)
+        throw sim::InputError("", "picture", "must be a uint8 array of shape (height, width, 3 or 4)");
+    render::check_image_size(array.shape(1), array.shape(0), path.string());
+    render::Image image(static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0)));
+    const auto channels = static_cast<std::size_t>(array.shape(2));
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        std::copy_n(array.data() + i * channels, channels, image.pixels[i].begin());
+    const py::gil_scoped_release release;
+    app::check_output(path, app::kPictureExtensions);
+    write_png(path, image);
+}
+
+}  // namespace
+
+void add_pictures(py::module_& module) {
+    module.def("_render_result", &render_result, py::arg("result"), py::arg("body").none(true), py::arg("options"),
+               "A picture of a result.");
+    module.def("_render_mesh", &render_mesh, py::arg("mesh"), py::arg("body").none(true), py::arg("options"),
+               py::arg("fabric"), "A picture of a mesh.");
+    module.def("write_png", &write_picture, py::arg("picture"), py::arg("path"),
+               "Writes a picture, uint8 of shape (height, width, 3 or 4), as a PNG file. Raises InputError.");
+}
+
+}  // namespace selvedge::python

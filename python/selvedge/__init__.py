@@ -1,0 +1,64 @@
+"""Selvedge: sewing patterns, dressed on bodies, as NumPy arrays and pictures.
+
+Lengths are metres, angles radians, times seconds; y is up, +z to the front, +x to the body's left, the floor at y = 0.
+Arrays of results are read-only views without a copy. Wrong input raises InputError, a ValueError.
+
+    import selvedge
+
+    result = selvedge.dress("tshirt.json", selvedge.mannequin(bust=0.92))
+    print(result.settled, result.positions.shape, result.faults)
+    selvedge.write_png(selvedge.render(result), "tshirt.png")
+"""
+
+from __future__ import annotations
+
+from selvedge._batch import batch, program
+from selvedge._dress import Session, dress, export, mannequin, render
+from selvedge._errors import InputError
+from selvedge._pattern import (
+    Edge,
+    Fault,
+    InternalLine,
+    Notch,
+    Panel,
+    Pattern,
+    Seam,
+    SeamSide,
+    check,
+    load_pattern,
+)
+from selvedge._selvedge import Body, Frame, Mesh, Result, fabric_names, load_body, load_mesh, tartan_names
+from selvedge._selvedge import version as __version__
+from selvedge._selvedge import write_png
+
+Result.export = export  # type: ignore[method-assign]
+
+__all__ = [
+    "Body",
+    "Edge",
+    "Fault",
+    "Frame",
+    "InputError",
+    "InternalLine",
+    "Mesh",
+    "Notch",
+    "Panel",
+    "Pattern",
+    "Result",
+    "Seam",
+    "SeamSide",
+    "Session",
+    "batch",
+    "check",
+    "dress",
+    "export",
+    "fabric_names",
+    "load_body",
+    "load_mesh",
+    "load_pattern",
+    "mannequin",
+    "program",
+    "render",
+    "tartan_names",
+    "write_png",
+]
