@@ -9,12 +9,13 @@
 #include "python/pictures.h"
 #include "python/results.h"
 #include "python/sessions.h"
+#include "sim/core/version.h"
 #include "sim/pattern/fabric.h"
 #include "sim/tartan/tartan_file.h"
 
 PYBIND11_MODULE(_selvedge, module) {
     module.doc() = "The native part of selvedge.";
-    module.attr("version") = SELVEDGE_VERSION;
+    module.attr("version") = std::string(selvedge::sim::program_version());
     selvedge::python::translate_errors();
     selvedge::python::add_patterns(module);
     selvedge::python::add_bodies(module);
