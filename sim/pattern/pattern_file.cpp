@@ -44,7 +44,7 @@ PatternDocument accept(Json json, const std::string& file) {
     return {std::move(reading.pattern), std::move(json)};
 }
 
-// Smaller than what JSON may be otherwise: a pattern takes up to 40 times its file in memory.
+// Smaller than what JSON may be otherwise: a pattern takes many times its file in memory.
 Json read_document(const std::filesystem::path& path) {
     constexpr std::size_t kMostBytes = std::size_t{16} << 20;
     return parse_json(read_file(path, kMostBytes), path.string());
