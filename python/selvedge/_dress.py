@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
-from typing import Union
-
-import numpy as np
-import numpy.typing as npt
+from typing import TYPE_CHECKING, Union
 
 from selvedge import _selvedge
 from selvedge._pattern import PathLike, Pattern, document_of
 from selvedge._selvedge import Body, Frame, Mesh, Result
 
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    Picture = npt.NDArray[np.uint8]
 PatternLike = Union[Pattern, PathLike]
 Progress = Callable[[float, str], object]
-Picture = npt.NDArray[np.uint8]
 
 
 def mannequin(

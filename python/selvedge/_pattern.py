@@ -9,15 +9,17 @@ from __future__ import annotations
 import dataclasses
 import os
 from collections.abc import Sequence
-from typing import Any, NamedTuple, Union
+from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 import numpy as np
-import numpy.typing as npt
 
 from selvedge import _selvedge
 from selvedge._errors import InputError
 
-Points = npt.NDArray[np.float64]
+if TYPE_CHECKING:  # it is slow to import
+    import numpy.typing as npt
+
+    Points = npt.NDArray[np.float64]
 PathLike = Union[str, "os.PathLike[str]"]
 
 
@@ -281,8 +283,8 @@ def document_of(pattern: Pattern | PathLike) -> _selvedge._Document:
         raise TypeError(f"a Pattern or a path is needed, not {type(pattern).__name__}")
     record = _record_of(pattern, "")
     record["panels"] = _records(pattern.panels, Panel, "panels")
-    for panel, one in zip(record["panels"], pattern.panels):
-        place = f"panels.{one.name}"
+    for i, (panel, one) in enumerate(zip(record["panels"], pattern.panels)):
+        place = f"panels[{i}]"
         panel["edges"] = _records(one.edges, Edge, f"{place}.edges")
         panel["notches"] = _records(one.notches, Notch, f"{place}.notches")
         panel["internal_lines"] = _records(one.internal_lines, InternalLine, f"{place}.internal_lines")
@@ -298,6 +300,6 @@ def _records(objects: Sequence[Any], kind: type, place: str) -> list[dict[str, A
 
 def _record_of(one: Any, place: str, kind: type = Pattern) -> dict[str, Any]:
     if not isinstance(one, kind):
-        raise InputError("", place, f"must be a {kind.__name__}, not {type(one).__name__}")
+        raise InputError("", place, f"must be of type {kind.__name__}, not {type(one).__name__}")
     names = {"_origin": "origin", "_document": "document"}
     return {names.get(field.name, field.name): getattr(one, field.name) for field in dataclasses.fields(one)}
