@@ -65,8 +65,8 @@ std::optional<std::string> ContentStore::find(std::string_view kind, std::string
     try {
         std::string content = read_file(path, most_bytes_ + kHashDigits);
         if (content.size() >= kHashDigits) {
-            const std::string hash = content.substr(0, kHashDigits);
-            content.erase(0, kHashDigits);
+            const std::string hash = content.substr(content.size() - kHashDigits);
+            content.resize(content.size() - kHashDigits);
             if (hash == sha256(content)) {
                 std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now(), error);
                 return content;
@@ -81,7 +81,7 @@ std::optional<std::string> ContentStore::find(std::string_view kind, std::string
 void ContentStore::keep(std::string_view kind, std::string_view made_from, std::string_view content) const {
     if (content.size() + kHashDigits > most_bytes_) return;
     try {
-        write_file_atomically(path_of(kind, made_from), sha256(content) + std::string(content));
+        write_file_atomically(path_of(kind, made_from), std::string(content) + sha256(content));
     } catch (const InputError&) {
         return;
     }
