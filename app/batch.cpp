@@ -30,6 +30,7 @@
 #include "render/image/image.h"
 #include "sim/core/content_store.h"
 #include "sim/core/error.h"
+#include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/core/sha256.h"
 #include "sim/exchange/mesh_file.h"
@@ -204,8 +205,7 @@ int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path
     for (const std::string& extension : arguments.exports)
         dress.exports.files.push_back(folder / ("garment." + extension));
     const int code = run_dress(dress, store);
-    std::error_code error;
-    if (std::filesystem::exists(dress.picture_file, error))
+    if (sim::file_exists(dress.picture_file))
         write_png(folder / batch::job_file::kThumbnail,
                   batch::shrunk(render::read_png(dress.picture_file), kThumbnailSide));
     return code;
@@ -271,8 +271,7 @@ int merge(const BatchArguments& arguments, const std::vector<batch::Job>& jobs) 
 }
 
 void check_compared(const BatchArguments& arguments) {
-    std::error_code error;
-    if (!arguments.compared.empty() && !std::filesystem::is_directory(arguments.compared / "jobs", error))
+    if (!arguments.compared.empty() && !sim::is_folder(arguments.compared / "jobs"))
         throw sim::InputError(arguments.compared.string(), "--compare", "is not the output of a batch");
 }
 

@@ -7,6 +7,7 @@
 #include "render/image/image.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/file_path.h"
 #include "sim/dress/report.h"
 
 namespace selvedge::batch {
@@ -18,22 +19,20 @@ constexpr std::size_t kMostBytes = std::size_t(64) << 20;
 
 std::optional<std::string> outcome_in(const Path& folder) {
     const Path file = folder / job_file::kReport;
-    std::error_code error;
-    if (!std::filesystem::exists(file, error)) return std::nullopt;
+    if (!sim::file_exists(file)) return std::nullopt;
     const sim::Json report = sim::parse_json(sim::read_file(file, kMostBytes), file.string());
     return sim::JsonView(report, file.string()).at(sim::report_key::kOutcome).string();
 }
 
 void compare_pictures(const Path& now, const Path& before, const Path& differences, JobChange& change) {
-    std::error_code error;
-    const bool has_now = std::filesystem::exists(now, error), had_before = std::filesystem::exists(before, error);
-    if (!has_now || !had_before) return;
+    if (!sim::file_exists(now) || !sim::file_exists(before)) return;
     const render::Image new_picture = render::read_png(now), old_picture = render::read_png(before);
     const render::Comparison comparison = compare(old_picture, new_picture);
     if (is_alike(comparison)) return;
     change.has_new_picture = true;
     change.differing_share =
         comparison.has_same_size ? static_cast<double>(comparison.beyond) / static_cast<double>(comparison.pixels) : 1;
+    std::error_code error;
     std::filesystem::create_directories(differences, error);
     if (error) throw sim::InputError(differences.string(), "", "cannot be made: " + error.message());
     write_png(differences / (change.job + ".before.png"), old_picture);
@@ -45,7 +44,7 @@ void compare_pictures(const Path& now, const Path& before, const Path& differenc
 std::vector<JobChange> compare_runs(const std::vector<sim::Json>& rows, const Path& output, const Path& before,
                                     const std::function<void(double fraction)>& progress) {
     std::error_code error;
-    if (!std::filesystem::is_directory(before / "jobs", error))
+    if (!sim::is_folder(before / "jobs"))
         throw sim::InputError(before.string(), "--compare", "is not the output of a batch");
     if (std::filesystem::equivalent(before, output, error))
         throw sim::InputError(before.string(), "--compare", "is the output of this batch: there is no earlier run");

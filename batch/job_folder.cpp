@@ -12,6 +12,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/file_path.h"
 #include "sim/core/json.h"
 
 namespace selvedge::batch {
@@ -62,8 +63,7 @@ Path job_folder(const Path& output, const std::string& name) {
 
 std::optional<JobRecord> read_record(const Path& output, const std::string& name) {
     const Path file = job_folder(output, name) / job_file::kRecord;
-    std::error_code error;
-    if (!std::filesystem::exists(file, error) || error) return std::nullopt;
+    if (!sim::file_exists(file)) return std::nullopt;
     try {
         const sim::Json json = sim::parse_json(sim::read_file(file, kMostBytes), file.string());
         const sim::JsonView view(json, file.string());

@@ -14,6 +14,7 @@
 #include "batch/job_folder.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/dress/report.h"
 
@@ -151,7 +152,7 @@ class BatchRun {
         if (record.has_failed) {
             record.exit_code = 2;
             write_missing_report(folder->path(), failure_of(result, options_.limits), true);
-        } else if (!std::filesystem::exists(folder->file(job_file::kReport))) {
+        } else if (!sim::file_exists(folder->file(job_file::kReport))) {
             write_missing_report(folder->path(), last_line(folder->file(job_file::kLog)), false);
         }
         folder->finish(record);

@@ -9,6 +9,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/file_path.h"
 #include "sim/core/sha256.h"
 
 namespace selvedge::sim {
@@ -46,7 +47,7 @@ ContentStore::ContentStore(Path folder, std::string maker, std::uint64_t most_by
     std::error_code error;
     std::filesystem::create_directories(folder_, error);
     if (error) throw InputError(folder_.string(), "", "cannot be made: " + error.message());
-    if (!std::filesystem::is_directory(folder_, error)) throw InputError(folder_.string(), "", "is no folder");
+    if (!is_folder(folder_)) throw InputError(folder_.string(), "", "is no folder");
 }
 
 Path ContentStore::path_of(std::string_view kind, std::string_view made_from) const {
@@ -60,8 +61,8 @@ Path ContentStore::path_of(std::string_view kind, std::string_view made_from) co
 
 std::optional<std::string> ContentStore::find(std::string_view kind, std::string_view made_from) const {
     const Path path = path_of(kind, made_from);
+    if (!file_exists(path)) return std::nullopt;
     std::error_code error;
-    if (!std::filesystem::exists(path, error) || error) return std::nullopt;
     try {
         std::string content = read_file(path, most_bytes_ + kHashDigits);
         if (content.size() >= kHashDigits) {

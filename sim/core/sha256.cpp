@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/core/error.h"
+#include "sim/core/file_path.h"
 
 namespace selvedge::sim {
 namespace {
@@ -45,9 +46,7 @@ std::string sha256(std::string_view content) {
 }
 
 std::string sha256_of_file(const std::filesystem::path& path) {
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(path, error);
-    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    if (file_exists(path) && !is_file(path))
         throw InputError(path.string(), "", "not a regular file");
     std::ifstream file(path, std::ios::binary);
     if (!file) throw InputError(path.string(), "", std::string("cannot read: ") + std::strerror(errno));
