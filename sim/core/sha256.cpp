@@ -46,8 +46,7 @@ std::string sha256(std::string_view content) {
 }
 
 std::string sha256_of_file(const std::filesystem::path& path) {
-    if (file_exists(path) && !is_file(path))
-        throw InputError(path.string(), "", "not a regular file");
+    if (file_exists(path) && !is_file(path)) throw InputError(path.string(), "", "not a regular file");
     std::ifstream file(path, std::ios::binary);
     if (!file) throw InputError(path.string(), "", std::string("cannot read: ") + std::strerror(errno));
     constexpr std::size_t kPart = 1 << 16;
