@@ -18,7 +18,6 @@
 #include "app/batch_progress.h"
 #include "app/commands.h"
 #include "app/dress_command.h"
-#include "app/report_inputs.h"
 #include "app/stop_signal.h"
 #include "batch/compare.h"
 #include "batch/gallery.h"
@@ -33,7 +32,9 @@
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/core/sha256.h"
-#include "sim/exchange/mesh_file.h"
+#include "sim/pattern/named_file.h"
+#include "sim/pattern/pattern.h"
+#include "sim/pattern/pattern_file.h"
 
 namespace selvedge::app {
 namespace {
@@ -158,40 +159,39 @@ class JobKeys {
         return at->second;
     }
 
-    // What cannot be read has no other inputs than itself.
     std::vector<std::string> inputs_of(const batch::Job& job) {
-        std::vector<std::string> hashes;
-        const auto hash = [this](const Path& file) { return hash_of(file); };
-        BodyOptions body{.source = job.body, .load = {}};
-        GarmentOptions garment;
-        garment.garment = job.garment;
-        garment.over = job.over;
-        garment.fabric = job.fabric;
-        try {
-            std::vector<std::string> notes;
-            const sim::Pattern& pattern = pattern_of(garment);
-            if (body.source.empty()) body.source = pattern.body;
-            for (const sim::ReportInput& input : report_inputs(garment, body, pattern, hash))
-                hashes.push_back(input.sha256);
-        } catch (const sim::InputError&) {
-            hashes.push_back(hash_of(job.garment));
+        std::vector<std::string> hashes{hash_of(job.garment)};
+        const auto add_named = [&](const Path& garment) {
+            for (const std::string& file : named_by(garment)) hashes.push_back(hash_of(file));
+        };
+        add_named(job.garment);
+        for (const Path& over : job.over) {
+            hashes.push_back(hash_of(over));
+            add_named(over);
+        }
+        for (const std::string& text : {job.body, job.fabric}) {
+            if (sim::is_body_file(text) || text.ends_with(".json")) hashes.push_back(hash_of(text));
         }
         return hashes;
     }
 
-    const sim::Pattern& pattern_of(const GarmentOptions& garment) {
-        std::string name = garment.garment.string();
-        for (const Path& over : garment.over) name += '\0' + over.string();
-        const auto found = patterns_.find(name);
-        if (found != patterns_.end()) return found->second;
-        std::vector<std::string> notes;
-        return patterns_.emplace(name, load_garments(garment, notes)).first->second;
+    // None of a garment that cannot be read: the job will say so.
+    const std::vector<std::string>& named_by(const Path& garment) {
+        const auto [at, is_new] = named_.try_emplace(garment.string());
+        if (!is_new) return at->second;
+        try {
+            const sim::Pattern pattern = sim::load_pattern(garment).pattern;
+            at->second = named_files(pattern);
+            if (pattern.tartan.ends_with(".json")) at->second.push_back(pattern.tartan);
+        } catch (const sim::InputError&) {
+        }
+        return at->second;
     }
 
     std::string program_;
     const BatchArguments& arguments_;
     std::map<std::string, std::string> hashes_;
-    std::map<std::string, sim::Pattern> patterns_;
+    std::map<std::string, std::vector<std::string>> named_;
 };
 
 int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path& folder,

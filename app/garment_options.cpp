@@ -86,11 +86,11 @@ void add_thread_options(CLI::App& command, GarmentOptions& options) {
 
 namespace {
 
-// Throws InputError for what `selvedge check` reports too. A body file is read where it is needed.
+// Throws InputError for what `selvedge check` reports too. What is wrong with body and seams shows when they are made.
 sim::Pattern load_dressable(const std::filesystem::path& file, const GarmentOptions& options) {
     sim::Pattern pattern = sim::load_pattern(file).pattern;
     const sim::DressCheck check{
-        .has_fabrics = options.fabric.empty(), .reads_body_file = false, .edge_length = options.dress.edge_length};
+        .has_fabrics = options.fabric.empty(), .makes_body_and_mesh = false, .edge_length = options.dress.edge_length};
     if (pattern.panels.empty())
         throw sim::InputError(file.string(), "pattern.panels", "no panel that is worn: nothing to dress");
     for (const sim::Fault& fault : dress_faults(pattern, file.string(), check))

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/core/sha256.h"
 #include "sim/pattern/surface_design.h"
 
 namespace selvedge::app {
@@ -14,13 +15,11 @@ using Path = std::filesystem::path;
 
 class Inputs {
  public:
-    explicit Inputs(const FileHash& hash) : hash_(hash) {}
-
     // A file that was added before is left out.
     void add(std::string_view role, const Path& file) {
         const auto is_same = [&](const sim::ReportInput& known) { return known.file == file.string(); };
         if (std::ranges::any_of(list_, is_same)) return;
-        list_.push_back({std::string(role), file.string(), hash_(file)});
+        list_.push_back({std::string(role), file.string(), sim::sha256_of_file(file)});
     }
     // What names a shipped thing, or a file that ends in .json.
     void add_named(std::string_view role, const std::string& name_or_file) {
@@ -34,15 +33,14 @@ class Inputs {
     std::vector<sim::ReportInput> take() { return std::move(list_); }
 
  private:
-    const FileHash& hash_;
     std::vector<sim::ReportInput> list_;
 };
 
 }  // namespace
 
 std::vector<sim::ReportInput> report_inputs(const GarmentOptions& options, const BodyOptions& body,
-                                            const sim::Pattern& pattern, const FileHash& hash) {
-    Inputs inputs(hash);
+                                            const sim::Pattern& pattern) {
+    Inputs inputs;
     inputs.add("garment", options.garment);
     for (const Path& over : options.over) inputs.add("over", over);
     if (body.is_file()) inputs.add("body", body.source);

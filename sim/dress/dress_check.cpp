@@ -31,8 +31,8 @@ class Checker {
         if (panels > 0 && std::ranges::none_of(pattern_.panels, &Panel::is_worn))
             add("pattern.panels", "no panel that is worn: nothing to dress");
         check_fabrics();
-        check_body();
-        if (panels > 0 && faults_.empty()) check_mesh();
+        if (check_.makes_body_and_mesh) check_body();
+        if (check_.makes_body_and_mesh && panels > 0 && faults_.empty()) check_mesh();
         return std::move(faults_);
     }
 
@@ -70,8 +70,6 @@ class Checker {
     }
 
     void check_body() {
-        const bool is_file = is_body_file(pattern_.body);
-        if (is_file && !check_.reads_body_file) return;
         require(pattern_.body.empty() ? "selvedge.body_height" : "selvedge.body", [&] { check_placed_for(pattern_); });
     }
 

@@ -13,7 +13,7 @@ namespace selvedge::sim {
 
 struct DressCheck {
     bool has_fabrics = true;                 // false: another fabric replaces those of the pattern and its panels
-    bool reads_body_file = true;             // false: whoever dresses it reads the body first
+    bool makes_body_and_mesh = true;         // to see whether they can be; false: whoever dresses it makes them anyway
     std::optional<double> edge_length = {};  // m, of the base mesh; none: the pattern's
 };
 
