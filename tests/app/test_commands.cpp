@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "render/image/image.h"
 #include "sim/core/file.h"
@@ -377,11 +379,11 @@ TEST_F(EditScriptFiles, writes_over_neither_what_it_reads_nor_what_is_no_file) {
     const std::string fabric = folder_ / "silk.json";
     sim::write_file_atomically(fabric, sim::read_fabric_file("silk").text);
     const std::string text = content_of(source_folder() + "/patterns/skirt.json");
-    for (const std::string& step :
-         {"screenshot \"" + folder_ / "pipe.png" + "\"", "screenshot \"" + script_ + "\"",
-          "screenshot \"" + garment_ + "\"", "screenshot /dev/null", "print \"" + garment_ + "\"",
-          R"(do {"set_fabric": {"fabric": ")" + fabric + "\"}}\nsave \"" + fabric + "\"",
-          R"(do {"set_fabric": {"fabric": ")" + fabric + "\"}}\nscreenshot \"" + fabric + "\""}) {
+    for (const std::string& step : std::vector<std::string>{
+             "screenshot \"" + folder_ / "pipe.png" + "\"", "screenshot \"" + script_ + "\"",
+             "screenshot \"" + garment_ + "\"", "screenshot /dev/null", "print \"" + garment_ + "\"",
+             R"(do {"set_fabric": {"fabric": ")" + fabric + "\"}}\nsave \"" + fabric + "\"",
+             R"(do {"set_fabric": {"fabric": ")" + fabric + "\"}}\nscreenshot \"" + fabric + "\""}) {
         const ProgramResult result = play(step + "\n");
         EXPECT_EQ(result.exit_code, 2) << step;
         EXPECT_EQ(count_lines(result.err), 1) << result.err;
