@@ -240,10 +240,10 @@ fs::path only_file_of(const fs::path& folder, const std::string& ending) {
 
 TEST_F(CrashedEditor, keeps_a_journal_of_which_nothing_can_be_recovered_and_names_its_file) {
     const std::string head = editor::journal_head("shirt.json", services_.examples[1].text) + "\n";
-    for (const std::string& text :
-         {std::string("damaged\n"), head.substr(0, head.size() / 2), head + "{\"do\": 7}\n", std::string(100, '\0'),
-          "{\"selvedge_journal\": 2, \"file\": \"shirt.json\", \"text\": \"{}\"}\n",
-          head + "{\"try\": {\"rename_panel\": {\"panel\": \"front\", \"to\": \"a\"}}}\n"}) {
+    for (const std::string& text : std::vector<std::string>{
+             std::string("damaged\n"), head.substr(0, head.size() / 2), head + "{\"do\": 7}\n", std::string(100, '\0'),
+             "{\"selvedge_journal\": 2, \"file\": \"shirt.json\", \"text\": \"{}\"}\n",
+             head + "{\"try\": {\"rename_panel\": {\"panel\": \"front\", \"to\": \"a\"}}}\n"}) {
         const fs::path journal = leave_journal(folder_.path() / "state", text);
         std::unique_ptr<editor::Editor> editor;
         start(editor);

@@ -46,7 +46,9 @@ TEST(ContactPressure, only_what_touches_is_pressed) {
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         const float pressure = measured.pressure[i++];
         EXPECT_GE(pressure, 0);
-        if (head().contact(cloth.x[v.value].head<3>()).distance > 0.02F) EXPECT_EQ(pressure, 0);
+        if (head().contact(cloth.x[v.value].head<3>()).distance > 0.02F) {
+            EXPECT_EQ(pressure, 0);
+        }
         is_pressed = is_pressed || pressure > 0;
     }
     EXPECT_TRUE(is_pressed);

@@ -47,7 +47,7 @@ TEST(DressCheck, names_the_body_by_what_says_it) {
     EXPECT_EQ(lines_of(pattern)[0].rfind("f.json: selvedge.body: mannequin: bust: 7 cm is not between", 0), 0U);
     pattern.body = "missing.obj";
     EXPECT_EQ(lines_of(pattern)[0].rfind("f.json: selvedge.body: missing.obj: cannot read", 0), 0U);
-    EXPECT_TRUE(lines_of(pattern, {.reads_body_file = false}).empty());
+    EXPECT_TRUE(lines_of(pattern, {.makes_body_and_mesh = false}).empty());
 }
 
 TEST(DressCheck, names_the_panels_of_seams_that_cannot_be_closed) {
