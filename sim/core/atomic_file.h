@@ -11,7 +11,8 @@ namespace selvedge::sim {
 
 enum class TemporaryName {
     None,    // if the file system can
-    Random,  // for another program that writes the file, see temporary()
+    Random,  // for another program that writes the file, see temporary(); or for what a killed program leaves to be
+             // read
 };
 
 // write_file_atomically() (sim/core/file.h) in parts. All functions throw InputError that names `path` if the file

@@ -48,7 +48,7 @@ const std::filesystem::path& checked(const std::filesystem::path& path, const Dr
 class Pc2Cache final : public MeshCache {
  public:
     Pc2Cache(const std::filesystem::path& path, const DrawMesh& mesh, const CacheOptions& options)
-        : mesh_(mesh), options_(options), file_(checked(path, mesh, options)) {
+        : mesh_(mesh), options_(options), file_(checked(path, mesh, options), TemporaryName::Random) {
         file_.append(header(mesh.x.size(), options));
     }
 

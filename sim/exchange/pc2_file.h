@@ -10,7 +10,8 @@
 //   positions         float32, x y z of each point of the first sample, then of the next; little-endian throughout
 //
 // The number of samples is brought up to date with every sample, so that even the temporary file of a program that was
-// killed can be read. Topology is not in the file: cache.obj beside it has the same order of vertices.
+// killed can be read, until another one writes into its folder. Topology is not in the file: cache.obj beside it has
+// the same order of vertices.
 #include <filesystem>
 #include <memory>
 
