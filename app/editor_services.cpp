@@ -32,7 +32,8 @@ namespace fs = std::filesystem;
 
 editor::FolderListing list_folder(const std::string& folder) {
     std::error_code error;
-    const fs::path path = sim::absolute_path(folder.empty() ? "." : folder).lexically_normal();
+    fs::path path = sim::absolute_path(folder.empty() ? "." : folder).lexically_normal();
+    if (path.has_relative_path() && !path.has_filename()) path = path.parent_path();  // "shirts/" is "shirts"
     editor::FolderListing listing{
         .folder = path.string(), .parent = path.has_relative_path() ? path.parent_path().string() : "", .entries = {}};
     for (const fs::path& entry : sim::entries_of(path, error)) {
