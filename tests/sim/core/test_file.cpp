@@ -237,7 +237,7 @@ std::string complaint(const std::string& text) {
     }
 }
 
-std::string nested(int depth) {
+std::string nested(std::size_t depth) {
     return std::string(depth, '[') + std::string(depth, ']');
 }
 
