@@ -18,6 +18,7 @@
 #include "app/batch_progress.h"
 #include "app/commands.h"
 #include "app/dress_command.h"
+#include "app/option_texts.h"
 #include "app/stop_signal.h"
 #include "batch/compare.h"
 #include "batch/gallery.h"
@@ -100,19 +101,11 @@ std::vector<batch::Job> jobs_of(const BatchArguments& arguments) {
 
 // As the command dress reads them. Throws InputError that names the job.
 DressArguments parse_dress(const batch::Job& job) {
-    CLI::App command;
-    DressArguments arguments;
-    add_dress_options(command, arguments);
-    std::vector<std::string> words = dress_arguments(job);
-    std::ranges::reverse(words);  // CLI11 takes them from the end
     try {
-        command.parse(words);
-    } catch (const CLI::ParseError& error) {
-        throw sim::InputError("", "job '" + job.name + "'", error.what());
+        return read_dress_options(dress_arguments(job));
     } catch (const sim::InputError& error) {
         throw sim::InputError("", "job '" + job.name + "'", error.what());
     }
-    return arguments;
 }
 
 // Finds wrong options before the work begins. Jobs differ mostly in their garments, which have no options.
@@ -270,14 +263,9 @@ int merge(const BatchArguments& arguments, const std::vector<batch::Job>& jobs) 
     return 1;
 }
 
-void check_compared(const BatchArguments& arguments) {
-    if (!arguments.compared.empty() && !sim::is_folder(arguments.compared / "jobs"))
-        throw sim::InputError(arguments.compared.string(), "--compare", "is not the output of a batch");
-}
-
 int run(BatchArguments arguments) {
     if (!arguments.shard.empty()) arguments.batch.shard = batch::parse_shard(arguments.shard);
-    check_compared(arguments);
+    if (!arguments.compared.empty()) batch::check_output_of_batch(arguments.compared);
     const std::vector<batch::Job> jobs = jobs_of(arguments);
     check_options(jobs);
     if (arguments.only_merges) return merge(arguments, jobs);

@@ -17,6 +17,14 @@ void parse(CLI::App& command, const std::vector<std::string>& texts) {
 
 }  // namespace
 
+DressArguments read_dress_options(const std::vector<std::string>& texts) {
+    CLI::App command;
+    DressArguments arguments;
+    add_dress_options(command, arguments);
+    parse(command, texts);
+    return arguments;
+}
+
 PictureOptions read_picture_options(const std::vector<std::string>& texts) {
     CLI::App command;
     PictureOptions options;

@@ -41,11 +41,15 @@ void compare_pictures(const Path& now, const Path& before, const Path& differenc
 
 }  // namespace
 
-std::vector<JobChange> compare_runs(const std::vector<sim::Json>& rows, const Path& output, const Path& before,
-                                    const std::function<void(double fraction)>& progress) {
-    std::error_code error;
+void check_output_of_batch(const Path& before) {
     if (!sim::is_folder(before / "jobs"))
         throw sim::InputError(before.string(), "--compare", "is not the output of a batch");
+}
+
+std::vector<JobChange> compare_runs(const std::vector<sim::Json>& rows, const Path& output, const Path& before,
+                                    const std::function<void(double fraction)>& progress) {
+    check_output_of_batch(before);
+    std::error_code error;
     if (std::filesystem::equivalent(before, output, error))
         throw sim::InputError(before.string(), "--compare", "is the output of this batch: there is no earlier run");
     std::filesystem::remove_all(output / "differences", error);

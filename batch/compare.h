@@ -21,6 +21,9 @@ struct JobChange {
     bool is_changed() const { return is_new || has_new_outcome || has_new_picture; }
 };
 
+// Throws InputError if `before` is not the output of a batch.
+void check_output_of_batch(const std::filesystem::path& before);
+
 // One for each row, in their order. Where the pictures differ, OUTPUT/differences gets NAME.before.png, a copy, and
 // NAME.png, which shows where. Throws InputError if `before` is not the output of a batch.
 std::vector<JobChange> compare_runs(const std::vector<sim::Json>& rows, const std::filesystem::path& output,

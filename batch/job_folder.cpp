@@ -117,10 +117,9 @@ void UnfinishedJob::finish(const JobRecord& record) {
 void delete_strays(const Path& output) {
     const std::string host = host_name();
     std::error_code error;
-    for (std::filesystem::directory_iterator at(output / "jobs", error), end; !error && at != end;
-         at.increment(error)) {
+    for (const Path& path : sim::entries_of(output / "jobs", error)) {
         std::error_code ignored;
-        if (is_stray(at->path(), host)) std::filesystem::remove_all(at->path(), ignored);
+        if (is_stray(path, host)) std::filesystem::remove_all(path, ignored);
     }
 }
 

@@ -10,6 +10,7 @@
 #include "batch/job_folder.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/file_path.h"
 #include "sim/dress/report.h"
 
 namespace selvedge::batch {
@@ -31,8 +32,8 @@ Json json_of_options(const Job& job) {
 Json files_in(const Path& folder) {
     std::vector<std::string> names;
     std::error_code error;
-    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-        const std::string name = at->path().filename().string();
+    for (const Path& path : sim::entries_of(folder, error)) {
+        const std::string name = path.filename().string();
         if (name != job_file::kRecord && name != job_file::kTimes && name != job_file::kLog) names.push_back(name);
     }
     std::ranges::sort(names);

@@ -18,17 +18,12 @@
 #include <string>
 
 #include "sim/core/error.h"
+#include "sim/core/process_memory.h"
 
 namespace selvedge::batch {
 namespace {
 
 constexpr int kOutOfMemoryCode = 125;  // of a child whose memory was refused
-
-#if defined(SELVEDGE_ADDRESS_SANITIZER)
-constexpr bool kLimitMemory = false;  // its shadow memory reserves terabytes of address space
-#else
-constexpr bool kLimitMemory = true;
-#endif
 
 // A descriptor that can be read from when the process has ended. The C library of Debian 12 declares pidfd_open() for C
 // only.
@@ -38,15 +33,6 @@ int open_handle(pid_t pid) {
 
 double seconds_of(const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
-std::size_t address_space_in_use() {
-    unsigned long pages = 0;
-    if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
-        if (std::fscanf(file, "%lu", &pages) != 1) pages = 0;
-        std::fclose(file);
-    }
-    return std::size_t(pages) * std::size_t(::sysconf(_SC_PAGESIZE));
 }
 
 void redirect_output(const std::filesystem::path& log) {
@@ -80,11 +66,7 @@ int guarded(const std::function<int()>& work) {
     redirect_output(log);
     const rlimit no_core{0, 0};
     ::setrlimit(RLIMIT_CORE, &no_core);
-    if (kLimitMemory && limits.memory_bytes > 0) {
-        const rlim_t most = address_space_in_use() + limits.memory_bytes;
-        const rlimit memory{most, most};
-        ::setrlimit(RLIMIT_AS, &memory);
-    }
+    if (limits.memory_bytes > 0) sim::limit_more_memory(limits.memory_bytes);
     const int code = guarded(work);
     std::fflush(nullptr);
     ::_exit(code);

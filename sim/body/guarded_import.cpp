@@ -26,6 +26,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/flat_bytes.h"
+#include "sim/core/process_memory.h"
 
 namespace selvedge::sim {
 namespace {
@@ -347,27 +348,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-#if defined(SELVEDGE_ADDRESS_SANITIZER)
-constexpr bool kLimitMemory = false;  // its shadow memory reserves terabytes of address space
-#else
-constexpr bool kLimitMemory = true;
-#endif
-
 void limit(decltype(RLIMIT_CPU) resource, rlim_t most) {
     const rlimit values{most, most};
     ::setrlimit(resource, &values);
-}
-
-// Address space in use, bytes. The limit is relative to it, because threads and drivers reserve much that they never
-// use.
-std::size_t address_space_in_use() {
-    std::FILE* file = std::fopen("/proc/self/statm", "r");
-    unsigned long pages = 0;
-    if (file) {
-        if (std::fscanf(file, "%lu", &pages) != 1) pages = 0;
-        std::fclose(file);
-    }
-    return std::size_t(pages) * std::size_t(::sysconf(_SC_PAGESIZE));
 }
 
 void confine(const ChildLimits& limits, int pipe_end) {
@@ -375,7 +358,7 @@ void confine(const ChildLimits& limits, int pipe_end) {
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, 0);
     limit(RLIMIT_CPU, rlim_t(limits.processor_seconds));
-    if (kLimitMemory) limit(RLIMIT_AS, address_space_in_use() + limits.memory_bytes);
+    limit_more_memory(limits.memory_bytes);
     const int nowhere = ::open("/dev/null", O_RDWR);
     for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, standard);
     for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT, SIGPIPE, SIGSYS})

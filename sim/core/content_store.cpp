@@ -27,15 +27,16 @@ struct Entry {
     std::uint64_t bytes = 0;
 };
 
-std::vector<Entry> entries_of(const Path& folder) {
+std::vector<Entry> stored_in(const Path& folder) {
     std::vector<Entry> entries;
     std::error_code error;
-    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-        if (at->path().extension() != kExtension) continue;
-        std::error_code gone;  // another process may have removed it
-        const std::uint64_t bytes = at->file_size(gone);
-        const auto used = at->last_write_time(gone);
-        if (!gone) entries.push_back({at->path(), used, bytes});
+    for (const Path& path : entries_of(folder, error)) {
+        if (path.extension() != kExtension) continue;
+        std::error_code error_of_entry;  // another process may have removed it
+        const std::uint64_t bytes = std::filesystem::file_size(path, error_of_entry);
+        if (error_of_entry) continue;
+        const auto used = std::filesystem::last_write_time(path, error_of_entry);
+        if (!error_of_entry) entries.push_back({path, used, bytes});
     }
     return entries;
 }
@@ -90,7 +91,7 @@ void ContentStore::keep(std::string_view kind, std::string_view made_from, std::
 }
 
 void ContentStore::make_room() const {
-    std::vector<Entry> entries = entries_of(folder_);
+    std::vector<Entry> entries = stored_in(folder_);
     std::uint64_t total = 0;
     for (const Entry& entry : entries) total += entry.bytes;
     if (total <= most_bytes_) return;

@@ -87,6 +87,7 @@ Range bust_range(const Stature& stature, const std::optional<double>& armpit) {
 Range hip_range(const Stature& stature) {
     return {stature.floor + 0.47 * stature.height(), stature.floor + 0.56 * stature.height()};
 }
+
 // Square to the line from a limb's first joint to its second.
 std::optional<MeasuredPart> limb_at(const Body& body, const Limb& limb, double position) {
     if (!limb.is_found || limb.joints.size() < 2) return std::nullopt;
