@@ -260,8 +260,17 @@ void store_query_at(const ContactBlock& result, std::size_t at, const ContactLim
     samples.height[at] = height;
 }
 
-// For a block in turn. All samples query the collider at once; those that the previous ones have moved since query
-// again.
+// The block with this slot alone near anything: a collider is done with the others at once.
+ContactBlock alone(const ContactBlock& block, std::size_t at) {
+    constexpr float kNowhere = 1e6F;  // m
+    ContactBlock one;
+    for (std::size_t i = 0; i < kContactLanes; ++i)
+        one.set_point(i, i == at ? block.point(at) : Vec3f(Vec3f::Constant(kNowhere)));
+    return one;
+}
+
+// For a block in turn. All samples query the collider at once; each that the previous ones have moved since queries
+// again, alone.
 void meet_in_turn(SolverState& solver, SampleBlock& samples, const Kernels& loops, const Collider& body,
                   const ContactLimits& limits) {
     ContactBlock now, found;
@@ -271,8 +280,11 @@ void meet_in_turn(SolverState& solver, SampleBlock& samples, const Kernels& loop
         if (at == kBlock) return;
         loops.locate_samples(samples, floats(solver.points), now);
         if (!has_found || now.point(at) != found.point(at)) {
-            found = now;
-            query(solver, samples, found, body, limits.offset + kPlaneReach);
+            ContactBlock block = has_found ? alone(now, at) : now;
+            query(solver, samples, block, body, limits.offset + kPlaneReach);
+            if (!has_found) found = block;
+            found.set_point(at, block.point(at));
+            found.set(at, {block.distance[at], {block.nx[at], block.ny[at], block.nz[at]}});
             has_found = true;
         }
         store_query_at(found, at, limits, samples);

@@ -22,10 +22,17 @@ float deepest_in_box(const SurfaceBvh& surface, const Vec3f& p) {
 }  // namespace
 
 JointedCollider::JointedCollider(Body trunk, const std::vector<BodyPiece>& pieces,
-                                 const std::function<void()>& interrupt)
-    : trunk_body_(std::move(trunk)), trunk_(trunk_body_, {}, interrupt) {
+                                 const std::function<void()>& interrupt, const ContentStore* store)
+    : trunk_body_(std::move(trunk)), trunk_(trunk_body_, {}, interrupt, store) {
     for (const BodyPiece& piece : pieces)
         pieces_.push_back({SurfaceBvh(piece.surface), piece.joint.cast<float>(), Eigen::Quaternionf::Identity()});
+}
+
+void JointedCollider::reshape(std::size_t piece, std::span<const Vec3f> points) {
+    SurfaceBvh& surface = pieces_[piece].surface;
+    surface.sweep_to(points);
+    surface.arrive();
+    surface.sweep_to(points);  // its boxes then hold only where it is
 }
 
 float JointedCollider::distance_to_piece(std::size_t piece, const Vec3f& p, float reach) const {

@@ -1,6 +1,7 @@
 #pragma once
 // Collider of a body that is taken apart: a fixed trunk, and limbs as pieces. Each limb can be left out, turned about
 // the joint at which it was cut off, or given another shape. Its contacts are those of the union of all parts.
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -13,6 +14,8 @@
 
 namespace selvedge::sim {
 
+class ContentStore;
+
 // A closed surface, in the frame of the body, that turns about its joint.
 struct BodyPiece {
     Body surface;
@@ -21,13 +24,14 @@ struct BodyPiece {
 
 class JointedCollider final : public Collider {
  public:
-    // Pre: the surfaces are closed. interrupt: see DistanceField.
-    JointedCollider(Body trunk, const std::vector<BodyPiece>& pieces, const std::function<void()>& interrupt = {});
+    // Pre: the surfaces are closed. interrupt, store: see BodyCollider.
+    JointedCollider(Body trunk, const std::vector<BodyPiece>& pieces, const std::function<void()>& interrupt = {},
+                    const ContentStore* store = nullptr);
 
     // Turns a piece from where the body has it. After it the contact caches of cloths are invalid (forget_contacts).
     void turn(std::size_t piece, const Eigen::Quaternionf& turn) { pieces_[piece].turn = turn; }
-    // Replaces the surface of a piece, which is closed. The same holds for contact caches.
-    void reshape(std::size_t piece, const Body& surface) { pieces_[piece].surface = SurfaceBvh(surface); }
+    // Moves the vertices of a piece to these points (m), as many as it has. The same holds for contact caches.
+    void reshape(std::size_t piece, std::span<const Vec3f> points);
 
     // The signed distance from a piece as it is turned, m; at most `reach` is exact, and more is returned as `reach`.
     float distance_to_piece(std::size_t piece, const Vec3f& p, float reach) const;

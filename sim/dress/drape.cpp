@@ -53,9 +53,18 @@ bool DrapeRun::advance(Cloth& cloth, const Collider& body) {
 void DrapeRun::reactivate(Cloth& cloth) {
     if (phase_ == DrapePhase::Relax || result_.bad_vertex) return;
     if (cloth.substep != usual_substep_) set_substep(cloth, usual_substep_);
-    result_.settled = false;
+    result_.settled = result_.was_given_up = false;
     fraction_ = 0;
     begin_fall();
+}
+
+void DrapeRun::give_up(Cloth& cloth) {
+    result_.was_given_up = true;
+    end_fall(cloth);
+}
+
+bool DrapeRun::hangs_calmly() const {
+    return phase_ == DrapePhase::Fall && lowered_ >= options_.lowering_time && result_.rms_speed < options_.calm_speed;
 }
 
 void DrapeRun::clear_times() {
@@ -94,6 +103,7 @@ void DrapeRun::end(Cloth& cloth) {
     phase_ = DrapePhase::Done;
     if (cloth.substep != usual_substep_) set_substep(cloth, usual_substep_);
     result_.stopped_because = result_.settled ? "settled" : "time limit";
+    if (result_.was_given_up) result_.stopped_because = "too small";
     if (result_.bad_vertex) result_.stopped_because = "bad number";
 }
 
@@ -130,10 +140,16 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     may_rejoin_ = result_.rms_speed >= options_.calm_speed;
     learning_rate_scale_ = std::min(1.0F, result_.rms_speed / options_.calm_speed);
     const bool rests = is_lowered && lowered_floor_ <= 0 && result_.rms_speed < options_.rest_speed;
-    at_rest_ = rests ? at_rest_ + frame_seconds(cloth, stepping) : 0;
+    at_rest_ = rests ? at_rest_ + rest_weight() * frame_seconds(cloth, stepping) : 0;
     lowered_ += frame_seconds(cloth, stepping);
     const double end = options_.max_seconds - options_.finish_time;
     fraction_ = std::max({fraction_, result_.simulated_seconds / end, at_rest_ / options_.rest_time});
+}
+
+// What moves slower need not be watched for as long, to be as sure that it will not go far.
+double DrapeRun::rest_weight() const {
+    const double most = options_.rest_time / options_.least_rest_time;
+    return std::min(most, static_cast<double>(options_.rest_speed) / std::max(1e-9, static_cast<double>(result_.rms_speed)));
 }
 
 // Single triangles where much cloth meets, as under an arm, stay stretched by up to 20 % however long the fall lasts:

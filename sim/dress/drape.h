@@ -19,7 +19,8 @@ struct DrapeOptions {
     float calm_speed = 0.05F;             // m/s, mass-weighted rms: below it edges do not rejoin
     float damping_growth = 4;             // 1/s per simulated second of the fall, so that it comes to rest
     float rest_speed = 0.01F;             // m/s, mass-weighted rms: below it the garment is at rest
-    double rest_time = 1.0;               // s for which it must stay at rest
+    double rest_time = 1.0;               // s for which it must stay at rest at just below that speed ...
+    double least_rest_time = 0.2;         // s ... and the slower, the shorter, down to this
     double relax_time = 0.6;              // s without gravity and friction, at the start
     double coarse_time = 0.2;             // s of relax_time at level 0
     double lowering_time = 1;             // s after relax_time, if any, in which gravity grows to its full value
@@ -39,6 +40,7 @@ struct DrapeOptions {
 
 struct DrapeResult {
     bool settled = false;
+    bool was_given_up = false;  // by give_up()
     std::string stopped_because;
     std::optional<VertexId> bad_vertex;
     float rms_speed = 0;  // m/s at the end; `settled` is determined before the final phase
@@ -70,6 +72,12 @@ class DrapeRun {
     // Restarts the fall from the current state. No effect in phase Relax or after a bad number.
     void reactivate(Cloth& cloth);
 
+    // Ends the fall of a garment that is too small for the body: it would crumple and stretch without coming to rest.
+    // Pre: phase() is Fall.
+    void give_up(Cloth& cloth);
+    // Whether the fall has its full weight and speeds are low: what the cloth shows now, it will show later.
+    bool hangs_calmly() const;
+
     DrapePhase phase() const { return phase_; }
     double fraction() const { return fraction_; }
     const DrapeResult& result() const { return result_; }
@@ -89,6 +97,7 @@ class DrapeRun {
     void end_fall(Cloth& cloth);
     void end(Cloth& cloth);
     bool finishes() const;
+    double rest_weight() const;
     void project(Cloth& cloth, const Collider& body, const StepOptions& stepping);
     void update_contacts_between_frames(Cloth& cloth, const Collider& body, const StepOptions& stepping);
     void adapt_once(Cloth& cloth, const Collider& body, const AdaptClothOptions& adapting);
@@ -105,7 +114,7 @@ class DrapeRun {
     double relaxed_ = 0;             // s
     double lowered_ = 0;             // s, of the fall
     double phase_start_ = 0;         // s, of simulated time
-    double at_rest_ = 0;             // s
+    double at_rest_ = 0;             // s, weighted
     double fraction_ = 0;            // 0..1
     bool may_rejoin_ = true;         // it still moves fast enough
     float learning_rate_scale_ = 1;  // of the biases of stretch and shear

@@ -74,6 +74,24 @@ void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phas
     }
 }
 
+// Runs the fall to its end. A garment that is too small for the body at two tests is not waited for: it crumples and
+// stretches without coming to rest, and no test later finds anything else.
+void finish_fall(Dressing& dressing, const Progress& progress) {
+    constexpr double kBetweenTests = 0.25;  // s of simulated time: a test takes as long as two or three frames
+    double next_test = 0;                   // s
+    bool was_too_small = false;
+    while (dressing.stage() == DressingStage::Fall) {
+        dressing.advance();
+        if (dressing.stage() != DressingStage::Fall) return;
+        report(progress, "draping", dressing.fraction());
+        if (!dressing.hangs_calmly() || dressing.simulated_seconds() < next_test) continue;
+        next_test = dressing.simulated_seconds() + kBetweenTests;
+        const bool is_small = is_too_small(*dressing.cloth(), *dressing.body());
+        if (is_small && was_too_small) dressing.give_up();
+        was_too_small = is_small;
+    }
+}
+
 // Fills in the report's faults and fit. body: in the pose in which the collider has it.
 void inspect(DressedGarment& dressed, Dressing& dressing, const Body& body, const BodyCollider& collider,
              const DrapeResult& result) {
@@ -123,7 +141,7 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
 
     selvedge::sim::report(progress, "draping", 0);
     finish_stage(dressing, DressingStage::Relax, "draping", progress);
-    finish_stage(dressing, DressingStage::Fall, "draping", progress);
+    finish_fall(dressing, progress);
     selvedge::sim::report(progress, "draping", 1);
     Cloth& cloth = dressed.cloth.emplace(*dressing.cloth());
     DrapeResult result = dressing.result();

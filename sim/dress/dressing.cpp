@@ -136,12 +136,12 @@ void Dressing::sew() {
 
 void Dressing::begin_sewing(std::optional<WornGarments> worn) {
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
-    SewingOptions options{.gravity = drape_options(options_).gravity, .interrupt = interrupt_};
+    SewingOptions options{.gravity = drape_options(options_).gravity, .interrupt = interrupt_, .store = store_};
     if (options_.self_collision) options.self_contact.emplace();
     GarmentSewing sewing(
         std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),
         [this](const GarmentMesh& next, const GarmentMesh& all) {
-            return LimbsAside::plan(next, all, anchored(), *body_, interrupt_);
+            return LimbsAside::plan(next, all, anchored(), *body_, interrupt_, store_);
         },
         std::move(worn));
     clear();

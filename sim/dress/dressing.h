@@ -119,6 +119,8 @@ class Dressing {
     const std::vector<OpenSeam>& open_seams() const { return drape_->open; }  // that did not close, ascending
     const DrapeResult& result() const { return drape_->run->result(); }
     void clear_times() { drape_->run->clear_times(); }  // see DrapeRun
+    bool hangs_calmly() const { return drape_ && drape_->run->hangs_calmly(); }
+    void give_up() { drape_->run->give_up(drape_->cloth); }  // Pre: hangs_calmly()
     double simulated_seconds() const;                   // since sewing began
 
     // Dragging and pinning of the cloth that hangs. Each returns whether anything has changed: false at other stages,

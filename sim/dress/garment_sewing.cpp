@@ -149,7 +149,7 @@ bool GarmentSewing::advance_run(const BodyCollider& body) {
 // Starts the run again, from where the panels were placed, if it closed seams through limbs.
 bool GarmentSewing::sew_round_thin_limbs(const BodyCollider& body) {
     if (limbs_aside_ || thin_limbs_ || run_->has_bad_number()) return false;
-    thin_limbs_ = ThinLimbs::plan(*run_, body, options_.interrupt);
+    thin_limbs_ = ThinLimbs::plan(*run_, body, options_.interrupt, options_.store);
     if (!thin_limbs_) return false;
     GarmentMesh unsewn = run_->unsewn();
     SewingOptions options = options_;

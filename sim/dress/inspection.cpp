@@ -200,12 +200,25 @@ void validate_fit(const std::vector<TightLevel>& tight, const Body& body, DressR
 }
 
 void validate_rest(const DrapeResult& draped, DressReport& report) {
-    if (!draped.settled) {
+    const auto does_not_fit = [](const DressFault& fault) { return class_of(fault) == FaultClass::DoesNotFit; };
+    if (draped.was_given_up && std::ranges::any_of(report.faults, does_not_fit)) {
+        report.notes.emplace_back("its fall was ended early, because it is too small for the body");
+    } else if (!draped.settled) {
         add_fault(report, "not_settled", "whole garment, rms speed in m/s", draped.rms_speed);
     } else if (draped.rms_speed > DrapeOptions{}.rest_speed) {
         const long speed = std::lround(1000 * draped.rms_speed);
         report.notes.push_back("had settled, but moves by " + std::to_string(speed) + " mm/s in finer sub-steps");
     }
+}
+
+bool is_within_limit(const TightLevel& level) {
+    return shortfall(level) == 0 || level.limit_girth >= level.body_girth;
+}
+
+FitOptions fit_options(const Cloth& cloth) {
+    FitOptions fit;
+    for (const Fabric& fabric : cloth.material.fabrics) fit.strain_limits.push_back(fabric.strain_limit);
+    return fit;
 }
 
 // Stretch is a fault beyond the fabric's limit and what the garment's tightness explains.
@@ -214,8 +227,7 @@ void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& patte
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
     if (strains.empty()) return;
     report.stretch = stretch_statistics(strains);
-    FitOptions fit;
-    for (const Fabric& fabric : cloth.material.fabrics) fit.strain_limits.push_back(fabric.strain_limit);
+    const FitOptions fit = fit_options(cloth);
     const std::vector<TightLevel> tight = tight_levels(draw_mesh(cloth, {}), body, fit);
     validate_fit(tight, body, report);
     std::vector<TriangleStrain> unexplained;
@@ -251,6 +263,10 @@ void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& patte
     }
     validate_rest(draped, report);
     validate_mesh(cloth, report);
+}
+
+bool is_too_small(const Cloth& cloth, const Body& body) {
+    return !std::ranges::all_of(tight_levels(draw_mesh(cloth, {}), body, fit_options(cloth)), is_within_limit);
 }
 
 std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId vertex) {

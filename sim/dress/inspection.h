@@ -27,6 +27,9 @@ void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& patte
               std::span<const OpenSeam> open_seams, const DrapeResult& draped, DressReport& report,
               const FaultLimits& limits = {});
 
+// Whether cloth that hangs is smaller than what it encloses of the body, though it were stretched to its limit.
+bool is_too_small(const Cloth& cloth, const Body& body);
+
 // Position for the user, for example "'front' beside 'left_sleeve' at x 0.123 y 1.340 z 0.051 m".
 std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId vertex);
 

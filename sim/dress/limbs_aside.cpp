@@ -29,7 +29,8 @@ LimbsAside::LimbsAside(std::unique_ptr<JointedCollider> collider, std::vector<bo
 
 std::unique_ptr<LimbsAside> LimbsAside::plan(const GarmentMesh& unsewn, const GarmentMesh& sewing,
                                              const Pattern& pattern, const Body& body,
-                                             const std::function<void()>& interrupt) {
+                                             const std::function<void()>& interrupt,
+                                             const ContentStore* store) {
     const BodyLimbs limbs = find_limbs(body);
     if (limbs.torso.empty()) return nullptr;
     const std::vector<bool> panels = panels_without_arms(unsewn, pattern, limbs);
@@ -43,7 +44,7 @@ std::unique_ptr<LimbsAside> LimbsAside::plan(const GarmentMesh& unsewn, const Ga
     }
     auto collider = std::make_unique<JointedCollider>(
         std::move(parts.trunk), std::vector{std::move(parts.limbs[0].piece), std::move(parts.limbs[1].piece)},
-        interrupt);
+        interrupt, store);
     return std::unique_ptr<LimbsAside>(new LimbsAside(std::move(collider), std::move(is_below)));
 }
 

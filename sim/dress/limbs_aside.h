@@ -16,13 +16,16 @@
 
 namespace selvedge::sim {
 
+class ContentStore;
+
 class LimbsAside {
  public:
     // Null if no seam of these panels, unsewn and as placed, would close round an arm, or the body's arms were not
-    // found. `sewing`: the mesh of the run, which may have other panels too. interrupt: see DistanceField.
+    // found. `sewing`: the mesh of the run, which may have other panels too. interrupt, store: see BodyCollider.
     static std::unique_ptr<LimbsAside> plan(const GarmentMesh& unsewn, const GarmentMesh& sewing,
                                             const Pattern& pattern, const Body& body,
-                                            const std::function<void()>& interrupt = {});
+                                            const std::function<void()>& interrupt = {},
+                                            const ContentStore* store = nullptr);
 
     // One step of the run, which closes the seams first. Returns false when the arms are where the body has them.
     // Pre: the run is of the planned mesh; no call returned false.

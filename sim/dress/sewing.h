@@ -14,6 +14,8 @@
 
 namespace selvedge::sim {
 
+class ContentStore;
+
 struct SewingOptions {
     float closing_speed = 0.6F;  // m/s, rate at which the allowed gap shrinks
     float closed_gap = 0.006F;   // m, a shorter link is closed: two contact offsets may lie between its ends
@@ -24,6 +26,7 @@ struct SewingOptions {
     ContactOptions contact{};
     std::optional<SelfContactOptions> self_contact{};  // none: panels pass through each other
     std::function<void()> interrupt{};                 // called during long preparations: see DistanceField
+    const ContentStore* store = nullptr;               // for their results: see BodyCollider
 };
 
 struct OpenSeam {

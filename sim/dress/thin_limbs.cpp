@@ -62,7 +62,8 @@ ThinLimbs::ThinLimbs(std::unique_ptr<JointedCollider> collider, std::vector<Shap
 }
 
 std::unique_ptr<ThinLimbs> ThinLimbs::plan(const SewingRun& done, const BodyCollider& body,
-                                           const std::function<void()>& interrupt) {
+                                           const std::function<void()>& interrupt,
+                                             const ContentStore* store) {
     const std::vector<Vec3f> faults = find_faults(done, body.surface());
     if (faults.empty()) return nullptr;
     const BodyLimbs limbs = find_limbs(body.body());
@@ -75,7 +76,7 @@ std::unique_ptr<ThinLimbs> ThinLimbs::plan(const SewingRun& done, const BodyColl
         shapes.push_back({limb.piece.surface, bend_limb(limb, limbs, way_out(closed, limb, limbs), kThin).x});
     std::vector<BodyPiece> pieces;
     for (const LimbPiece& limb : parts.limbs) pieces.push_back(limb.piece);
-    auto collider = std::make_unique<JointedCollider>(std::move(parts.trunk), pieces, interrupt);
+    auto collider = std::make_unique<JointedCollider>(std::move(parts.trunk), pieces, interrupt, store);
     return std::unique_ptr<ThinLimbs>(new ThinLimbs(std::move(collider), std::move(shapes)));
 }
 
@@ -108,9 +109,10 @@ bool ThinLimbs::advance(SewingRun& sewing) {
 // 0: thin; 1: as the body has them.
 void ThinLimbs::grow(double share) {
     for (std::size_t i = 0; i < limbs_.size(); ++i) {
-        Body now = limbs_[i].full;
-        for (std::size_t v = 0; v < now.x.size(); ++v)
-            now.x[v] = limbs_[i].thin[v] + share * (limbs_[i].full.x[v] - limbs_[i].thin[v]);
+        std::vector<Vec3f> now;
+        now.reserve(limbs_[i].thin.size());
+        for (std::size_t v = 0; v < limbs_[i].thin.size(); ++v)
+            now.emplace_back((limbs_[i].thin[v] + share * (limbs_[i].full.x[v] - limbs_[i].thin[v])).cast<float>());
         collider_->reshape(i, now);
     }
 }

@@ -21,6 +21,12 @@ JointedCollider cube_with_bar() {
             {{.surface = shapes::box(Vec3d(0.1, -0.02, -0.02), Vec3d(0.5, 0.02, 0.02), 4), .joint = Vec3d(0.1, 0, 0)}}};
 }
 
+std::vector<Vec3f> points_of(const Body& body) {
+    std::vector<Vec3f> points;
+    for (const Vec3d& x : body.x) points.push_back(x.cast<float>());
+    return points;
+}
+
 TEST(JointedCollider, is_the_union_of_its_parts) {
     const JointedCollider body = cube_with_bar();
     EXPECT_NEAR(body.contact({-0.11F, 0, 0}).distance, 0.01F, kError);
@@ -45,14 +51,14 @@ TEST(JointedCollider, turns_a_piece_about_its_joint) {
 
 TEST(JointedCollider, gives_a_piece_another_shape) {
     JointedCollider body = cube_with_bar();
-    body.reshape(0, shapes::box(Vec3d(0.1, -0.05, -0.05), Vec3d(0.4, 0.05, 0.05), 4));
+    body.reshape(0, points_of(shapes::box(Vec3d(0.1, -0.05, -0.05), Vec3d(0.4, 0.05, 0.05), 4)));
     EXPECT_NEAR(body.contact({0.3F, 0.06F, 0}).distance, 0.01F, 1e-5F);
     EXPECT_GE(body.contact({0.5F, 0, 0}).distance, body.band());
 }
 
 TEST(JointedCollider, knows_how_deep_a_point_is_in_a_thick_piece) {
     JointedCollider body = cube_with_bar();
-    body.reshape(0, shapes::box(Vec3d(0.05, -0.09, -0.09), Vec3d(0.5, 0.09, 0.09), 4));
+    body.reshape(0, points_of(shapes::box(Vec3d(0.05, -0.09, -0.09), Vec3d(0.5, 0.09, 0.09), 4)));
     EXPECT_NEAR(body.contact({0.3F, 0, 0}).distance, -0.09F, 1e-5F);
     EXPECT_NEAR(body.contact({0.105F, 0, 0}).distance, -0.055F, 1e-5F) << "near the trunk";
     ContactBlock block;
