@@ -14,6 +14,7 @@
 #include "sim/core/error.h"
 #include "sim/dress/dressing.h"
 #include "sim/dress/report.h"
+#include "sim/pattern/limits.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::app {
@@ -36,7 +37,7 @@ struct Limits {
 };
 
 // Of options of dress, in the units of the command line.
-inline constexpr Limits<double> kEdgeLengthsCm{0.5, 50};
+inline constexpr Limits<double> kEdgeLengthsCm{sim::kShortestMeshEdge * 100, sim::kLongestMeshEdge * 100};
 inline constexpr Limits<int> kLevels{0, 8};  // with the shortest edge 0.1 cm: to 1 mm
 inline constexpr Limits<double> kShortestEdgesCm{0.1, 50};
 inline constexpr Limits<int> kTriangleBudgets{100, 10'000'000};

@@ -71,7 +71,7 @@ add_custom_target(selvedge_modules)  # all of them
 
 # selvedge_module([USES folder ...] [LINK target ...] [PRIVATE_LINK target ...])
 # makes a library of all sources and headers in this folder. Each header must compile alone. For one that has a source of
-# its name, the preset clang shows it: the source includes it first (tests/style) and nothing is precompiled. The others
+# its name, the preset asan shows it: the source includes it first (tests/style) and nothing is precompiled. The others
 # are compiled by the target all_verify_interface_header_sets.
 function(selvedge_module)
   cmake_parse_arguments(ARG "" "" "USES;LINK;PRIVATE_LINK" ${ARGN})

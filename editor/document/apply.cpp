@@ -14,6 +14,7 @@
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/fabric_file.h"
 #include "sim/pattern/garments.h"
+#include "sim/pattern/limits.h"
 #include "sim/pattern/pattern.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/tartan/match.h"
@@ -196,10 +197,8 @@ Outcome run(sim::Pattern& pattern, const SetBody& command) {
 }
 
 Outcome run(sim::Pattern& pattern, const SetEdgeLength& command) {
-    constexpr double kShortest = 0.005, kLongest = 0.5;  // m, same limits as in pattern files
-    if (command.length && !(*command.length >= kShortest && *command.length <= kLongest)) {
-        throw GeometryError("A mesh has edges of 0.5 to 50 cm");
-    }
+    if (command.length && !(*command.length >= sim::kShortestMeshEdge && *command.length <= sim::kLongestMeshEdge))
+        throw GeometryError(std::string("A mesh has edges of ") + sim::kMeshEdgesText);
     pattern.edge_length = command.length;
     return {};
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The largest values that a panel may have. The reader of pattern files and the editor share them, so that whatever the
+// The largest values that a pattern and its panels may have. The reader of pattern files and the editor share them, so that whatever the
 // editor makes can be opened again.
 #include <string>
 #include <vector>
@@ -16,6 +16,10 @@ struct LimitFault {
 // The values of the panel that are too large or not finite, but for those of its outline (read_outline() in
 // sim/pattern/pattern_read.h, check_edit() in editor/geometry/draft.h).
 std::vector<LimitFault> limit_faults(const Panel& panel);
+
+// Edge lengths of a base mesh, m. Fewer than two of the longest ones cannot go round a leg, of 55 cm.
+inline constexpr double kShortestMeshEdge = 0.005, kLongestMeshEdge = 0.3;
+inline constexpr const char* kMeshEdgesText = "0.5 to 30 cm";
 
 // The problem of a layer beyond kHighestLayer, as text.
 std::string layer_problem();

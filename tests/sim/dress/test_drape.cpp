@@ -41,7 +41,11 @@ SewingResult sew_on_body(const GarmentMesh& unsewn, const std::vector<Fabric>& f
 
 // Falls until max_seconds, without settling.
 DrapeOptions endless() {
-    return {.max_seconds = 1e6, .rest_time = 1e6, .relax_time = 0.1, .coarse_time = 0, .may_rest = true};
+    return {.max_seconds = 1e6,
+            .rest_time = std::numeric_limits<double>::infinity(),
+            .relax_time = 0.1,
+            .coarse_time = 0,
+            .may_rest = true};
 }
 
 TEST(DrapeRun, a_cloth_at_rest_is_neither_adapted_nor_stepped) {
@@ -68,6 +72,36 @@ TEST(DrapeRun, rests_only_where_that_is_asked_for) {
     for (int frame = 0; frame < 300; ++frame) run.advance(cloth, ball());
     EXPECT_FALSE(is_at_rest(cloth));
     EXPECT_EQ(run.result().adaptation_ms.size(), 300U);
+}
+
+// The time at which a square that hangs by its upper edge, with nothing to move it, is known to be at rest, s.
+double seconds_to_rest(double least_rest_time) {
+    GarmentMesh mesh = bench::make_square({.columns = 4, .rows = 4, .width = 0.2, .depth = 0.2, .height = 1});
+    for (std::size_t v = 0; v < mesh.x.size(); ++v) mesh.pins.push_back(static_cast<int>(v));
+    Cloth cloth = make_cloth(mesh, {find_fabric("cotton_shirting")}, {.max_level = 1});
+    DrapeRun run(cloth, {.least_rest_time = least_rest_time, .relax_time = 0.1, .coarse_time = 0, .finish_time = 0});
+    while (run.advance(cloth, NoBody())) continue;
+    EXPECT_TRUE(run.result().settled);
+    return run.result().simulated_seconds;
+}
+
+TEST(DrapeRun, what_hardly_moves_is_watched_for_less_time) {
+    EXPECT_NEAR(seconds_to_rest(0.2) - seconds_to_rest(1.0), -0.8, 0.05);
+}
+
+TEST(DrapeRun, gives_up_a_garment_that_hangs_calmly) {
+    Cloth cloth = cloth_above_the_ball();
+    DrapeRun run(cloth, {.relax_time = 0.1, .coarse_time = 0});
+    EXPECT_FALSE(run.hangs_calmly());
+    while (!run.hangs_calmly()) ASSERT_TRUE(run.advance(cloth, ball()));
+    const double seconds = run.result().simulated_seconds;
+    run.give_up(cloth);
+    EXPECT_FALSE(run.hangs_calmly());
+    while (run.advance(cloth, ball())) continue;
+    EXPECT_TRUE(run.result().was_given_up);
+    EXPECT_FALSE(run.result().settled);
+    EXPECT_EQ(run.result().stopped_because, "too small");
+    EXPECT_LE(run.result().simulated_seconds, seconds + 3 * DrapeOptions{}.finish_time + 0.1);
 }
 
 // A ball with bumps of 4 mm, each as wide as a triangle of the cloth.

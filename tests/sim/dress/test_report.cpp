@@ -388,7 +388,7 @@ class ValidateTube : public testing::Test {
         return body;
     }
 
-    static DressReport report_on(double girth, double strain) {
+    static Cloth cloth_on(double girth, double strain) {
         const Pattern pattern = tube(girth / 2, kHeight, 0.8, 0.3);
         GarmentMesh mesh = assemble(pattern, {.target_edge = 0.03});
         const double radius = (1 + strain) * girth / (2 * std::numbers::pi);
@@ -397,10 +397,19 @@ class ValidateTube : public testing::Test {
             x = {radius * std::sin(angle), x.y(), radius * std::cos(angle)};
         }
         merge_seams(mesh);
-        const Body body = post();
-        const Cloth cloth = make_cloth(mesh, {Fabric{}, Fabric{}});
+        return make_cloth(mesh, {Fabric{}, Fabric{}});
+    }
+
+    static DrapeResult settled() {
         DrapeResult draped;
         draped.settled = true;
+        return draped;
+    }
+
+    static DressReport report_on(double girth, double strain, const DrapeResult& draped = settled()) {
+        const Pattern pattern = tube(girth / 2, kHeight, 0.8, 0.3);
+        const Body body = post();
+        const Cloth cloth = cloth_on(girth, strain);
         DressReport report;
         validate(cloth, BodyCollider(body, {.cell = 0.006F, .band = 0.024F}), pattern, {}, draped, report);
         return report;
@@ -432,6 +441,21 @@ TEST_F(ValidateTube, says_by_how_much_and_where_a_garment_is_too_small) {
     EXPECT_NE(fault.place.find("too small at the "), std::string::npos) << fault.place;
     EXPECT_NE(fault.place.find(" m) by 10."), std::string::npos) << fault.place;
     EXPECT_EQ(count(report, "overstretched"), 0) << "0.1 m of 0.6 m explain 17 %";
+}
+
+TEST_F(ValidateTube, knows_what_no_drape_makes_fit) {
+    EXPECT_TRUE(is_too_small(cloth_on(kGirth - 0.1, 0.2), post()));
+    EXPECT_FALSE(is_too_small(cloth_on(kGirth / 1.02, 0.06), post())) << "2 % are within the fabric's limit";
+    EXPECT_FALSE(is_too_small(cloth_on(kGirth + 0.1, 0), post()));
+}
+
+TEST_F(ValidateTube, does_not_blame_the_drape_of_what_was_given_up_as_too_small) {
+    DrapeResult given_up;
+    given_up.was_given_up = true;
+    const DressReport small = report_on(kGirth - 0.1, 0.2, given_up);
+    EXPECT_EQ(count(small, "does_not_fit"), 1);
+    EXPECT_EQ(count(small, "not_settled"), 0);
+    EXPECT_EQ(count(report_on(kGirth + 0.1, 0, given_up), "not_settled"), 1) << "it was given up without a reason";
 }
 
 TEST_F(ValidateTube, does_not_call_a_garment_without_ease_too_small) {
