@@ -135,6 +135,19 @@ std::optional<double> girth_round(const DrawMesh& garment, const MeasuredPart& p
     return girth;
 }
 
+// Where the trunk is narrowest; of a garment that hangs lower, as a skirt does, at its upper edge, if that is above the
+// hips.
+std::optional<MeasuredPart> waist_of(const DrawMesh& garment, const Body& body, const Range& range, double stature) {
+    std::optional<MeasuredPart> narrowest = trunk_at(body, range.high, stature);
+    if (!narrowest || girth_round(garment, *narrowest)) return narrowest;
+    for (int i = 1; i <= kLevels; ++i) {
+        std::optional<MeasuredPart> lower =
+            trunk_at(body, range.high - (range.high - range.low) * i / kLevels, stature);
+        if (lower && girth_round(garment, *lower)) return lower;
+    }
+    return narrowest;
+}
+
 FitRow row_of(std::string_view measure, const std::optional<MeasuredPart>& part, const DrawMesh& garment) {
     FitRow row{.measure = measure};
     if (!part) return row;
@@ -155,8 +168,9 @@ std::vector<FitRow> measure_fit(const DrawMesh& garment, const Body& body) {
         rows.push_back(row_of(measure, part, garment));
     };
     add("bust", widest_of_trunk(body, bust_range(stature, find_landmarks(body).armpit), height));
-    add("waist", trunk_at(body, torso.waist, height));
-    add("hip", widest_of_trunk(body, hip_range(stature), height));
+    const Range hips = hip_range(stature);
+    add("waist", waist_of(garment, body, {std::min(hips.high, torso.waist), torso.waist}, height));
+    add("hip", widest_of_trunk(body, hips, height));
     add("neck", narrowest_of_neck(body, limbs[LimbKind::Head]));
     add("left_sleeve", limb_at(body, limbs[LimbKind::LeftArm], kSleevePosition));
     add("right_sleeve", limb_at(body, limbs[LimbKind::RightArm], kSleevePosition));

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "sim/body/landmarks.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/place/fit_table.h"
 #include "sim/place/limbs.h"
@@ -87,6 +88,18 @@ TEST(FitTable, measures_a_tube_round_the_trunk_in_its_cloth) {
     EXPECT_NEAR(waist.ease().value(), 0.9 - *waist.body_girth, 1e-6);
     EXPECT_FALSE(row(rows, "neck").garment_girth);
     EXPECT_FALSE(row(rows, "left_sleeve").garment_girth);
+}
+
+TEST(FitTable, the_waist_of_a_skirt_that_hangs_lower_is_at_its_upper_edge) {
+    const Body& body = mannequin();
+    const double height = find_stature(body).height(), waist = torso_heights(body, find_stature(body)).waist;
+    const DrawMesh skirt = tube({Vec3d(0, 0.4, 0), Vec3d(0, waist - 0.02 * height, 0), 0.25, 0.9});
+    const FitRow lower = row(measure_fit(skirt, body), "waist");
+    ASSERT_TRUE(lower.garment_girth.has_value());
+    EXPECT_NEAR(*lower.garment_girth, 0.9, 1e-6);
+    EXPECT_GT(*lower.body_girth, *row(measure_fit({}, body), "waist").body_girth);
+    const DrawMesh stocking = tube({Vec3d(0, 0.1, 0), Vec3d(0, 0.5 * height, 0), 0.25, 0.9});
+    EXPECT_FALSE(row(measure_fit(stocking, body), "waist").garment_girth.has_value());
 }
 
 TEST(FitTable, a_cape_round_the_arms_has_no_girth_of_the_trunk) {
