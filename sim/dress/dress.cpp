@@ -74,11 +74,10 @@ void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phas
     }
 }
 
-// Runs the fall to its end. A garment that is too small for the body at two tests is not waited for: it crumples and
-// stretches without coming to rest, and no test later finds anything else.
-void finish_fall(Dressing& dressing, const Progress& progress) {
-    constexpr double kBetweenTests = 0.25;  // s of simulated time: a test takes as long as two or three frames
-    double next_test = 0;                   // s
+// Runs the fall to its end, or until the garment was too small for the body at two tests.
+void fall_or_give_up(Dressing& dressing, const Progress& progress) {
+    constexpr double kBetweenTests = 0.5;  // s of simulated time, in which cloth that hangs calmly slides into place
+    double next_test = 0;                  // s
     bool was_too_small = false;
     while (dressing.stage() == DressingStage::Fall) {
         dressing.advance();
@@ -90,6 +89,17 @@ void finish_fall(Dressing& dressing, const Progress& progress) {
         if (is_small && was_too_small) dressing.give_up();
         was_too_small = is_small;
     }
+}
+
+// A garment that is too small is not waited for: it crumples and stretches without coming to rest. If the end shows
+// that it is not, it falls on.
+void finish_fall(Dressing& dressing, const Progress& progress) {
+    fall_or_give_up(dressing, progress);
+    const bool was_wrong = dressing.result().was_given_up && !dressing.result().bad_vertex &&
+                           !is_too_small(*dressing.cloth(), *dressing.body());
+    if (!was_wrong) return;
+    dressing.reactivate();
+    finish_stage(dressing, DressingStage::Fall, "draping", progress);
 }
 
 // Fills in the report's faults and fit. body: in the pose in which the collider has it.

@@ -121,7 +121,8 @@ class Dressing {
     void clear_times() { drape_->run->clear_times(); }  // see DrapeRun
     bool hangs_calmly() const { return drape_ && drape_->run->hangs_calmly(); }
     void give_up() { drape_->run->give_up(drape_->cloth); }  // Pre: hangs_calmly()
-    double simulated_seconds() const;                   // since sewing began
+    void reactivate();                                       // a drape at rest falls on
+    double simulated_seconds() const;                        // since sewing began
 
     // Dragging and pinning of the cloth that hangs. Each returns whether anything has changed: false at other stages,
     // if nothing is dragged or pinned, or the goal is the same.
@@ -160,7 +161,6 @@ class Dressing {
     void hang(Drape drape, double relax_time);
     void apply_options();
     void update_drag();
-    void reactivate();
     bool has_bad_number() const { return drape_ && drape_->run->result().bad_vertex; }
     std::vector<Fabric> fabrics() const;
     int deepest_level() const { return options_.deepest_level.value_or(options_.max_level); }
