@@ -92,7 +92,7 @@ TEST_F(DressCommand, the_report_has_every_key_that_scripts_rely_on) {
         {"seams", {"count", "open", "worst_length_mismatch"}},
         {"contact", {"inside", "deepest_m", "faces_in_body", "edges_in_body", "deepest_face_m", "deepest_face_at"}},
         {"stretch", {"warp_weft_p50", "warp_weft_p99", "warp_weft_max", "shear_deg_p99"}},
-        {"timing", {"wall_s", "ms_per_adaption", "ms_per_step", "ms_adapt_plus_4_steps", "phases", "peak_memory_mb"}}};
+        {"timing", {"wall_s", "ms_per_adaptation", "ms_per_step", "ms_adapt_plus_4_steps", "phases", "peak_memory_mb"}}};
     for (const auto& [group, keys] : groups) {
         ASSERT_NE(report.find(group), nullptr) << group;
         for (const std::string& key : keys) EXPECT_NE(report.find(group)->find(key), nullptr) << group << '.' << key;
