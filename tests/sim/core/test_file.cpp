@@ -185,7 +185,7 @@ bool refuse_fchmod() {
         {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ERRNO | EPERM},
         {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ALLOW},
     }};
-    const sock_fprog program{.len = code.size(), .filter = code.data()};
+    const sock_fprog program{.len = static_cast<unsigned short>(code.size()), .filter = code.data()};
     return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
            ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program, 0, 0) == 0;
 }
