@@ -45,6 +45,13 @@ bool is_own(const MotionChoice& motion, const sim::BodyClips& own) {
            });
 }
 
+// The file of a motion from elsewhere; empty if it ships.
+std::string file_of_motion(const std::string& name) {
+    for (const std::vector<std::string>& shipped : {sim::motion_names(), sim::pose_names()})
+        if (std::ranges::find(shipped, name) != shipped.end()) return {};
+    return name.ends_with(".json") ? name : sim::split_clip_name(name).first;
+}
+
 // A motion of the body's own file, or else one that ships or is in another file.
 sim::Clip choose_motion(const MotionChoice& motion, const sim::BodyClips& own, const std::string& source,
                         std::vector<std::string>& notes) {
@@ -80,8 +87,12 @@ Actor make_actor(const BodyOptions& body, const MotionChoice& motion) {
     if (own.body.skin.empty())
         throw sim::InputError(body.source, "skin", "is missing: a body moves by bones that its surface is bound to");
     sim::Clip clip = choose_motion(motion, own, body.source, notes);
-    const bool can_open_arms = is_own(motion, own) && !motion.opens_arms;
-    return {std::make_shared<const sim::Body>(std::move(own.body)), std::move(clip), std::move(notes), can_open_arms};
+    const bool is_of_body = is_own(motion, own);
+    return {.body = std::make_shared<const sim::Body>(std::move(own.body)),
+            .clip = std::move(clip),
+            .notes = std::move(notes),
+            .motion_file = is_of_body ? std::string() : file_of_motion(motion.name),
+            .can_open_arms = is_of_body && !motion.opens_arms};
 }
 
 }  // namespace selvedge::app

@@ -14,6 +14,7 @@ struct Actor {
     std::shared_ptr<const sim::Body> body;  // with bones and a skin
     sim::Clip clip;
     std::vector<std::string> notes;
+    std::string motion_file;     // empty: the motion ships, or is the body's own
     bool can_open_arms = false;  // the clip is the body's own, as it is: MotionChoice::opens_arms would change it
 };
 

@@ -318,7 +318,8 @@ int run(AnimateArguments arguments) {
     if (!arguments.report_file.empty())
         sim::write_file_atomically(
             arguments.report_file,
-            to_json(animation, actor.clip.name, report_inputs(arguments.garment, arguments.body, pattern)));
+            to_json(animation, actor.clip.name,
+                    report_inputs(arguments.garment, arguments.body, *arguments.picture.pattern, actor.motion_file)));
     bar.finish();
     if (!arguments.garment.is_quiet) print_summary(arguments, animation, actor);
     print_faults(animation.dress_report());

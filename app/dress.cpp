@@ -154,7 +154,7 @@ int dress_and_write(DressArguments& arguments, sim::DressReport& refused, const 
     fill_in(arguments.garment, arguments.body, arguments.picture, pattern);
     check_distinct(all_outputs(arguments), input_files(arguments.garment, arguments.body));
     refused.options = arguments.garment.dress;
-    refused.inputs = report_inputs(arguments.garment, arguments.body, pattern);
+    refused.inputs = report_inputs(arguments.garment, arguments.body, *arguments.picture.pattern);
     if (draws(arguments)) {
         check_can_draw(arguments.picture);
         arguments.picture.legend_font = read_legend_font();

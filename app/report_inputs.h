@@ -1,5 +1,6 @@
 #pragma once
 // The files that a garment is dressed from, with their hashes, for its report.
+#include <string>
 #include <vector>
 
 #include "app/garment_options.h"
@@ -9,9 +10,10 @@
 
 namespace selvedge::app {
 
-// In this order: the garment, those over it, the body, and the files of fabrics, tartans and pictures that the pattern
-// or the options name. What ships in the program is no file. Throws InputError if one cannot be read.
+// In this order: the garment, those over it, the body, the motion, and the files of fabrics and pictures. What ships in
+// the program is no file. shown: the pattern with the fabric and the design of the options, as fill_in() makes it.
+// motion: its file; empty: none. Throws InputError if one cannot be read.
 std::vector<sim::ReportInput> report_inputs(const GarmentOptions& options, const BodyOptions& body,
-                                            const sim::Pattern& pattern);
+                                            const sim::Pattern& shown, const std::string& motion = {});
 
 }  // namespace selvedge::app

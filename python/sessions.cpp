@@ -94,7 +94,8 @@ class CallerSession {
     }
 
     Frame frame() const { return {session_.frame()}; }
-    const WearingBody& body() const { return body_; }
+    // A copy, because set_body() replaces it while the caller may hold views of its arrays.
+    WearingBody body() const { return body_; }
 
  private:
     // A point of the newest frame.

@@ -14,8 +14,11 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -25,6 +28,7 @@
 #include "sim/body/system_call_filter.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/file_path.h"
 #include "sim/core/flat_bytes.h"
 #include "sim/core/process_memory.h"
 
@@ -353,6 +357,23 @@ void limit(decltype(RLIMIT_CPU) resource, rlim_t most) {
     ::setrlimit(resource, &values);
 }
 
+// From `first` to `last`. A kernel that lacks the call (before 5.9) lists what is open in /proc.
+void close_descriptors(int first, int last) {
+    if (first > last || ::close_range(unsigned(first), unsigned(last), 0) == 0) return;
+    std::error_code error;
+    for (const std::filesystem::path& entry : entries_of("/proc/self/fd", error)) {
+        const int descriptor = std::atoi(entry.filename().c_str());
+        if (descriptor >= first && descriptor <= last) ::close(descriptor);
+    }
+}
+
+// Of what the program has open, such as a document's journal or a connection, only the pipe and the standard streams
+// stay.
+void close_all_but(int pipe_end) {
+    close_descriptors(STDERR_FILENO + 1, pipe_end - 1);
+    close_descriptors(std::max(pipe_end, STDERR_FILENO) + 1, std::numeric_limits<int>::max());
+}
+
 void confine(const ChildLimits& limits, int pipe_end) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     limit(RLIMIT_CORE, 0);
@@ -363,6 +384,7 @@ void confine(const ChildLimits& limits, int pipe_end) {
     for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, standard);
     for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT, SIGPIPE, SIGSYS})
         ::signal(signal, SIG_DFL);
+    close_all_but(pipe_end);
     forbid_all_but_reading(pipe_end);
 }
 

@@ -106,11 +106,11 @@ struct ChildResult {
 };
 
 // The child is a fork without exec. It has a copy of this program's memory but only the calling thread, so `work` must
-// not start parallel loops or take locks that other threads of the program may hold. The C library resets the
-// allocator's locks. If another lock (of a locale or a stream) is held at the fork, the child blocks and ends as
-// TimedOut; the parent is never at risk. The child's standard output and error go to /dev/null. It may read files, and
-// ends as Forbidden if it writes one, opens a socket or starts a program (sim/body/system_call_filter.h), except where
-// the kernel has no such filters.
+// not start parallel loops or take locks that other threads of the program may hold; and none of the files and sockets
+// that this program has open, so `work` opens what it reads. The C library resets the allocator's locks. If another
+// lock (of a locale or a stream) is held at the fork, the child blocks and ends as TimedOut; the parent is never at
+// risk. The child's standard output and error go to /dev/null. It may read files, and ends as Forbidden if it writes
+// one, opens a socket or starts a program (sim/body/system_call_filter.h), except where the kernel has no such filters.
 ChildResult run_in_child(const std::function<std::string()>& work, const ChildLimits& limits = {});
 
 }  // namespace selvedge::sim

@@ -21,7 +21,7 @@ constexpr const char* kAllowed[] = {
     // to look for files
     "fstat", "stat", "lstat", "newfstatat", "statx", "access", "faccessat", "faccessat2", "readlink", "readlinkat",
     "getcwd",
-    // memory, without execution: see below
+    // memory, without execution and without writing to what others share: see below
     "munmap", "mremap", "madvise", "brk",
     // time, waiting, and the C library's and the sanitizers' own needs
     "clock_gettime", "clock_getres", "clock_nanosleep", "nanosleep", "gettimeofday", "time", "pause", "futex",
@@ -81,7 +81,11 @@ bool forbid_all_but_reading(int answer_end) {
     for (const int end : {answer_end, STDOUT_FILENO, STDERR_FILENO}) {
         for (const char* name : {"write", "writev"}) filter.allow(name, {equals(0, end)});
     }
-    for (const char* name : {"mmap", "mmap2", "mprotect"}) filter.allow(name, {has_none_of(2, PROT_EXEC)});
+    for (const char* name : {"mmap", "mmap2"}) {
+        filter.allow(name, {has_none_of(2, PROT_EXEC | PROT_WRITE)});
+        filter.allow(name, {has_none_of(2, PROT_EXEC), has_none_of(3, MAP_SHARED)});
+    }
+    filter.allow("mprotect", {has_none_of(2, PROT_EXEC)});
     for (const int command : {F_GETFD, F_GETFL}) filter.allow("fcntl", {equals(1, command)});
     filter.allow("prlimit64", {is_null(2)});          // to ask, not to set
     filter.allow("tgkill", {equals(0, ::getpid())});  // abort()

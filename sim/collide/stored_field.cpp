@@ -6,14 +6,18 @@
 #include <vector>
 
 #include "sim/core/flat_bytes.h"
+#include "sim/core/simd_level.h"
 
 namespace selvedge::sim {
 namespace {
 
 constexpr std::string_view kKind = "field";
 
+// The level of SIMD belongs to it, because plain kernels differ from the others by rounding. AVX2 and AVX-512 give
+// identical bits, so machines of both kinds share their fields.
 std::string made_from(const SurfaceBvh& bvh, const DistanceFieldOptions& options) {
     FlatWriter writer;
+    writer.value(simd_level() == SimdLevel::Plain);
     writer.value(options.cell);
     writer.value(options.band);
     writer.list(std::vector(bvh.points().begin(), bvh.points().end()));

@@ -37,17 +37,13 @@ std::string random_name() {
     return std::string(kPrefix) + digits.data() + std::string(kSuffix);
 }
 
-bool is_temporary_name(std::string_view name) {
-    if (name.size() != kPrefix.size() + kDigits + kSuffix.size()) return false;
-    if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) return false;
-    return name.substr(kPrefix.size(), kDigits).find_first_not_of("0123456789abcdef") == std::string_view::npos;
-}
-
 // Whether it is one of this user's, and no program that lives holds its lock. The age spares one that was made just now
 // and is not locked yet.
 bool is_left_behind(const std::filesystem::path& path) {
     constexpr double kLeastAge = 60;  // s
-    const int fd = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    constexpr int kFlags = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+    int fd = ::open(path.c_str(), O_RDWR | kFlags);            // NFS locks only what is open for writing
+    if (fd < 0) fd = ::open(path.c_str(), O_RDONLY | kFlags);  // it replaces a file that may only be read
     if (fd < 0) return false;
     struct stat status {};
     const bool is_old_and_ours = ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid() &&
@@ -76,6 +72,12 @@ bool can_link_descriptors() {
 
 }  // namespace
 
+bool is_temporary_name(std::string_view name) {
+    if (name.size() != kPrefix.size() + kDigits + kSuffix.size()) return false;
+    if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) return false;
+    return name.substr(kPrefix.size(), kDigits).find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
 AtomicFile::AtomicFile(const std::filesystem::path& path, TemporaryName name)
     : path_(path), target_(behind_links(path)) {
     std::error_code error;
@@ -94,46 +96,46 @@ AtomicFile::AtomicFile(const std::filesystem::path& path, TemporaryName name)
 void AtomicFile::open_temporary(TemporaryName name) {
     constexpr mode_t kMode = 0666;  // less the umask
     if (name == TemporaryName::None && can_link_descriptors())
-        fd_ = ::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kMode);
-    if (fd_ < 0) {
-        temporary_ = folder_of(target_) / random_name();
-        fd_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kMode);
-        if (fd_ < 0) temporary_.clear();
+        temporary_.fd = ::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kMode);
+    if (temporary_.fd < 0) {
+        temporary_.path = folder_of(target_) / random_name();
+        temporary_.fd = ::open(temporary_.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kMode);
+        if (temporary_.fd < 0) temporary_.path.clear();
     }
-    if (fd_ < 0) fail(path_);
-    ::flock(fd_, LOCK_EX | LOCK_NB);
+    if (temporary_.fd < 0) fail(path_);
+    ::flock(temporary_.fd, LOCK_EX | LOCK_NB);
 }
 
 void AtomicFile::take_rights_of_old() {
     struct stat old {};
     struct stat own {};
-    if (::stat(target_.c_str(), &old) != 0 || ::fstat(fd_, &own) != 0) return;
+    if (::stat(target_.c_str(), &old) != 0 || ::fstat(temporary_.fd, &own) != 0) return;
     mode_t mode = old.st_mode & 0777;
     if (old.st_uid != own.st_uid || old.st_gid != own.st_gid) {
-        const bool is_kept = ::fchown(fd_, old.st_uid, old.st_gid) == 0;
+        const bool is_kept = ::fchown(temporary_.fd, old.st_uid, old.st_gid) == 0;
         constexpr auto kSameUser = static_cast<uid_t>(-1);
-        if (!is_kept && ::fchown(fd_, kSameUser, old.st_gid) != 0) mode &= ~mode_t{0070};
+        if (!is_kept && ::fchown(temporary_.fd, kSameUser, old.st_gid) != 0) mode &= ~mode_t{0070};
     }
-    if (::fchmod(fd_, mode) != 0) fail(path_);
+    if (::fchmod(temporary_.fd, mode) != 0) fail(path_);
 }
 
-AtomicFile::~AtomicFile() {
-    if (fd_ >= 0) ::close(fd_);
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+AtomicFile::Temporary::~Temporary() {
+    if (fd >= 0) ::close(fd);
+    if (!path.empty()) ::unlink(path.c_str());
 }
 
 // A file cannot replace another one without a name.
 void AtomicFile::give_name() {
-    const std::string descriptor = "/proc/self/fd/" + std::to_string(fd_);
+    const std::string descriptor = "/proc/self/fd/" + std::to_string(temporary_.fd);
     const std::filesystem::path name = folder_of(target_) / random_name();
     if (::linkat(AT_FDCWD, descriptor.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) fail(path_);
-    temporary_ = name;
+    temporary_.path = name;
 }
 
 void AtomicFile::write_at(std::uint64_t offset, std::string_view content) {
-    SELVEDGE_ASSERT(fd_ >= 0);
+    SELVEDGE_ASSERT(temporary_.fd >= 0);
     while (!content.empty()) {
-        const ssize_t written = ::pwrite(fd_, content.data(), content.size(), static_cast<off_t>(offset));
+        const ssize_t written = ::pwrite(temporary_.fd, content.data(), content.size(), static_cast<off_t>(offset));
         if (written < 0 && errno == EINTR) continue;
         if (written < 0) fail(path_);
         content.remove_prefix(static_cast<std::size_t>(written));
@@ -152,12 +154,12 @@ void AtomicFile::overwrite(std::uint64_t offset, std::string_view content) {
 }
 
 void AtomicFile::commit() {
-    SELVEDGE_ASSERT(fd_ >= 0);
-    if (::fsync(fd_) != 0) fail(path_);
-    if (temporary_.empty()) give_name();
-    if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(path_);
-    temporary_.clear();
-    const int fd = std::exchange(fd_, -1);
+    SELVEDGE_ASSERT(temporary_.fd >= 0);
+    if (::fsync(temporary_.fd) != 0) fail(path_);
+    if (temporary_.path.empty()) give_name();
+    if (::rename(temporary_.path.c_str(), target_.c_str()) != 0) fail(path_);
+    temporary_.path.clear();
+    const int fd = std::exchange(temporary_.fd, -1);
     if (::close(fd) != 0) fail(path_);
     const int folder = ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder < 0) return;

@@ -23,19 +23,30 @@ class AtomicFile {
  public:
     // Also removes temporary files that killed programs of the same user left in the folder more than a minute ago.
     explicit AtomicFile(const std::filesystem::path& path, TemporaryName name = TemporaryName::None);
-    ~AtomicFile();  // without commit(): deletes the temporary file
+    ~AtomicFile() = default;  // without commit(): deletes the temporary file
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
-    std::uint64_t size() const { return size_; }                           // bytes written so far by append()
-    const std::filesystem::path& temporary() const { return temporary_; }  // empty: it has no name
+    std::uint64_t size() const { return size_; }                                // bytes written so far by append()
+    const std::filesystem::path& temporary() const { return temporary_.path; }  // empty: it has no name
 
     void append(std::string_view content);
     void overwrite(std::uint64_t offset, std::string_view content);  // pre: these bytes have been written
     void commit();                                                   // once, last
 
  private:
+    // Closed and deleted also if the constructor throws.
+    struct Temporary {
+        Temporary() = default;
+        ~Temporary();
+        Temporary(const Temporary&) = delete;
+        Temporary& operator=(const Temporary&) = delete;
+
+        int fd = -1;
+        std::filesystem::path path = {};
+    };
+
     void open_temporary(TemporaryName name);
     void take_rights_of_old();
     void give_name();
@@ -43,12 +54,14 @@ class AtomicFile {
 
     std::filesystem::path path_;
     std::filesystem::path target_;  // behind links
-    std::filesystem::path temporary_;
-    int fd_ = -1;
+    Temporary temporary_;
     std::uint64_t size_ = 0;
 };
 
-// Throws InputError that names both figures if the file system of `path` has fewer than that many bytes free.
+// Whether a file of that name, without its folder, is one that an AtomicFile has not completed.
+bool is_temporary_name(std::string_view name);
+
+// Throws InputError that names both numbers if the file system of `path` has fewer than that many bytes free.
 void require_free_space(const std::filesystem::path& path, std::uint64_t bytes);
 
 // "1.2 GB", "340 kB": three digits at most, powers of 1000.

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "sim/core/atomic_file.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/file_path.h"
@@ -27,16 +29,22 @@ struct Entry {
     std::uint64_t bytes = 0;
 };
 
+// The entries, and what writers that were killed have left, which takes room too: AtomicFile removes only what is known
+// to be left by the same user. A writer that lives is done within seconds.
 std::vector<Entry> stored_in(const Path& folder) {
+    constexpr std::chrono::hours kLongestWrite(1);
+    const auto now = std::filesystem::file_time_type::clock::now();
     std::vector<Entry> entries;
     std::error_code error;
     for (const Path& path : entries_of(folder, error)) {
-        if (path.extension() != kExtension) continue;
+        const bool is_temporary = is_temporary_name(path.filename().native());
+        if (path.extension() != kExtension && !is_temporary) continue;
         std::error_code error_of_entry;  // another process may have removed it
         const std::uint64_t bytes = std::filesystem::file_size(path, error_of_entry);
         if (error_of_entry) continue;
         const auto used = std::filesystem::last_write_time(path, error_of_entry);
-        if (!error_of_entry) entries.push_back({path, used, bytes});
+        if (error_of_entry || (is_temporary && now - used < kLongestWrite)) continue;
+        entries.push_back({path, used, bytes});
     }
     return entries;
 }

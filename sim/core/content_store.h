@@ -13,7 +13,8 @@ namespace selvedge::sim {
 class ContentStore {
  public:
     // Entries made by another `maker`, such as another build of the program, are not found. When the store grows beyond
-    // most_bytes, the entries that were used longest ago go. Throws InputError if the folder cannot be made or written.
+    // most_bytes, the entries that were used longest ago go. Throws InputError if the folder cannot be made. One that
+    // can only be read is used as it is.
     ContentStore(std::filesystem::path folder, std::string maker, std::uint64_t most_bytes);
 
     // What was kept under the kind (a word) and the text that says what it is made from; nullopt if there is none, or

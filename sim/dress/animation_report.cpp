@@ -5,17 +5,26 @@
 
 namespace selvedge::sim {
 
+namespace {
+
+// faults: of the motion, as sentences.
+Outcome outcome_with(const std::vector<std::string>& faults, const Animation& animation) {
+    return faults.empty() ? outcome_of(animation.dress_report()) : Outcome::Defect;
+}
+
+}  // namespace
+
 Outcome outcome_of(const Animation& animation) {
-    return animation.quality().faults(animation.panel_names()).empty() ? outcome_of(animation.dress_report())
-                                                                       : Outcome::Defect;
+    return outcome_with(animation.quality().faults(animation.panel_names()), animation);
 }
 
 std::string to_json(const Animation& animation, const std::string& motion, const std::vector<ReportInput>& inputs) {
     const MotionQuality& quality = animation.quality();
+    const std::vector<std::string> found = quality.faults(animation.panel_names());
     DressReport report = animation.dress_report();
     report.inputs = inputs;
     Json json = json_of(report);
-    json[report_key::kOutcome] = name_of(outcome_of(animation));
+    json[report_key::kOutcome] = name_of(outcome_with(found, animation));
     Json& moved = json[report_key::kAnimation] = Json::object();
     moved[report_key::kMotion] = motion;
     moved[report_key::kFrames] = animation.frame() + 1;
@@ -32,7 +41,7 @@ std::string to_json(const Animation& animation, const std::string& motion, const
     moved[report_key::kPinched] = quality.pinched;
     moved[report_key::kHasBadNumber] = quality.has_bad_number;
     Json& faults = moved[report_key::kFaults] = Json::array();
-    for (const std::string& fault : quality.faults(animation.panel_names())) faults.push_back(fault);
+    for (const std::string& fault : found) faults.push_back(fault);
     Json& timing = json[report_key::kTiming];
     timing[report_key::kMsPerFrame] = quantile(animation.frame_ms(), 0.5);
     timing[report_key::kMsPerFrameP95] = quantile(animation.frame_ms(), 0.95);

@@ -1,5 +1,5 @@
 #pragma once
-// Quality checks of a dressed garment: they find its faults and fill in the report's figures.
+// Quality checks of a dressed garment: they find its faults and fill in the report's numbers.
 #include <span>
 #include <string>
 

@@ -160,7 +160,7 @@ Json stretch_json(const StretchStatistics& stretch) {
 Json timing_json(const DressTiming& timing) {
     Json json = Json::object();
     json[report_key::kWallS] = timing.wall_s;
-    json[report_key::kMsPerAdaption] = timing.ms_per_adaptation;
+    json[report_key::kMsPerAdaptation] = timing.ms_per_adaptation;
     json[report_key::kMsPerStep] = timing.ms_per_step;
     json[report_key::kMsAdaptPlus4Steps] = timing.ms_adapt_plus_4_steps;
     Json phases = Json::object();

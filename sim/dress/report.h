@@ -91,7 +91,7 @@ inline constexpr std::string_view kShearDegP99 = "shear_deg_p99";
 
 inline constexpr std::string_view kTiming = "timing";
 inline constexpr std::string_view kWallS = "wall_s";
-inline constexpr std::string_view kMsPerAdaption = "ms_per_adaption";
+inline constexpr std::string_view kMsPerAdaptation = "ms_per_adaptation";
 inline constexpr std::string_view kMsPerStep = "ms_per_step";
 inline constexpr std::string_view kMsAdaptPlus4Steps = "ms_adapt_plus_4_steps";
 inline constexpr std::string_view kPhases = "phases";

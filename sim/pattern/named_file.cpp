@@ -1,6 +1,7 @@
 #include "sim/pattern/named_file.h"
 
 #include <optional>
+#include <utility>
 
 #include "sim/core/error.h"
 #include "sim/core/file_path.h"
@@ -42,29 +43,34 @@ void resolve_named_files(Pattern& pattern, const fs::path& file) {
     }
 }
 
-std::vector<std::string> named_files(const Pattern& pattern) {
-    std::vector<std::string> files;
+std::vector<NamedFileUse> named_file_uses(const Pattern& pattern) {
+    std::vector<NamedFileUse> files;
+    const auto add_picture = [&](const std::optional<SurfaceDesign>& surface) {
+        if (surface && surface->kind == DesignKind::Picture) files.push_back({surface->source, FileUse::Picture});
+    };
     const auto add_fabric = [&](const std::string& name) {
         if (!is_fabric_file(name)) return;
-        files.push_back(name);
+        files.push_back({name, FileUse::Fabric});
         try {
-            const std::optional<SurfaceDesign> surface = find_fabric(name).surface;
-            if (surface && surface->kind == DesignKind::Picture) files.push_back(surface->source);
+            add_picture(find_fabric(name).surface);
         } catch (const InputError&) {  // the fabric is reported where it is used
         }
     };
-    const auto add_picture = [&](const std::optional<SurfaceDesign>& surface) {
-        if (surface && surface->kind == DesignKind::Picture) files.push_back(surface->source);
-    };
-    if (is_body_file(pattern.body)) files.push_back(pattern.body);
+    if (is_body_file(pattern.body)) files.push_back({pattern.body, FileUse::Body});
     add_fabric(pattern.fabric);
     add_picture(pattern.surface);
-    for (const Underlay& underlay : pattern.underlays) files.push_back(underlay.file);
+    for (const Underlay& underlay : pattern.underlays) files.push_back({underlay.file, FileUse::Underlay});
     for (const Panel& panel : pattern.panels) {
         add_fabric(panel.fabric);
         for (const std::string& interlining : panel.interlinings) add_fabric(interlining);
         add_picture(panel.surface);
     }
+    return files;
+}
+
+std::vector<std::string> named_files(const Pattern& pattern) {
+    std::vector<std::string> files;
+    for (NamedFileUse& named : named_file_uses(pattern)) files.push_back(std::move(named.file));
     return files;
 }
 

@@ -19,9 +19,18 @@ std::string resolve_named_file(const std::string& name, const std::filesystem::p
 // The same for all files that the pattern names.
 void resolve_named_files(Pattern& pattern, const std::filesystem::path& file);
 
+enum class FileUse { Body, Fabric, Picture, Underlay };  // Underlay: a photo under the sheet of the editor
+
+struct NamedFileUse {
+    std::string file;
+    FileUse use = FileUse::Fabric;
+};
+
 // The files that are read when the pattern is dressed, drawn or edited, as the pattern holds them; the picture of a
 // fabric's file too. A file may come twice.
-std::vector<std::string> named_files(const Pattern& pattern);
+std::vector<NamedFileUse> named_file_uses(const Pattern& pattern);
+
+std::vector<std::string> named_files(const Pattern& pattern);  // the same without their uses
 
 // Names the file at `path` in JSON that will be stored as `file`. A path that is not absolute is relative to the
 // working directory. A name that leads there already is kept. If `file` is empty, the name is the path.

@@ -120,6 +120,10 @@ TEST(AnimateCommand, notes_the_limbs_that_a_motion_has_no_joints_for) {
                            "right_upper_arm, left_upper_leg, right_upper_leg: not moved"),
               std::string::npos)
         << run.out << run.err;
+    const sim::Json report = sim::read_json(folder / "nod.json");
+    const sim::Json& input = report.find("inputs")->elements().at(1);
+    EXPECT_EQ(input.find("role")->string(), "motion");
+    EXPECT_EQ(input.find("file")->string(), folder / "nod.bvh");
 }
 
 TEST(AnimateCommand, refuses_wrong_input_in_one_line) {

@@ -13,6 +13,7 @@
 #include "render/image/image.h"
 #include "sim/core/json.h"
 #include "sim/core/sha256.h"
+#include "sim/pattern/fabric_file.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/app/selvedge_program.h"
 #include "tests/support/checkout.h"
@@ -92,7 +93,8 @@ TEST_F(DressCommand, the_report_has_every_key_that_scripts_rely_on) {
         {"seams", {"count", "open", "worst_length_mismatch"}},
         {"contact", {"inside", "deepest_m", "faces_in_body", "edges_in_body", "deepest_face_m", "deepest_face_at"}},
         {"stretch", {"warp_weft_p50", "warp_weft_p99", "warp_weft_max", "shear_deg_p99"}},
-        {"timing", {"wall_s", "ms_per_adaption", "ms_per_step", "ms_adapt_plus_4_steps", "phases", "peak_memory_mb"}}};
+        {"timing",
+         {"wall_s", "ms_per_adaptation", "ms_per_step", "ms_adapt_plus_4_steps", "phases", "peak_memory_mb"}}};
     for (const auto& [group, keys] : groups) {
         ASSERT_NE(report.find(group), nullptr) << group;
         for (const std::string& key : keys) EXPECT_NE(report.find(group)->find(key), nullptr) << group << '.' << key;
@@ -155,6 +157,32 @@ TEST_F(DressCommand, a_report_names_its_inputs_by_content) {
     EXPECT_EQ(input.find("role")->string(), "garment");
     EXPECT_EQ(input.find("sha256")->string(), sim::sha256(content_of(input.find("file")->string())));
     EXPECT_EQ(report.find("fit")->elements().size(), 8U);
+}
+
+TEST_F(DressCommand, a_report_names_the_pictures_of_a_design_and_of_a_fabrics_file) {
+    const ScratchFolder folder;
+    for (const char* picture : {"roses.png", "lace.png"}) write_png(folder / picture, render::Image(8, 4));
+    std::string fabric = sim::read_fabric_file("silk").text;
+    fabric.insert(fabric.find('{') + 1, R"("surface": {"kind": "picture", "file": "roses.png"},)");
+    std::ofstream(folder / "my_silk.json") << fabric;
+    const auto inputs_with = [&](const std::string& options) {
+        const ProgramResult run = run_selvedge(
+            "dress " + shipped("two_squares.json") + " --body mannequin:resolution=1 --max-level 0 --seconds 0.05" +
+            " --fabric '" + folder / "my_silk.json" + "' --report '" + folder / "inputs.json" + "'" + options);
+        EXPECT_NE(run.exit_code, 2) << run.err;
+        std::vector<std::string> inputs;
+        const sim::Json report = sim::read_json(folder / "inputs.json");
+        for (const sim::Json& input : report.find("inputs")->elements()) {
+            const std::filesystem::path path = input.find("file")->string();
+            EXPECT_EQ(input.find("sha256")->string(), sim::sha256(content_of(path))) << path;
+            inputs.push_back(input.find("role")->string() + " " + path.filename().string());
+        }
+        return inputs;
+    };
+    std::vector<std::string> expected{"garment two_squares.json", "fabric my_silk.json", "picture roses.png"};
+    EXPECT_EQ(inputs_with(""), expected);
+    expected.emplace_back("picture lace.png");
+    EXPECT_EQ(inputs_with(" --design '" + folder / "lace.png" + "'"), expected);
 }
 
 TEST_F(DressCommand, shows_the_hierarchy_and_films_it) {

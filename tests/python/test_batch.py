@@ -1,18 +1,12 @@
 """Many dressings by the program's command batch."""
 
 import os
-import subprocess
 import unittest
 from unittest import mock
 
 from support import InFolder, shipped
 
 import selvedge
-
-
-def has_batch():
-    shown = subprocess.run([os.environ["SELVEDGE_PROGRAM"], "--help"], capture_output=True, text=True, check=True)
-    return "batch" in shown.stdout.split()
 
 
 class Batch(InFolder):
@@ -50,7 +44,6 @@ class Batch(InFolder):
         with self.stand_in("while true; do echo '[-] 0 of 2' >&2; sleep 0.05; done"), self.assertRaises(KeyError):
             selvedge.batch("m.json", self.folder, progress=lambda done, line: {}["none"])
 
-    @unittest.skipUnless(has_batch(), "the program has no command batch")
     def test_a_manifest_of_two_garments(self):
         manifest = self.folder / "manifest.csv"
         manifest.write_text(f"garment,seconds,edge-length\n{shipped('two_squares')},0.1,8\n{shipped('poncho')},0.1,8\n")

@@ -76,6 +76,18 @@ class Sessions(unittest.TestCase):
         np.testing.assert_array_equal(positions, before)
         self.assertFalse(positions.flags.writeable or positions.flags.owndata)
 
+    def test_a_body_outlives_its_replacement(self):
+        taken = self.session.body
+        vertices = taken.vertices
+        before = vertices.copy()
+        other = selvedge.mannequin(resolution=1, bust=1.1)
+        self.session.set_body(other)
+        np.testing.assert_array_equal(self.session.body.vertices, other.vertices)
+        np.testing.assert_array_equal(taken.vertices, before)
+        del taken, self.body
+        self.session.advance(0)
+        np.testing.assert_array_equal(vertices, before)
+
     def test_wrong_input_is_refused(self):
         self.hang()
         for call in (

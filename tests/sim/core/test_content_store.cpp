@@ -1,6 +1,9 @@
 // The store on disk gives back what was kept, nothing that is broken or of another maker, and stays small.
+#include <fcntl.h>
 #include <gtest/gtest.h>
-
+#include <sys/file.h>
+#include <unistd.h>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -66,6 +69,37 @@ TEST(ContentStore, lets_go_of_what_was_used_longest_ago) {
     EXPECT_TRUE(store.find("field", "e").has_value());
     store.keep("field", "huge", std::string(6000, 'x'));
     EXPECT_TRUE(store.find("field", "e").has_value()) << "what cannot fit drives nothing out";
+}
+
+TEST(ContentStore, counts_and_removes_what_killed_writers_left) {
+    const TemporaryFolder folder;
+    const ContentStore store(folder / "store", "one", 5000);
+    const std::vector<std::filesystem::path> left = {folder / "store" / ".selvedge-0123456789abcdef.tmp",
+                                                     folder / "store" / ".selvedge-fedcba9876543210.tmp"};
+    std::vector<int> locked;  // so that the next writer does not remove it, as if it were another user's
+    for (const std::filesystem::path& path : left) {
+        std::ofstream(path) << std::string(4500, 'x');
+        locked.push_back(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+        ASSERT_EQ(::flock(locked.back(), LOCK_EX), 0);
+    }
+    std::filesystem::last_write_time(left[0], std::filesystem::last_write_time(left[0]) - std::chrono::hours(2));
+    store.keep("field", "a", std::string(1000, 'x'));
+    for (const int fd : locked) ::close(fd);
+    EXPECT_FALSE(std::filesystem::exists(left[0]));
+    EXPECT_TRUE(std::filesystem::exists(left[1])) << "it may be one that is being written";
+    EXPECT_TRUE(store.find("field", "a").has_value());
+}
+
+TEST(ContentStore, uses_a_folder_that_can_only_be_read) {
+    if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+    const TemporaryFolder folder;
+    ContentStore(folder / "store", "one", kRoom).keep("field", "a", "kept");
+    std::filesystem::permissions(folder / "store", std::filesystem::perms{0500});
+    const ContentStore store(folder / "store", "one", kRoom);
+    EXPECT_EQ(store.find("field", "a"), "kept");
+    store.keep("field", "b", "new");
+    EXPECT_EQ(store.find("field", "b"), std::nullopt);
+    std::filesystem::permissions(folder / "store", std::filesystem::perms{0700});
 }
 
 TEST(ContentStore, many_may_write_and_read_at_once) {

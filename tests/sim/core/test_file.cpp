@@ -1,9 +1,16 @@
 #include <gtest/gtest.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <array>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -159,6 +166,56 @@ TEST_F(File, a_killed_program_leaves_nothing_or_what_the_next_one_removes) {
     under_way.commit();
     EXPECT_TRUE(std::filesystem::exists(folder_ / "c.txt"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "a.txt"));
+}
+
+TEST_F(File, what_a_killed_program_left_is_removed_even_if_it_may_only_be_read) {
+    kill_while_writing(folder_ / "a.txt", TemporaryName::Random);
+    const std::filesystem::path left = hidden_files(folder_).at(0);
+    std::filesystem::permissions(left, std::filesystem::perms{0444});
+    std::filesystem::last_write_time(left, std::filesystem::file_time_type::clock::now() - std::chrono::minutes(2));
+    write_file_atomically(folder_ / "b.txt", "");
+    EXPECT_TRUE(hidden_files(folder_).empty());
+}
+
+// From now on the system refuses fchmod(), as file systems without permissions may.
+bool refuse_fchmod() {
+    std::array<sock_filter, 4> code{{
+        {BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, nr)},
+        {BPF_JMP | BPF_JEQ | BPF_K, 0, 1, SYS_fchmod},
+        {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ERRNO | EPERM},
+        {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ALLOW},
+    }};
+    const sock_fprog program{.len = static_cast<unsigned short>(code.size()), .filter = code.data()};
+    return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+           ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program, 0, 0) == 0;
+}
+
+TEST_F(File, that_cannot_be_begun_leaves_nothing_on_disk_and_nothing_open) {
+    write_file_atomically(folder_ / "a.txt", "old");
+    const auto count = [](const std::filesystem::path& folder) {
+        return std::distance(std::filesystem::directory_iterator(folder), {});
+    };
+    constexpr int kSound = 0, kNoFilter = 1, kNotThrown = 2, kLeftOpen = 3, kLeftOnDisk = 4;
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        const auto open_before = count("/proc/self/fd");
+        if (!refuse_fchmod()) ::_exit(kNoFilter);
+        for (const TemporaryName name : {TemporaryName::None, TemporaryName::Random}) {
+            try {
+                const AtomicFile file(folder_ / "a.txt", name);
+                ::_exit(kNotThrown);
+            } catch (const InputError&) {
+            }
+        }
+        if (count("/proc/self/fd") != open_before) ::_exit(kLeftOpen);
+        ::_exit(count(folder_) == 1 ? kSound : kLeftOnDisk);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFEXITED(status));
+    if (WEXITSTATUS(status) == kNoFilter) GTEST_SKIP() << "this kernel has no filters of system calls";
+    EXPECT_EQ(WEXITSTATUS(status), kSound);
 }
 
 TEST_F(File, paths_that_cannot_be_looked_at_are_missing) {

@@ -82,8 +82,8 @@ TEST(Report, has_the_keys_that_were_promised_and_no_others) {
                     "self_crossings", "self_crossing_m", "self_crossing_at", "on_lower_layer", "wrong_layer_order"}));
     EXPECT_EQ(keys_of(*json.find("stretch")),
               (Keys{"warp_weft_p50", "warp_weft_p99", "warp_weft_max", "shear_deg_p99"}));
-    EXPECT_EQ(keys_of(*json.find("timing")),
-              (Keys{"wall_s", "ms_per_adaption", "ms_per_step", "ms_adapt_plus_4_steps", "phases", "peak_memory_mb"}));
+    EXPECT_EQ(keys_of(*json.find("timing")), (Keys{"wall_s", "ms_per_adaptation", "ms_per_step",
+                                                   "ms_adapt_plus_4_steps", "phases", "peak_memory_mb"}));
 }
 
 TEST(Report, has_the_same_keys_when_there_is_nothing_to_say) {

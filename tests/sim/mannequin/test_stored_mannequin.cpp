@@ -8,6 +8,7 @@
 #include "sim/collide/body_collider.h"
 #include "sim/collide/stored_field.h"
 #include "sim/core/content_store.h"
+#include "sim/core/simd_level.h"
 #include "sim/mannequin/stored_mannequin.h"
 #include "tests/support/temporary_folder.h"
 
@@ -62,6 +63,24 @@ TEST(StoredField, has_the_same_bits_when_it_is_found_again) {
     }
     const BodyCollider finer(body, {.cell = 0.009F, .band = 0.03F}, {}, &store);
     EXPECT_EQ(count_of(folder / "store"), 2U);
+}
+
+TEST(StoredField, is_not_shared_by_levels_of_simd_that_round_differently) {
+    if (simd_level() < SimdLevel::Avx2) GTEST_SKIP() << "this processor has plain kernels only";
+    const TemporaryFolder folder;
+    const ContentStore store(folder / "store", "test", 1 << 28);
+    const Body body = make_mannequin({.subdivisions = 1}).body;
+    const DistanceFieldOptions coarse{.cell = 0.01F, .band = 0.03F};
+    const auto keep_field_of = [&](SimdLevel level) {
+        const SimdLimit limit(level);
+        const BodyCollider collider(body, coarse, {}, &store);
+    };
+    keep_field_of(SimdLevel::Avx2);
+    EXPECT_EQ(count_of(folder / "store"), 1U);
+    keep_field_of(SimdLevel::Plain);
+    EXPECT_EQ(count_of(folder / "store"), 2U);
+    keep_field_of(SimdLevel::Avx512);
+    EXPECT_EQ(count_of(folder / "store"), 2U) << "with the bits of AVX2";
 }
 
 TEST(StoredField, broken_bytes_are_no_field) {

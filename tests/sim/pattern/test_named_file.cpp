@@ -159,6 +159,13 @@ TEST_F(NamedFile, every_one_of_a_pattern_is_listed) {
                              "photos/front.jpg", "roses.png", "tulips.png"})
         expected.push_back(at(std::string("work/") + name));
     EXPECT_EQ(files, expected);
+    for (const NamedFileUse& named : named_file_uses(sample().pattern)) {
+        const FileUse expected_use = named.file.ends_with(".json")  ? FileUse::Fabric
+                                     : named.file.ends_with(".png") ? FileUse::Picture
+                                     : named.file.ends_with(".jpg") ? FileUse::Underlay
+                                                                    : FileUse::Body;
+        EXPECT_EQ(named.use, expected_use) << named.file;
+    }
     EXPECT_TRUE(named_files(parse_pattern(sample_text(), "").pattern).empty());
 }
 
