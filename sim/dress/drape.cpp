@@ -149,7 +149,8 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
 // What moves slower need not be watched for as long, to be as sure that it will not go far.
 double DrapeRun::rest_weight() const {
     const double most = options_.rest_time / options_.least_rest_time;
-    return std::min(most, static_cast<double>(options_.rest_speed) / std::max(1e-9, static_cast<double>(result_.rms_speed)));
+    return std::min(most,
+                    static_cast<double>(options_.rest_speed) / std::max(1e-9, static_cast<double>(result_.rms_speed)));
 }
 
 // Single triangles where much cloth meets, as under an arm, stay stretched by up to 20 % however long the fall lasts:

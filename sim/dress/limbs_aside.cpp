@@ -29,8 +29,7 @@ LimbsAside::LimbsAside(std::unique_ptr<JointedCollider> collider, std::vector<bo
 
 std::unique_ptr<LimbsAside> LimbsAside::plan(const GarmentMesh& unsewn, const GarmentMesh& sewing,
                                              const Pattern& pattern, const Body& body,
-                                             const std::function<void()>& interrupt,
-                                             const ContentStore* store) {
+                                             const std::function<void()>& interrupt, const ContentStore* store) {
     const BodyLimbs limbs = find_limbs(body);
     if (limbs.torso.empty()) return nullptr;
     const std::vector<bool> panels = panels_without_arms(unsewn, pattern, limbs);

@@ -62,8 +62,7 @@ ThinLimbs::ThinLimbs(std::unique_ptr<JointedCollider> collider, std::vector<Shap
 }
 
 std::unique_ptr<ThinLimbs> ThinLimbs::plan(const SewingRun& done, const BodyCollider& body,
-                                           const std::function<void()>& interrupt,
-                                             const ContentStore* store) {
+                                           const std::function<void()>& interrupt, const ContentStore* store) {
     const std::vector<Vec3f> faults = find_faults(done, body.surface());
     if (faults.empty()) return nullptr;
     const BodyLimbs limbs = find_limbs(body.body());

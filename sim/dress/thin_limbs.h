@@ -23,7 +23,7 @@ class ThinLimbs {
     // interrupt, store: see BodyCollider. Pre: the run is done, and all its values are finite.
     static std::unique_ptr<ThinLimbs> plan(const SewingRun& done, const BodyCollider& body,
                                            const std::function<void()>& interrupt = {},
-                                            const ContentStore* store = nullptr);
+                                           const ContentStore* store = nullptr);
 
     // The number of places where the cloth of a run that is done passes through the body, or a link is open.
     static std::size_t count_faults(const SewingRun& done, const BodyCollider& body);
