@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -28,6 +29,7 @@
 #include "batch/run.h"
 #include "batch/thumbnail.h"
 #include "render/image/image.h"
+#include "sim/body/passing_error.h"
 #include "sim/core/content_store.h"
 #include "sim/core/error.h"
 #include "sim/core/file_path.h"
@@ -137,6 +139,17 @@ void check_options(const std::vector<batch::Job>& jobs) {
     }
 }
 
+// As run_dress(), but trouble that may pass leaves no report: it would be kept as refused.
+int run_dress_once(const DressArguments& dress, const sim::ContentStore* store) {
+    try {
+        return run_dress(dress, store);
+    } catch (const sim::PassingError&) {
+        std::error_code ignored;
+        std::filesystem::remove(dress.report_file, ignored);
+        throw;
+    }
+}
+
 int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path& folder,
               const sim::ContentStore* store) {
     DressArguments dress = parse_dress(job);
@@ -147,7 +160,7 @@ int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path
     if (arguments.has_pictures) dress.picture_file = folder / batch::job_file::kPicture;
     for (const std::string& extension : arguments.exports)
         dress.exports.files.push_back(folder / ("garment." + extension));
-    const int code = run_dress(dress, store);
+    const int code = run_dress_once(dress, store);
     if (sim::file_exists(dress.picture_file))
         write_png(folder / batch::job_file::kThumbnail,
                   batch::shrunk(render::read_png(dress.picture_file), kThumbnailSide));
