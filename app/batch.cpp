@@ -6,18 +6,19 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 #include "app/batch_progress.h"
 #include "app/commands.h"
 #include "app/dress_command.h"
+#include "app/job_key.h"
 #include "app/option_texts.h"
 #include "app/stop_signal.h"
 #include "batch/compare.h"
@@ -28,14 +29,12 @@
 #include "batch/run.h"
 #include "batch/thumbnail.h"
 #include "render/image/image.h"
+#include "sim/body/passing_error.h"
 #include "sim/core/content_store.h"
 #include "sim/core/error.h"
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
-#include "sim/core/sha256.h"
-#include "sim/pattern/named_file.h"
-#include "sim/pattern/pattern.h"
-#include "sim/pattern/pattern_file.h"
+#include "sim/core/printable.h"
 
 namespace selvedge::app {
 namespace {
@@ -43,6 +42,7 @@ namespace {
 using Path = std::filesystem::path;
 
 constexpr int kThumbnailSide = 320;     // px
+constexpr int kNotAllDone = 5;          // exit code
 constexpr double kUsualCacheMb = 4096;  // of bodies and their fields: some 300 of them
 
 // About what a gallery shows at once, of the garment rather than the body.
@@ -75,25 +75,45 @@ Path usual_cache_folder() {
     return {};
 }
 
+bool has(const std::vector<batch::JobOption>& options, const std::string& name) {
+    return std::ranges::find(options, name, &batch::JobOption::name) != options.end();
+}
+
 // Adds what a job does not say of its picture.
 void add_usual_look(batch::Job& job) {
     for (const batch::JobOption& usual : kUsualLook) {
-        const auto is_same = [&](const batch::JobOption& option) { return option.name == usual.name; };
-        if (std::ranges::none_of(job.options, is_same)) job.options.push_back(usual);
+        if (!has(job.options, usual.name)) job.options.push_back(usual);
     }
 }
 
-std::vector<batch::Job> jobs_of(const BatchArguments& arguments) {
+// Those of --set.
+std::vector<batch::JobOption> options_for_all(const BatchArguments& arguments) {
     std::vector<batch::JobOption> options;
-    for (const std::string& text : arguments.options) options.push_back(batch::parse_option(text));
+    for (const std::string& text : arguments.options) {
+        const batch::JobOption option = batch::parse_option(text);
+        if (has(options, option.name)) throw sim::InputError("", "--set", "'" + option.name + "' is set twice");
+        options.push_back(option);
+    }
+    return options;
+}
+
+// Of an option, a job's own value counts before that of --set, and this before the manifest's for all jobs.
+std::vector<batch::Job> jobs_of(const BatchArguments& arguments) {
+    const std::vector<batch::JobOption> options = options_for_all(arguments);
     const bool has_product = !arguments.product.garments.empty();
     if (arguments.manifest.empty() != has_product)
         throw sim::InputError("", "", "name a manifest, or --patterns with --bodies and --fabrics");
     std::vector<batch::Job> jobs =
         has_product ? jobs_of(arguments.product, "") : batch::read_manifest(arguments.manifest);
+    for (batch::Job& job : jobs) {
+        std::erase_if(job.options,
+                      [&](const batch::JobOption& one) { return one.is_common && has(options, one.name); });
+    }
     name_jobs(jobs);  // what all have in common is not in their names
     for (batch::Job& job : jobs) {
-        job.options.insert(job.options.end(), options.begin(), options.end());
+        for (const batch::JobOption& option : options) {
+            if (!has(job.options, option.name)) job.options.push_back(option);
+        }
         if (arguments.has_pictures) add_usual_look(job);
     }
     return jobs;
@@ -119,73 +139,16 @@ void check_options(const std::vector<batch::Job>& jobs) {
     }
 }
 
-// The keys of jobs: hashes of all that their results follow from. Each file is read once.
-class JobKeys {
- public:
-    explicit JobKeys(const BatchArguments& arguments)
-        : program_(sim::sha256_of_file("/proc/self/exe")), arguments_(arguments) {}
-
-    const std::string& program() const { return program_; }
-
-    std::string operator()(const batch::Job& job) {
-        sim::Json json = sim::Json::object();
-        json["program"] = program_;
-        sim::Json& words = json["arguments"] = sim::Json::array();
-        for (const std::string& word : dress_arguments(job)) words.push_back(word);
-        json["picture"] = arguments_.has_pictures;
-        sim::Json& exports = json["exports"] = sim::Json::array();
-        for (const std::string& extension : arguments_.exports) exports.push_back(extension);
-        sim::Json& inputs = json["inputs"] = sim::Json::array();
-        for (const std::string& input : inputs_of(job)) inputs.push_back(input);
-        return sim::sha256(write_json(json, -1));
+// As run_dress(), but trouble that may pass leaves no report: it would be kept as refused.
+int run_dress_once(const DressArguments& dress, const sim::ContentStore* store) {
+    try {
+        return run_dress(dress, store);
+    } catch (const sim::PassingError&) {
+        std::error_code ignored;
+        std::filesystem::remove(dress.report_file, ignored);
+        throw;
     }
-
- private:
-    std::string hash_of(const Path& file) {
-        const auto [at, is_new] = hashes_.try_emplace(file.string());
-        if (!is_new) return at->second;
-        try {
-            at->second = sim::sha256_of_file(file);
-        } catch (const sim::InputError&) {
-            at->second = "none";  // the job will say so
-        }
-        return at->second;
-    }
-
-    std::vector<std::string> inputs_of(const batch::Job& job) {
-        std::vector<std::string> hashes{hash_of(job.garment)};
-        const auto add_named = [&](const Path& garment) {
-            for (const std::string& file : named_by(garment)) hashes.push_back(hash_of(file));
-        };
-        add_named(job.garment);
-        for (const Path& over : job.over) {
-            hashes.push_back(hash_of(over));
-            add_named(over);
-        }
-        for (const std::string& text : {job.body, job.fabric}) {
-            if (sim::is_body_file(text) || text.ends_with(".json")) hashes.push_back(hash_of(text));
-        }
-        return hashes;
-    }
-
-    // None of a garment that cannot be read: the job will say so.
-    const std::vector<std::string>& named_by(const Path& garment) {
-        const auto [at, is_new] = named_.try_emplace(garment.string());
-        if (!is_new) return at->second;
-        try {
-            const sim::Pattern pattern = sim::load_pattern(garment).pattern;
-            at->second = named_files(pattern);
-            if (pattern.tartan.ends_with(".json")) at->second.push_back(pattern.tartan);
-        } catch (const sim::InputError&) {
-        }
-        return at->second;
-    }
-
-    std::string program_;
-    const BatchArguments& arguments_;
-    std::map<std::string, std::string> hashes_;
-    std::map<std::string, std::vector<std::string>> named_;
-};
+}
 
 int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path& folder,
               const sim::ContentStore* store) {
@@ -197,18 +160,25 @@ int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path
     if (arguments.has_pictures) dress.picture_file = folder / batch::job_file::kPicture;
     for (const std::string& extension : arguments.exports)
         dress.exports.files.push_back(folder / ("garment." + extension));
-    const int code = run_dress(dress, store);
+    const int code = run_dress_once(dress, store);
     if (sim::file_exists(dress.picture_file))
         write_png(folder / batch::job_file::kThumbnail,
                   batch::shrunk(render::read_png(dress.picture_file), kThumbnailSide));
     return code;
 }
 
+// None if nobody asked for one and the user's cannot be made.
 std::optional<sim::ContentStore> open_store(const BatchArguments& arguments, const std::string& program) {
     if (!arguments.has_cache) return std::nullopt;
     const Path folder = arguments.cache.empty() ? usual_cache_folder() : arguments.cache;
     if (folder.empty()) return std::nullopt;
-    return sim::ContentStore(folder, program, static_cast<std::uint64_t>(arguments.cache_mb * 1e6));
+    try {
+        return sim::ContentStore(folder, program, static_cast<std::uint64_t>(arguments.cache_mb * 1e6));
+    } catch (const sim::InputError& error) {
+        if (!arguments.cache.empty()) throw;
+        std::fprintf(stderr, "selvedge: warning: no cache for bodies: %s\n", error.what());
+        return std::nullopt;
+    }
 }
 
 void print_counts(const batch::BatchCounts& counts) {
@@ -226,7 +196,9 @@ void print_replays(const std::vector<sim::Json>& rows) {
         const std::string& outcome = row.find("outcome")->string();
         if (outcome == "dressed" || outcome == "does_not_fit") continue;
         if (++count > kMost) continue;
-        std::printf("%s, to do again:\n  %s\n", outcome.c_str(), row.find("replay")->string().c_str());
+        constexpr std::size_t kLongest = 10'000;  // characters: a command that is cut is of no use
+        std::printf("%s, to do again:\n  %s\n", sim::printable(outcome).c_str(),
+                    sim::printable(row.find("replay")->string(), kLongest).c_str());
     }
     if (count > kMost) std::printf("and %zu more: see results.jsonl\n", count - kMost);
 }
@@ -245,22 +217,47 @@ void write_all(const BatchArguments& arguments, const batch::Results& results) {
     print_replays(results.rows);
     if (!changes.empty()) {
         const auto changed = std::ranges::count_if(changes, &batch::JobChange::is_changed);
-        std::printf("%td of %zu jobs changed since %s\n", changed, changes.size(), arguments.compared.c_str());
+        std::printf("%td of %zu jobs changed since %s\n", changed, changes.size(),
+                    sim::printable(arguments.compared.string()).c_str());
     }
-    std::printf("wrote %s, with results.jsonl, results.csv and times.csv beside it\n", (output / "index.html").c_str());
+    std::printf("wrote %s, with results.jsonl, results.csv and times.csv beside it\n",
+                sim::printable((output / "index.html").string()).c_str());
 }
 
 bool is_sound(const std::vector<sim::Json>& rows) {
     return std::ranges::all_of(rows, [](const sim::Json& row) { return row.find("outcome")->string() == "dressed"; });
 }
 
-int merge(const BatchArguments& arguments, const std::vector<batch::Job>& jobs) {
-    const batch::Results results = gather_results(jobs, arguments.batch.output);
+// Gathers what is done.
+batch::Results gather(const BatchArguments& arguments, const std::vector<batch::Job>& jobs, JobKeys& keys) {
+    batch::Results results =
+        gather_results(jobs, arguments.batch.output, [&](const batch::Job& job) { return keys(job); });
     write_all(arguments, results);
+    return results;
+}
+
+// The same; returns the exit code.
+int merge(const BatchArguments& arguments, const std::vector<batch::Job>& jobs, JobKeys& keys) {
+    const batch::Results results = gather(arguments, jobs, keys);
     if (results.missing.empty()) return is_sound(results.rows) ? 0 : 1;
-    std::fprintf(stderr, "selvedge: %zu of %zu jobs are not done, the first of them '%s'\n", results.missing.size(),
-                 jobs.size(), results.missing.front().c_str());
-    return 1;
+    std::fprintf(stderr, "selvedge: %zu of %zu jobs are not done with these inputs, options and program: '%s'%s\n",
+                 results.missing.size(), jobs.size(), sim::printable(results.missing.front()).c_str(),
+                 results.missing.size() > 1 ? " and others" : "");
+    return kNotAllDone;
+}
+
+// The exit code when all jobs of the run have ended. The results of a shard wait for those of the others.
+int conclude(const BatchArguments& arguments, const std::vector<batch::Job>& jobs, JobKeys& keys,
+             const batch::BatchCounts& counts) {
+    int code = counts.dressed == counts.jobs ? 0 : 1;
+    if (arguments.batch.shard.count == 1) {
+        code = merge(arguments, jobs, keys);
+    } else if (!arguments.is_quiet) {
+        std::printf("when all shards are done: selvedge batch ... --merge\n");
+    }
+    if (counts.unrecorded == 0) return code;
+    std::fprintf(stderr, "selvedge: %zu jobs left no result: %s\n", counts.unrecorded, counts.problem.c_str());
+    return kNotAllDone;
 }
 
 int run(BatchArguments arguments) {
@@ -268,9 +265,9 @@ int run(BatchArguments arguments) {
     if (!arguments.compared.empty()) batch::check_output_of_batch(arguments.compared);
     const std::vector<batch::Job> jobs = jobs_of(arguments);
     check_options(jobs);
-    if (arguments.only_merges) return merge(arguments, jobs);
+    JobKeys keys(JobOutputs{.has_pictures = arguments.has_pictures, .exports = arguments.exports});
+    if (arguments.only_merges) return merge(arguments, jobs, keys);
 
-    JobKeys keys(arguments);
     const std::optional<sim::ContentStore> store = open_store(arguments, keys.program());
     const StopSignal stop;
     BatchProgress progress(progress_bar_options(arguments.is_quiet));
@@ -283,16 +280,10 @@ int run(BatchArguments arguments) {
          .is_stopped = [&] { return stop.is_raised(); }});
     progress.finish();
     if (!arguments.is_quiet) print_counts(counts);
-    if (arguments.batch.shard.count > 1) {
-        if (!arguments.is_quiet) std::printf("when all shards are done: selvedge batch ... --merge\n");
-    } else {
-        write_all(arguments, gather_results(jobs, arguments.batch.output));
-    }
-    if (stop.is_raised()) {
-        std::fprintf(stderr, "selvedge: stopped; the same command goes on from here\n");
-        return stop.exit_code();
-    }
-    return counts.dressed == counts.jobs ? 0 : 1;
+    if (!stop.is_raised()) return conclude(arguments, jobs, keys, counts);
+    if (arguments.batch.shard.count == 1) gather(arguments, jobs, keys);
+    std::fprintf(stderr, "selvedge: stopped; the same command goes on from here\n");
+    return stop.exit_code();
 }
 
 void add_job_options(CLI::App& command, BatchArguments& arguments) {
@@ -364,7 +355,7 @@ void add_batch_command(CLI::App& app, int& exit_code) {
         "What was done before with the same inputs, options and program is not done again, so a batch that was "
         "stopped\n"
         "goes on. Ctrl+C lets the jobs that run end; twice stops at once.\n"
-        "Exit code: 0 all dressed without a fault, 1 not all, 2 wrong input, 130 stopped.\n"
+        "Exit code: 0 all dressed without a fault, 1 not all, 2 wrong input, 5 not all done, 130 stopped.\n"
         "Examples:\n"
         "  selvedge batch jobs.csv -o out\n"
         "  selvedge batch --patterns 'patterns/*.json' --bodies mannequin:bust=88 --bodies mannequin:bust=104 \\\n"

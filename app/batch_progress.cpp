@@ -51,11 +51,16 @@ std::string batch_line(const batch::BatchCounts& counts, int width) {
 
 void BatchProgress::show(const batch::BatchCounts& counts) {
     if (options_.is_quiet) return;
-    const Clock::time_point now = Clock::now();
-    const auto pause = options_.is_terminal ? std::chrono::milliseconds(100) : std::chrono::milliseconds(30'000);
-    if (now - last_ < pause && !(counts.is_complete() && options_.is_terminal)) return;
-    last_ = now;
-    const std::string line = batch_line(counts, std::max(20, options_.width - 1));
+    counts_ = counts;
+    if (!options_.is_terminal && done_when_drawn_ == counts.skipped + counts.done) return;
+    const auto pause = options_.is_terminal ? std::chrono::milliseconds(100) : std::chrono::milliseconds(5000);
+    if (!last_ || Clock::now() - *last_ >= pause || counts.is_complete()) draw();
+}
+
+void BatchProgress::draw() {
+    last_ = Clock::now();
+    done_when_drawn_ = counts_->skipped + counts_->done;
+    const std::string line = batch_line(*counts_, std::max(20, options_.width - 1));
     if (options_.is_terminal) {
         std::fprintf(stream_, "\r%s\033[K", line.c_str());
         has_line_ = true;
@@ -66,6 +71,8 @@ void BatchProgress::show(const batch::BatchCounts& counts) {
 }
 
 void BatchProgress::finish() {
+    const bool lacks_last = counts_ && done_when_drawn_ != counts_->skipped + counts_->done;
+    if (lacks_last && !options_.is_terminal) draw();
     if (has_line_) std::fprintf(stream_, "\r\033[K");
     std::fflush(stream_);
     has_line_ = false;

@@ -1,5 +1,8 @@
 #include "batch/csv.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "sim/core/error.h"
 
 namespace selvedge::batch {
@@ -19,7 +22,7 @@ class CsvReader {
                 row.fields.push_back(field());
             } while (skip(','));
             end_of_line();
-            if (row.fields.size() > 1 || !row.fields.front().empty()) rows.push_back(std::move(row));
+            if (!std::ranges::all_of(row.fields, &std::string::empty)) rows.push_back(std::move(row));
         }
         return rows;
     }

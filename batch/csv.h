@@ -12,8 +12,8 @@ struct CsvRow {
     std::vector<std::string> fields;
 };
 
-// Rows without any text are left out. Lines may end as on Windows; a byte-order mark is skipped. Throws InputError with
-// `file` and the line for a quote that is not closed, or text behind a closing one.
+// Rows without any text, such as those of commas alone, are left out. Lines may end as on Windows; a byte-order mark is
+// skipped. Throws InputError with `file` and the line for a quote that is not closed, or text behind a closing one.
 std::vector<CsvRow> parse_csv(std::string_view text, const std::string& file);
 
 // The fields of a row as text, with its line end.

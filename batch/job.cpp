@@ -75,8 +75,11 @@ std::string describe_job(const Job& job) {
     if (!body.empty()) text += "_" + body;
     const std::string fabric = std::filesystem::path(job.fabric).stem().string();
     if (!fabric.empty()) text += "_" + fabric;
-    for (const JobOption& option : job.options)
-        text += "_" + option.name + (option.value.empty() ? "" : "-" + option.value);
+    for (const JobOption& option : job.options) {
+        const bool is_path = option.name == "design" && option.value.find('/') != std::string::npos;
+        const std::string value = is_path ? std::filesystem::path(option.value).stem().string() : option.value;
+        text += "_" + option.name + (value.empty() ? "" : "-" + value);
+    }
     std::string name = with_name_letters(text);
     if (name.empty() || name.front() == '.') name.insert(0, "x");
     if (name.size() > kLongestDescription) {

@@ -9,8 +9,9 @@ namespace selvedge::batch {
 // An option of dress without its two hyphens, such as {"seconds", "8"}.
 struct JobOption {
     std::string name;
-    std::string value;     // empty for a flag
-    bool is_flag = false;  // takes no value
+    std::string value;       // empty for a flag
+    bool is_flag = false;    // takes no value
+    bool is_common = false;  // of all jobs of the manifest, not this job's own
 
     bool operator==(const JobOption&) const = default;
 };
@@ -32,7 +33,8 @@ std::vector<std::string> dress_arguments(const Job& job);
 // The command line that does this job alone, for a shell: it writes the report and the picture into the working folder.
 std::string replay_command(const Job& job);
 
-// A name for the job's folder that says what it holds; equal only for equal descriptions: long ones end in a hash.
+// A name for the job's folder that says what it holds; long ones end in a hash. Different jobs may get the same name,
+// as those of "a b.json" and "a-b.json" do: name_jobs() tells them apart.
 std::string describe_job(const Job& job);
 
 // Whether a text can be a job's name: 1 to 120 characters, not starting with '.'.

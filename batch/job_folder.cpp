@@ -1,12 +1,13 @@
 #include "batch/job_folder.h"
 
-#include <signal.h>
-#include <unistd.h>
+#include <fcntl.h>
+#include <sys/random.h>
 
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
+#include <cstdint>
+#include <cstdio>
 #include <string>
 #include <system_error>
 
@@ -20,39 +21,47 @@ namespace {
 
 using Path = std::filesystem::path;
 
-constexpr std::string_view kUnfinished = ".unfinished@";  // NAME.unfinished@HOST@PID
-constexpr std::string_view kOld = ".old@";
+constexpr std::string_view kUnfinished = ".unfinished@";  // NAME.unfinished@NUMBER
+constexpr std::string_view kOld = ".old@";                // a result that is being replaced
+constexpr std::string_view kLock = ".lock";               // in an unfinished folder
 constexpr std::size_t kMostBytes = 1 << 20;
 
-std::string host_name() {
-    std::array<char, 256> name{};
-    if (::gethostname(name.data(), name.size() - 1) != 0) return "host";
-    std::string text(name.data());
-    for (char& c : text) {
-        if (c == '/' || c == '@') c = '-';
-    }
-    return text;
-}
-
+// A path that no other process chooses, on whatever machine.
 Path beside(const Path& target, std::string_view mark) {
-    return target.string() + std::string(mark) + host_name() + "@" + std::to_string(::getpid());
+    std::uint64_t number = 0;
+    while (::getrandom(&number, sizeof number, 0) != static_cast<ssize_t>(sizeof number)) {
+    }
+    std::array<char, 17> digits{};
+    std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(number));
+    return target.string() + std::string(mark) + digits.data();
 }
 
-// Whether it was left by a process of this machine that has ended, or is too old to be in use.
-bool is_stray(const Path& path, const std::string& host) {
+// The name of the job that left a folder with this mark; none of another folder.
+std::optional<std::string> job_of_stray(const Path& path, std::string_view mark) {
     const std::string name = path.filename().string();
-    const std::size_t mark = std::min(name.find(kUnfinished), name.find(kOld));
-    if (mark == std::string::npos) return false;
-    const std::size_t at = name.find('@', mark), second = name.find('@', at + 1);
-    if (at == std::string::npos || second == std::string::npos) return false;
+    const std::size_t at = name.find(mark);
+    if (at == std::string::npos) return std::nullopt;
+    return name.substr(0, at);
+}
+
+bool is_older_than_any_job(const Path& path) {
+    constexpr auto kLongest = std::chrono::hours(48);  // twice the largest limit of time
     std::error_code error;
     const auto changed = std::filesystem::last_write_time(path, error);
-    const bool is_old = !error && std::filesystem::file_time_type::clock::now() - changed > std::chrono::hours(24);
-    if (is_old) return true;
-    if (name.substr(at + 1, second - at - 1) != host) return false;
-    int pid = 0;
-    std::from_chars(name.data() + second + 1, name.data() + name.size(), pid);
-    return pid > 0 && ::kill(pid, 0) != 0 && errno == ESRCH;
+    return !error && std::filesystem::file_time_type::clock::now() - changed > kLongest;
+}
+
+// Puts the new folder in the place of the old one, which is behind it at `path`. If the file system cannot do this at
+// once, there is a moment at which the old one has a name that delete_strays() knows, and none is in its place.
+std::error_code exchange(const Path& path, const Path& target) {
+    if (::renameat2(AT_FDCWD, path.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0) return {};
+    const Path old = beside(target, kOld);
+    std::error_code error, ignored;
+    std::filesystem::rename(target, old, error);
+    if (error) return error;
+    std::filesystem::rename(path, target, error);
+    std::filesystem::rename(old, error ? target : path, ignored);
+    return error;
 }
 
 }  // namespace
@@ -83,13 +92,17 @@ std::optional<JobRecord> read_record(const Path& output, const std::string& name
 UnfinishedJob::UnfinishedJob(const Path& output, const std::string& name)
     : target_(job_folder(output, name)), path_(beside(target_, kUnfinished)) {
     std::error_code error;
-    std::filesystem::remove_all(path_, error);
     std::filesystem::create_directories(path_, error);
     if (error) throw sim::InputError(path_.string(), "", "cannot be made: " + error.message());
+    try {
+        lock_.emplace(file(kLock));
+    } catch (const sim::InputError&) {  // its name alone protects it
+    }
 }
 
 UnfinishedJob::~UnfinishedJob() {
     std::error_code ignored;
+    lock_.reset();  // over NFS, a file that is open cannot go
     if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
 }
 
@@ -102,24 +115,32 @@ void UnfinishedJob::finish(const JobRecord& record) {
     json["cpu_s"] = record.cpu_s;
     json["peak_memory_mb"] = record.peak_memory_mb;
     sim::write_file_atomically(file(job_file::kRecord), write_json(json));
-    const Path old = beside(target_, kOld);
     std::error_code error;
-    std::filesystem::remove_all(old, error);
-    std::filesystem::rename(target_, old, error);
-    if (error && error != std::errc::no_such_file_or_directory)
-        throw sim::InputError(target_.string(), "", "cannot be replaced: " + error.message());
     std::filesystem::rename(path_, target_, error);
+    if (error == std::errc::directory_not_empty || error == std::errc::file_exists) error = exchange(path_, target_);
     if (error) throw sim::InputError(target_.string(), "", "cannot be written: " + error.message());
+    lock_.reset();
+    std::filesystem::remove(target_ / kLock, error);
+    std::filesystem::remove_all(path_, error);  // the older one, if there was one
     path_.clear();
-    std::filesystem::remove_all(old, error);
 }
 
-void delete_strays(const Path& output) {
-    const std::string host = host_name();
+void delete_strays(const Path& output, const std::set<std::string>& own) {
     std::error_code error;
     for (const Path& path : sim::entries_of(output / "jobs", error)) {
         std::error_code ignored;
-        if (is_stray(path, host)) std::filesystem::remove_all(path, ignored);
+        if (const std::optional<std::string> old = job_of_stray(path, kOld)) {
+            if (!own.contains(*old)) continue;
+            const Path target = job_folder(output, *old);
+            if (sim::file_exists(target)) {
+                std::filesystem::remove_all(path, ignored);
+            } else {
+                std::filesystem::rename(path, target, ignored);
+            }
+        } else if (const std::optional<std::string> unfinished = job_of_stray(path, kUnfinished)) {
+            const bool is_stray = own.contains(*unfinished) || is_older_than_any_job(path);
+            if (is_stray && !is_locked_by_another(path / kLock)) std::filesystem::remove_all(path, ignored);
+        }
     }
 }
 

@@ -4,10 +4,11 @@
 // asked for.
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
-#include "batch/worker_pool.h"
+#include "batch/file_lock.h"
 
 namespace selvedge::batch {
 
@@ -24,7 +25,7 @@ inline constexpr std::string_view kThumbnail = "thumbnail.png";
 struct JobRecord {
     std::string key;  // of the inputs, the options, the outputs and the program: equal for equal results
     int exit_code = 0;
-    bool has_failed = false;  // it crashed, took too long or too much memory: is tried again by the next run
+    bool has_failed = false;  // for a reason that may pass, such as a time limit: is tried again by the next run
     double wall_s = 0;
     double cpu_s = 0;
     double peak_memory_mb = 0;
@@ -35,7 +36,8 @@ std::filesystem::path job_folder(const std::filesystem::path& output, const std:
 // The record of a finished job; nullopt if there is none, or if it is broken.
 std::optional<JobRecord> read_record(const std::filesystem::path& output, const std::string& name);
 
-// A folder in which a job is being done. Without finish(), the destructor deletes it.
+// A folder in which a job is being done. Its name is its own, and it is locked, so that no other process takes it for
+// one that was left behind. Without finish(), the destructor deletes it.
 class UnfinishedJob {
  public:
     // Throws InputError if the folder cannot be made.
@@ -53,9 +55,12 @@ class UnfinishedJob {
  private:
     std::filesystem::path target_;
     std::filesystem::path path_;
+    std::optional<FileLock> lock_;  // none if there are too many open files
 };
 
-// Deletes what killed runs on this machine left of unfinished jobs, and what others left more than a day ago.
-void delete_strays(const std::filesystem::path& output);
+// Deletes what killed runs left of unfinished jobs: of those with the names `own`, which no other process does now, and
+// of others if they are older than any job may take. An older result that was being replaced takes its place again.
+// Pre: this process does no job now.
+void delete_strays(const std::filesystem::path& output, const std::set<std::string>& own);
 
 }  // namespace selvedge::batch

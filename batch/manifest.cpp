@@ -11,6 +11,7 @@
 #include "batch/csv.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/core/sha256.h"
 #include "sim/pattern/pattern.h"
@@ -45,24 +46,39 @@ bool is_fabric_file(const std::string& text) {
     return text.ends_with(".json");
 }
 
+// No path begins as an option does.
 std::string in_folder(const Path& folder, const std::string& file) {
-    return (folder / file).lexically_normal().string();
+    const std::string path = (folder / file).lexically_normal().string();
+    return path.starts_with('-') ? "./" + path : path;
 }
 
-// The files whose names match, in alphabetical order.
-std::vector<std::string> files_like(const std::string& pattern) {
+// A pattern of names that matches the text alone.
+std::string as_pattern(const std::string& text) {
+    std::string pattern;
+    for (const char c : text) {
+        if (std::string_view("*?[]\\").find(c) != std::string_view::npos) pattern += '\\';
+        pattern += c;
+    }
+    return pattern;
+}
+
+// The file of this name, or else the files whose names match, in alphabetical order. Only `text` is a pattern of names.
+std::vector<std::string> files_like(const Path& folder, const std::string& text) {
+    const std::string file = in_folder(folder, text);
+    if (sim::file_exists(file)) return {file};
+    const std::string pattern = in_folder(as_pattern(folder.string()), text);
     glob_t found{};
     const int end = ::glob(pattern.c_str(), 0, nullptr, &found);
     std::vector<std::string> files;
     if (end == 0) files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
     ::globfree(&found);
-    if (files.empty()) throw InputError(pattern, "", "there is no such file");
+    if (files.empty()) throw InputError(file, "", "there is no such file");
     return files;
 }
 
 void add_bodies(const std::string& text, const Path& folder, std::vector<std::string>& bodies) {
     if (text.empty()) return;
-    if (text.starts_with("mannequin")) {
+    if (!sim::is_body_file(text)) {
         bodies.push_back(text);
     } else if (text.ends_with(".txt")) {
         const Path list = folder / text;
@@ -72,7 +88,7 @@ void add_bodies(const std::string& text, const Path& folder, std::vector<std::st
             if (!line.starts_with('#') && !line.ends_with(".txt")) add_bodies(line, list.parent_path(), bodies);
         }
     } else {
-        std::ranges::move(files_like(in_folder(folder, text)), std::back_inserter(bodies));
+        std::ranges::move(files_like(folder, text), std::back_inserter(bodies));
     }
 }
 
@@ -80,8 +96,17 @@ std::string fabric_in(const Path& folder, const std::string& text) {
     return is_fabric_file(text) ? in_folder(folder, text) : text;
 }
 
-// A job whose paths are made relative to the manifest's folder.
+void resolve(std::vector<JobOption>& options, const Path& folder) {
+    for (JobOption& option : options) {
+        const std::string& value = option.value;
+        const bool is_file = option.name == "design" && !value.empty() && value != "test" && !value.starts_with('#');
+        if (is_file) option.value = in_folder(folder, value);
+    }
+}
+
+// Makes the paths relative to the manifest's folder.
 void resolve(Job& job, const Path& folder) {
+    resolve(job.options, folder);
     job.garment = in_folder(folder, job.garment.string());
     for (Path& over : job.over) over = in_folder(folder, over.string());
     if (sim::is_body_file(job.body)) job.body = in_folder(folder, job.body);
@@ -101,20 +126,54 @@ JobOption option_of(const std::string& name, const JsonView& value) {
     }
 }
 
-void check_option(const std::string& name, const std::string& file, const std::string& place) {
-    if (std::ranges::find(kNotOptions, name) != kNotOptions.end() || name.empty() || name.starts_with("-"))
-        throw InputError(file, place, "'" + name + "' is no option of a job");
+bool is_option_name(const std::string& text) {
+    return !text.empty() && !text.starts_with('-') &&
+           text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+}
+
+// Behind a flag, such a value would be read as an option. "-1.5" is a number.
+bool looks_like_option(const std::string& value) {
+    return value.size() > 1 && value.front() == '-' && value[1] != '.' && !(value[1] >= '0' && value[1] <= '9');
+}
+
+void check_option(const JobOption& option, const std::string& file, const std::string& place) {
+    if (!is_option_name(option.name) || std::ranges::find(kNotOptions, option.name) != kNotOptions.end())
+        throw InputError(file, place, "'" + option.name + "' is no option of a job");
+    if (looks_like_option(option.value))
+        throw InputError(file, place, "'" + option.value + "' is no value of '" + option.name + "'");
 }
 
 std::vector<JobOption> options_of(const JsonView& object) {
     std::vector<JobOption> options;
     for (const std::string& name : object.keys()) {
         const JsonView value = object.at(name);
-        check_option(name, object.file(), value.path());
+        const JobOption option = option_of(name, value);
+        check_option(option, object.file(), value.path());
         const bool is_off = value.value().is_bool() && !value.value().boolean();
-        if (!is_off) options.push_back(option_of(name, value));
+        if (!is_off) options.push_back(option);
     }
     return options;
+}
+
+// Options of all jobs of the manifest.
+std::vector<JobOption> common_options(const JsonView& root, const Path& folder) {
+    if (!root.has("options")) return {};
+    std::vector<JobOption> options = options_of(root.at("options"));
+    for (JobOption& option : options) option.is_common = true;
+    resolve(options, folder);
+    return options;
+}
+
+// Puts the common options before those of the job, but for those that it sets itself, be it to false.
+void add_common(const std::vector<JobOption>& common, const JsonView& job_object, Job& job) {
+    const std::vector<std::string> own =
+        job_object.has("options") ? job_object.at("options").keys() : std::vector<std::string>{};
+    std::vector<JobOption> options;
+    for (const JobOption& option : common) {
+        if (std::ranges::find(own, option.name) == own.end()) options.push_back(option);
+    }
+    std::ranges::move(job.options, std::back_inserter(options));
+    job.options = std::move(options);
 }
 
 std::vector<std::string> texts_of(const JsonView& parent, const char* key) {
@@ -156,8 +215,7 @@ std::vector<Job> jobs_of_json(std::string_view text, const Path& file) {
     const JsonView root(json, file.string());
     check_keys(root, {"options", "jobs", "product"});
     const Path folder = file.parent_path();
-    const std::vector<JobOption> common =
-        root.has("options") ? options_of(root.at("options")) : std::vector<JobOption>{};
+    const std::vector<JobOption> common = common_options(root, folder);
     std::vector<Job> jobs;
     if (root.has("jobs")) {
         const JsonView list = root.at("jobs");
@@ -165,7 +223,7 @@ std::vector<Job> jobs_of_json(std::string_view text, const Path& file) {
         for (std::size_t i = 0; i < list.size(); ++i) {
             Job& job = jobs.emplace_back(job_of(list.at(i)));
             resolve(job, folder);
-            job.options.insert(job.options.begin(), common.begin(), common.end());
+            add_common(common, list.at(i), job);
         }
     }
     if (root.has("product")) {
@@ -219,9 +277,9 @@ std::vector<Job> jobs_of_csv(std::string_view text, const Path& file) {
             const std::string& field = rows[i].fields[k];
             take_field(job, columns[k], field);
             if (field.empty() || std::ranges::find(kKeys, columns[k]) != kKeys.end()) continue;
-            check_option(columns[k], file.string(), place);
-            job.options.push_back(field == "true" ? JobOption{columns[k], "", true}
-                                                  : JobOption{columns[k], field, false});
+            const bool is_flag = field == "true";
+            job.options.push_back({.name = columns[k], .value = is_flag ? "" : field, .is_flag = is_flag});
+            check_option(job.options.back(), file.string(), place);
         }
         if (job.garment.empty()) throw InputError(file.string(), place, "names no garment");
         if (!job.name.empty() && !is_job_name(job.name))
@@ -237,7 +295,7 @@ std::vector<Job> jobs_of_csv(std::string_view text, const Path& file) {
 std::vector<Job> jobs_of(const Product& product, const Path& folder) {
     std::vector<std::string> garments, bodies, fabrics;
     for (const std::string& text : product.garments)
-        std::ranges::move(files_like(in_folder(folder, text)), std::back_inserter(garments));
+        std::ranges::move(files_like(folder, text), std::back_inserter(garments));
     for (const std::string& text : product.bodies) add_bodies(text, folder, bodies);
     for (const std::string& text : product.fabrics) fabrics.push_back(fabric_in(folder, text));
     if (bodies.empty()) bodies.emplace_back();
@@ -273,7 +331,7 @@ JobOption parse_option(const std::string& text) {
     JobOption option{.name = text.substr(0, equals),
                      .value = equals == std::string::npos ? "" : text.substr(equals + 1),
                      .is_flag = equals == std::string::npos};
-    check_option(option.name, "", "--set");
+    check_option(option, "", "--set");
     return option;
 }
 

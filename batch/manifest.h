@@ -32,11 +32,12 @@ std::vector<Job> read_manifest(const std::filesystem::path& path);
 // text: of a manifest called `file`; `extension`: ".csv" or ".json".
 std::vector<Job> parse_manifest(std::string_view text, const std::filesystem::path& file);
 
-// "seconds=8" or "no-self-collision". Throws InputError for an option that a job cannot have: an output, or what has a
-// place of its own.
+// "seconds=8" or "no-self-collision". Throws InputError for an option that a job cannot have: an output, what has a
+// place of its own, or a name or value that could be read as another option.
 JobOption parse_option(const std::string& text);
 
-// Sorts the jobs by name and gives unnamed ones theirs. Throws InputError for two jobs of one name.
+// Sorts the jobs by name and gives unnamed ones theirs; where these would be equal, with a hash of what the job is.
+// Throws InputError for two jobs of one name, and for two unnamed jobs that are the same.
 void name_jobs(std::vector<Job>& jobs);
 
 }  // namespace selvedge::batch

@@ -34,6 +34,7 @@ Json files_in(const Path& folder) {
     std::error_code error;
     for (const Path& path : sim::entries_of(folder, error)) {
         const std::string name = path.filename().string();
+        if (name.starts_with('.')) continue;  // of a process that was killed while it wrote
         if (name != job_file::kRecord && name != job_file::kTimes && name != job_file::kLog) names.push_back(name);
     }
     std::ranges::sort(names);
@@ -151,10 +152,12 @@ std::string times_csv(const std::vector<Json>& rows, const Path& output) {
 
 }  // namespace
 
-Results gather_results(const std::vector<Job>& jobs, const Path& output) {
+Results gather_results(const std::vector<Job>& jobs, const Path& output,
+                       const std::function<std::string(const Job&)>& key_of) {
     Results results;
     for (const Job& job : jobs) {
-        if (const std::optional<JobRecord> record = read_record(output, job.name)) {
+        const std::optional<JobRecord> record = read_record(output, job.name);
+        if (record && record->key == key_of(job)) {
             results.rows.push_back(row_of(job, *record, output));
         } else {
             results.missing.push_back(job.name);

@@ -1,21 +1,26 @@
 #include "batch/run.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstring>
+#include <fstream>
 #include <map>
 #include <memory>
+#include <set>
+#include <sstream>
+#include <thread>
 #include <utility>
 
+#include "batch/file_lock.h"
 #include "batch/job_folder.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
+#include "sim/core/printable.h"
 #include "sim/dress/report.h"
 
 namespace selvedge::batch {
@@ -24,26 +29,7 @@ namespace {
 using Path = std::filesystem::path;
 using Clock = std::chrono::steady_clock;
 
-// While it exists, no other process has the lock of the same file, on this machine or, over NFS, on another. The system
-// gives it free when the process ends, however that comes about; its children do not have it (POSIX record locks).
-class FileLock {
- public:
-    explicit FileLock(const Path& path) : fd_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
-        if (fd_ < 0) throw sim::InputError(path.string(), "", std::string("cannot write: ") + std::strerror(errno));
-        struct flock whole {};
-        whole.l_type = F_WRLCK;
-        whole.l_whence = SEEK_SET;
-        if (::fcntl(fd_, F_SETLK, &whole) == 0 || (errno != EAGAIN && errno != EACCES)) return;
-        ::close(fd_);
-        throw sim::InputError(path.parent_path().string(), "", "another run is doing these jobs here");
-    }
-    ~FileLock() { ::close(fd_); }
-    FileLock(const FileLock&) = delete;
-    FileLock& operator=(const FileLock&) = delete;
-
- private:
-    int fd_;
-};
+constexpr auto kPulse = std::chrono::milliseconds(200);  // between two reports of progress
 
 // The file stays: to delete it would let two runs lock two files of one name.
 Path lock_file(const BatchOptions& options) {
@@ -51,7 +37,20 @@ Path lock_file(const BatchOptions& options) {
            (".lock-" + std::to_string(options.shard.index) + "-of-" + std::to_string(options.shard.count));
 }
 
-std::string failure_of(const WorkResult& result, const JobLimits& limits) {
+// The last line of a text file, of which no more than its end is read; empty if there is none.
+std::string last_line(const Path& log) {
+    constexpr std::streamoff kMost = 4096;  // bytes
+    std::ifstream file(log, std::ios::binary | std::ios::ate);
+    const std::streamoff size = file.tellg();
+    file.seekg(std::max(std::streamoff(0), size - kMost));
+    std::ostringstream content;
+    content << file.rdbuf();
+    std::string text = content.str();
+    while (text.ends_with('\n')) text.pop_back();
+    return sim::printable(text.substr(text.rfind('\n') + 1));
+}
+
+std::string failure_of(const WorkResult& result, const JobLimits& limits, const Path& log) {
     switch (result.end) {
         case WorkEnd::Crashed:
             return std::string("its process was ended by a signal: ") + ::strsignal(result.signal);
@@ -62,23 +61,46 @@ std::string failure_of(const WorkResult& result, const JobLimits& limits) {
         case WorkEnd::Exited:
             break;
     }
-    return {};
+    const std::string said = result.code == 0 ? "" : last_line(log);
+    if (!said.empty()) return said;
+    return "its process ended with exit code " + std::to_string(result.code) + " and left no report of that";
 }
 
-// What did not write a report gets one that says why.
-void write_missing_report(const Path& folder, const std::string& problem, bool has_failed) {
-    sim::DressReport report;
-    report.problem = problem;
-    sim::Json json = json_without_times(report);
-    if (has_failed) json[sim::report_key::kOutcome] = "failed";
+std::string outcome_in(const sim::Json& report) {
+    const sim::Json* outcome = report.find(sim::report_key::kOutcome);
+    return outcome == nullptr || !outcome->is_string() ? std::string() : outcome->string();
+}
+
+// The report that a job wrote; none if there is no readable one.
+std::optional<sim::Json> report_in(const Path& folder) {
+    constexpr std::size_t kMostBytes = std::size_t(64) << 20;
+    const Path file = folder / job_file::kReport;
+    if (!sim::file_exists(file)) return std::nullopt;
+    try {
+        sim::Json report = sim::parse_json(sim::read_file(file, kMostBytes), file.string());
+        if (outcome_in(report).empty()) return std::nullopt;
+        return report;
+    } catch (const sim::InputError&) {
+        return std::nullopt;
+    }
+}
+
+// Whether the exit code says what the report does. It does not where a file could not be written after the report, and
+// there is no report of what went wrong before the garment was read.
+bool is_outcome(const sim::Json& report, int exit_code) {
+    const std::string outcome = outcome_in(report);
+    constexpr std::array kAll{sim::Outcome::Dressed, sim::Outcome::DoesNotFit, sim::Outcome::Defect,
+                              sim::Outcome::Refused};
+    return std::ranges::any_of(
+        kAll, [&](sim::Outcome one) { return outcome == name_of(one) && exit_code == exit_code_of(one); });
+}
+
+// Writes into the report of a job, or instead of one, that the job failed and why.
+void write_failure(const Path& folder, std::optional<sim::Json> report, const std::string& problem) {
+    sim::Json json = report ? std::move(*report) : json_without_times(sim::DressReport{});
+    json[sim::report_key::kOutcome] = "failed";
+    json[sim::report_key::kProblem] = problem;
     sim::write_file_atomically(folder / job_file::kReport, write_json(json));
-}
-
-std::string last_line(const Path& log) {
-    constexpr std::size_t kMost = 1 << 20;
-    std::string text = sim::read_file(log, kMost);
-    while (text.ends_with('\n')) text.pop_back();
-    return text.substr(text.rfind('\n') + 1);
 }
 
 void count(BatchCounts& counts, const JobRecord& record) {
@@ -103,15 +125,17 @@ class BatchRun {
     BatchCounts run() {
         plan();
         const Clock::time_point start = Clock::now();
-        std::size_t next = 0;
-        constexpr auto kPulse = std::chrono::milliseconds(200);
-        while (next < todo_.size() || pool_.running() > 0) {
+        while (next_ < todo_.size() || pool_.running() > 0) {
             const bool goes_on = !work_.is_stopped();
-            while (goes_on && next < todo_.size() && pool_.running() < std::size_t(options_.workers))
-                begin(todo_[next++]);
-            if (pool_.running() == 0) break;
-            const std::optional<WorkResult> result = pool_.wait(kPulse);
-            if (result) end(*result);
+            if (goes_on) begin_some();
+            if (pool_.running() > 0) {
+                const std::optional<WorkResult> result = pool_.wait(kPulse);
+                if (result) end(*result);
+            } else if (!goes_on) {
+                break;
+            } else if (next_ < todo_.size()) {
+                wait_for_a_process();
+            }
             counts_.seconds = std::chrono::duration<double>(Clock::now() - start).count();
             work_.progress(counts_);
         }
@@ -133,31 +157,69 @@ class BatchRun {
         }
     }
 
-    void begin(std::size_t job) {
-        auto folder = std::make_unique<UnfinishedJob>(options_.output, jobs_[job].name);
-        pool_.start(job, folder->file(job_file::kLog),
-                    [&, path = folder->path()] { return work_.dress(jobs_[job], path); });
-        unfinished_[job] = std::move(folder);
+    void begin_some() {
+        while (next_ < todo_.size() && pool_.running() < std::size_t(options_.workers) && begin(todo_[next_])) ++next_;
+    }
+
+    // False if the system has no process left for it now.
+    bool begin(std::size_t job) {
+        try {
+            auto folder = std::make_unique<UnfinishedJob>(options_.output, jobs_[job].name);
+            const Path path = folder->path();
+            if (!pool_.start(job, folder->file(job_file::kLog), [&] { return work_.dress(jobs_[job], path); }))
+                return false;
+            unfinished_[job] = std::move(folder);
+            tries_ = 0;
+        } catch (const sim::InputError& error) {
+            count_unrecorded(error);
+        }
+        return true;
+    }
+
+    // No job runs that could end and give its process free.
+    void wait_for_a_process() {
+        constexpr int kMostTries = 50;  // 10 s
+        if (++tries_ > kMostTries)
+            throw sim::InputError("", "", "no process could be started: the system has none left");
+        std::this_thread::sleep_for(kPulse);
     }
 
     void end(const WorkResult& result) {
         const std::unique_ptr<UnfinishedJob> folder = std::move(unfinished_[result.job]);
         unfinished_.erase(result.job);
-        JobRecord record{.key = keys_[result.job],
+        try {
+            const JobRecord record = finish(*folder, result);
+            ++counts_.done;
+            count(counts_, record);
+        } catch (const sim::InputError& error) {
+            count_unrecorded(error);
+        }
+    }
+
+    JobRecord finish(UnfinishedJob& folder, const WorkResult& result) const {
+        JobRecord record{.key = keys_.at(result.job),
                          .exit_code = result.code,
-                         .has_failed = result.end != WorkEnd::Exited,
+                         .has_failed = true,
                          .wall_s = result.wall_s,
                          .cpu_s = result.cpu_s,
                          .peak_memory_mb = result.peak_memory_mb};
+        std::optional<sim::Json> report;
+        if (result.end == WorkEnd::Exited) report = report_in(folder.path());
+        record.has_failed = !report || !is_outcome(*report, result.code);
         if (record.has_failed) {
             record.exit_code = 2;
-            write_missing_report(folder->path(), failure_of(result, options_.limits), true);
-        } else if (!sim::file_exists(folder->file(job_file::kReport))) {
-            write_missing_report(folder->path(), last_line(folder->file(job_file::kLog)), false);
+            write_failure(folder.path(), std::move(report),
+                          failure_of(result, options_.limits, folder.file(job_file::kLog)));
         }
-        folder->finish(record);
+        folder.finish(record);
+        return record;
+    }
+
+    void count_unrecorded(const sim::InputError& error) {
         ++counts_.done;
-        count(counts_, record);
+        ++counts_.failed;
+        ++counts_.unrecorded;
+        if (counts_.problem.empty()) counts_.problem = error.what();
     }
 
     const std::vector<Job>& jobs_;
@@ -165,6 +227,8 @@ class BatchRun {
     const BatchWork& work_;
     BatchCounts counts_;
     std::vector<std::size_t> todo_;
+    std::size_t next_ = 0;  // of todo_
+    int tries_ = 0;         // in a row to start a process
     std::map<std::size_t, std::string> keys_;
     std::map<std::size_t, std::unique_ptr<UnfinishedJob>> unfinished_;
     WorkerPool pool_;  // last: its processes end before the folders go that they write
@@ -190,7 +254,10 @@ BatchCounts run_batch(const std::vector<Job>& jobs, const BatchOptions& options,
     std::filesystem::create_directories(options.output / "jobs", error);
     if (error) throw sim::InputError(options.output.string(), "", "cannot be made: " + error.message());
     const FileLock lock(lock_file(options));
-    delete_strays(options.output);
+    if (lock.is_taken()) throw sim::InputError(options.output.string(), "", "another run is doing these jobs here");
+    std::set<std::string> own;
+    for (std::size_t i = options.shard.index - 1; i < jobs.size(); i += options.shard.count) own.insert(jobs[i].name);
+    delete_strays(options.output, own);
     return BatchRun(jobs, options, work).run();
 }
 

@@ -39,7 +39,9 @@ struct BatchCounts {
     std::size_t defects = 0;
     std::size_t refused = 0;
     std::size_t failed = 0;
-    double seconds = 0;  // since the first job began
+    std::size_t unrecorded = 0;  // of the failed ones, those whose folder could not be written
+    std::string problem{};       // of the first of these
+    double seconds = 0;          // since the first job began
 
     bool is_complete() const { return skipped + done == jobs; }
 };
@@ -51,11 +53,13 @@ struct BatchWork {
     // Dresses, and writes into the folder; returns the exit code of dress. Runs in the child process.
     std::function<int(const Job&, const std::filesystem::path& folder)> dress;
     std::function<void(const BatchCounts&)> progress;  // called several times a second
-    std::function<bool()> is_stopped;                  // true: jobs that run are ended, and no other begins
+    std::function<bool()> is_stopped;                  // true: no other job begins; those that run go on to their end
 };
 
-// Pre: the jobs have names (name_jobs()); this process has started no threads. Throws InputError if the output folder
-// cannot be written, or if another process does the same shard in it.
+// A job whose result does not follow from its inputs alone, such as one that crashed, took too long or could not write
+// a file, is reported as failed, and done again by the next run. Pre: the jobs have names (name_jobs()); this process
+// has started no threads. Throws InputError if the output folder cannot be made, if another process does the same shard
+// in it, or if no process can be started for long.
 BatchCounts run_batch(const std::vector<Job>& jobs, const BatchOptions& options, const BatchWork& work);
 
 }  // namespace selvedge::batch

@@ -49,9 +49,11 @@ int guarded(const std::function<int()>& work) {
     try {
         return work();
     } catch (const std::bad_alloc&) {
+        std::fflush(stdout);  // the message is the last line of the log
         std::fprintf(stderr, "selvedge: out of memory\n");
         return kOutOfMemoryCode;
     } catch (const std::exception& error) {
+        std::fflush(stdout);
         std::fprintf(stderr, "selvedge: %s\n", error.what());
         return 2;
     }
@@ -84,14 +86,16 @@ WorkerPool::~WorkerPool() {
     }
 }
 
-void WorkerPool::start(std::size_t job, const std::filesystem::path& log, const std::function<int()>& work) {
+bool WorkerPool::start(std::size_t job, const std::filesystem::path& log, const std::function<int()>& work) {
     std::fflush(nullptr);  // or the child would print it once more
     const pid_t parent = ::getpid();
     const pid_t pid = ::fork();
+    if (pid < 0 && (errno == EAGAIN || errno == ENOMEM)) return false;
     if (pid < 0) throw sim::InputError("", "", std::string("no process could be started: ") + std::strerror(errno));
     if (pid == 0) run_child(parent, log, limits_, work);
     ::setpgid(pid, pid);  // whoever of the two comes first
     children_.push_back({.job = job, .pid = pid, .handle = open_handle(pid), .start = Clock::now()});
+    return true;
 }
 
 void WorkerPool::kill_late() {
@@ -115,9 +119,10 @@ std::optional<WorkResult> WorkerPool::reap(std::size_t index) {
                       .wall_s = std::chrono::duration<double>(Clock::now() - child.start).count(),
                       .cpu_s = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime),
                       .peak_memory_mb = static_cast<double>(usage.ru_maxrss) / 1024};
-    if (child.is_killed) {
+    const bool is_signalled = WIFSIGNALED(status);
+    if (child.is_killed && is_signalled && WTERMSIG(status) == SIGKILL) {
         result.end = WorkEnd::TimedOut;
-    } else if (WIFSIGNALED(status)) {
+    } else if (is_signalled) {
         result.end = WorkEnd::Crashed;
         result.signal = WTERMSIG(status);
     } else {
@@ -130,10 +135,10 @@ std::optional<WorkResult> WorkerPool::reap(std::size_t index) {
 std::optional<WorkResult> WorkerPool::wait(std::chrono::milliseconds most) {
     const Clock::time_point deadline = Clock::now() + most;
     for (;;) {
-        kill_late();
         for (std::size_t i = 0; i < children_.size(); ++i) {
             if (std::optional<WorkResult> result = reap(i)) return result;
         }
+        kill_late();
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
         if (left.count() <= 0 || children_.empty()) return std::nullopt;
         std::vector<pollfd> handles;

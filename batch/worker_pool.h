@@ -40,9 +40,10 @@ class WorkerPool {
     std::size_t running() const { return children_.size(); }
 
     // Starts a child that runs `work` and exits with the code that it returns. What it prints goes into the file `log`,
-    // also the message of an exception, which exits 2. The child ends when this process does. Throws InputError if no
-    // process can be started. Pre: this process has started no threads.
-    void start(std::size_t job, const std::filesystem::path& log, const std::function<int()>& work);
+    // also the message of an exception, which exits 2. The child ends when this process does. False if the system has
+    // no process or memory left for one now. Throws InputError if none can be started at all. Pre: this process has
+    // started no threads.
+    bool start(std::size_t job, const std::filesystem::path& log, const std::function<int()>& work);
 
     // Waits up to `most` for a child to end; nullopt if none did. Kills those whose time is over.
     std::optional<WorkResult> wait(std::chrono::milliseconds most);

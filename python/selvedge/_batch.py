@@ -44,9 +44,10 @@ def batch(
     """Runs `selvedge batch MANIFEST -o OUTPUT` and returns the rows of OUTPUT/results.jsonl: one dict for each job.
 
     jobs: how many garments are dressed at once; None: the command's default. progress: called as progress(done, line)
-    for each line that the command tells of its progress, done from 0 to 1. An exception in it, or KeyboardInterrupt,
-    ends the command and is raised; the same call later goes on from there.
-    Raises InputError with the command's message if it refuses its input. Jobs with a fault, or that failed, have rows.
+    for each line that the command writes of its progress, every few seconds and at the end, done from 0 to 1. An
+    exception in it, or KeyboardInterrupt, ends the command and is raised; the same call later goes on from there.
+    Raises InputError with the command's message if it refuses its input, or if a job left no result. Jobs with a fault,
+    or that failed, have rows.
     """
     command = [os.fspath(program()), "batch", os.fspath(manifest), "-o", os.fspath(output)]
     if jobs is not None:

@@ -25,6 +25,7 @@
 #include "sim/body/body_bytes.h"
 #include "sim/body/bvh_text.h"
 #include "sim/body/gltf_skins.h"
+#include "sim/body/passing_error.h"
 #include "sim/body/system_call_filter.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
@@ -136,13 +137,13 @@ ImportAnswer run_guarded(const std::filesystem::path& path, const std::string& i
     const auto fail = [&](const char* problem) -> ImportAnswer { throw InputError(path.string(), "", problem); };
     switch (result.end) {
         case ChildEnd::NotStarted:
-            return fail("no process could be started to read it");
+            throw PassingError(path.string(), "", "no process could be started to read it");
         case ChildEnd::Crashed:
             return fail("the file crashes its reader");
         case ChildEnd::Forbidden:
             return fail("the file makes its reader do what is forbidden to it");
         case ChildEnd::TimedOut:
-            return fail("the file takes its reader too long");
+            throw PassingError(path.string(), "", "the file takes its reader too long");
         case ChildEnd::TooMuch:
             return fail("the file holds too much");
         case ChildEnd::Done:

@@ -57,7 +57,7 @@ TEST(BatchCommand, has_the_bits_of_dress_and_of_any_other_run_and_goes_on_where_
     batch_into(folder, "two", "--no-pictures --export ply --jobs 2 --no-cache");
     batch_into(folder, "shards", "--no-pictures --export ply --shard 2/2");
     const ProgramResult early = batch_into(folder, "shards", "--no-pictures --export ply --merge");
-    EXPECT_EQ(early.exit_code, 1);
+    EXPECT_EQ(early.exit_code, 5);
     EXPECT_NE(early.err.find("2 of 3 jobs are not done"), std::string::npos) << early.err;
     batch_into(folder, "shards", "--no-pictures --export ply --shard 1/2");
     batch_into(folder, "shards", "--no-pictures --export ply --merge");
@@ -94,11 +94,61 @@ TEST(BatchCommand, refuses_what_is_wrong_before_it_begins) {
     const std::string output = " -o '" + folder / "out" + "'";
     EXPECT_NE(refusal(manifest + output + " --set seconds=many").find("seconds"), std::string::npos);
     EXPECT_NE(refusal(manifest + output + " --set report=x").find("'report' is no option of a job"), std::string::npos);
+    EXPECT_NE(refusal(manifest + output + " --set seconds=4 --set seconds=5").find("'seconds' is set twice"),
+              std::string::npos);
     EXPECT_NE(refusal(manifest + output + " --shard 3/2").find("--shard"), std::string::npos);
     EXPECT_NE(refusal(manifest + output + " --compare '" + folder / "none" + "'").find("--compare"), std::string::npos);
     EXPECT_NE(refusal(output).find("name a manifest"), std::string::npos);
     EXPECT_NE(refusal("'" + folder / "none.json" + "'" + output).find("none.json"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+// Two jobs that are refused, which takes no time.
+std::string broken_jobs_in(const ScratchFolder& folder) {
+    std::ofstream(folder / "broken.json") << "{";
+    std::ofstream(folder / "broken_jobs.json") << R"({"options": {"seconds": 8, "max-level": 1},
+               "jobs": [{"name": "own", "garment": "broken.json", "options": {"seconds": 2}},
+                        {"name": "plain", "garment": "broken.json"}]})";
+    return folder / "broken_jobs.json";
+}
+
+TEST(BatchCommand, an_option_of_a_job_counts_before_set_and_that_before_the_manifest_s) {
+    const ScratchFolder folder;
+    const ProgramResult run = run_selvedge("batch '" + broken_jobs_in(folder) + "' -o '" + folder / "out" +
+                                           "' --no-pictures --no-cache --set seconds=4");
+    EXPECT_EQ(run.exit_code, 1) << run.err;
+    const std::string results = content_of(folder / "out/results.jsonl");
+    EXPECT_NE(results.find(R"("job_options":{"max-level":"1","seconds":"2"})"), std::string::npos) << results;
+    EXPECT_NE(results.find(R"("job_options":{"max-level":"1","seconds":"4"})"), std::string::npos) << results;
+}
+
+TEST(BatchCommand, goes_on_without_a_cache_that_nobody_asked_for) {
+    const ScratchFolder folder;
+    std::ofstream(folder / "file") << "no folder";
+    const std::string command = "env -u XDG_CACHE_HOME HOME='" + folder / "file" + "' '" + program_folder() +
+                                "/selvedge' batch '" + broken_jobs_in(folder) + "' -o '" + folder / "out" +
+                                "' --no-pictures";
+    const ProgramResult run = run_command(command);
+    EXPECT_EQ(run.exit_code, 1) << run.err;
+    EXPECT_NE(run.err.find("warning: no cache for bodies: "), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("2 of 2"), std::string::npos) << "the last line of the progress: " << run.err;
+    EXPECT_EQ(run_command(command + " --cache '" + folder / "file/cache" + "'").exit_code, 2);
+}
+
+TEST(BatchCommand, merging_on_a_cluster_fails_while_jobs_are_missing) {
+    const ScratchFolder folder;
+    const std::string shard = "batch '" + broken_jobs_in(folder) + "' --no-cache -o '" + folder / "out" + "' --shard ";
+    const std::string merge = "SELVEDGE='" + program_folder() + "/selvedge' MANIFEST='" + folder / "broken_jobs.json" +
+                              "' OUTPUT='" + folder / "out" + "' bash '" + source_folder() +
+                              "/scripts/slurm/merge.sbatch'";
+    EXPECT_EQ(run_selvedge(shard + "1/2").exit_code, 1);
+    const ProgramResult early = run_command(merge);
+    EXPECT_EQ(early.exit_code, 5);
+    EXPECT_NE(early.err.find("1 of 2 jobs are not done"), std::string::npos) << early.err;
+    EXPECT_EQ(run_selvedge(shard + "2/2").exit_code, 1);
+    EXPECT_EQ(run_command(merge).exit_code, 0);
+    std::ofstream(folder / "broken.json") << "{}";
+    EXPECT_EQ(run_command(merge).exit_code, 5) << "the garment is another one";
 }
 
 }  // namespace

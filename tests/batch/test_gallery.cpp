@@ -36,6 +36,10 @@ void finish(const Path& output, const Finished& job) {
     folder.finish({.key = "k", .exit_code = exit_code_of(outcome_of(report))});
 }
 
+std::string key_of(const Job&) {
+    return "k";
+}
+
 Job job_called(const std::string& name) {
     return {.name = name, .garment = name + ".json", .over = {}, .body = {}, .fabric = {}, .options = {}};
 }
@@ -43,7 +47,7 @@ Job job_called(const std::string& name) {
 TEST(Gallery, holds_rows_as_data_that_cannot_end_its_script) {
     const sim::TemporaryFolder folder;
     finish(folder / "out", {.name = "a", .has_fault = true});
-    const Results results = gather_results({job_called("a")}, folder / "out");
+    const Results results = gather_results({job_called("a")}, folder / "out", key_of);
     const std::string page = gallery_html(results.rows, {});
     EXPECT_EQ(page.find("</script><b>"), std::string::npos);
     EXPECT_NE(page.find("\\u003c/script>\\u003cb>"), std::string::npos);
@@ -65,7 +69,7 @@ TEST(CompareRuns, finds_new_jobs_new_outcomes_and_new_pictures) {
     finish(folder / "out", {.name = "picture", .colour = {10, 200, 10, 255}});
     finish(folder / "out", {.name = "added"});
     const Results results = gather_results(
-        {job_called("added"), job_called("fault"), job_called("picture"), job_called("same")}, folder / "out");
+        {job_called("added"), job_called("fault"), job_called("picture"), job_called("same")}, folder / "out", key_of);
     const std::vector<JobChange> changes = compare_runs(results.rows, folder / "out", folder / "old");
     ASSERT_EQ(changes.size(), 4U);
     EXPECT_TRUE(changes[0].is_new);

@@ -27,7 +27,7 @@ std::string refusal(const std::string& text, const char* file) {
 TEST(Csv, reads_quotes_line_ends_and_marks) {
     const auto rows = parse_csv(
         "\xEF\xBB\xBF"
-        "a,b\r\n\"x, \"\"y\"\"\",\"two\nlines\"\n\n,last",
+        "a,b\r\n\"x, \"\"y\"\"\",\"two\nlines\"\n\n,last\n,,\n",
         "t.csv");
     ASSERT_EQ(rows.size(), 3U);
     EXPECT_EQ(rows[0].fields, (std::vector<std::string>{"a", "b"}));
@@ -58,6 +58,34 @@ TEST(Manifest, json_lists_jobs_with_paths_in_its_folder) {
                                                                   "--fabric", "lists/f.json", "--seconds", "8"}));
 }
 
+TEST(Manifest, a_job_s_own_option_replaces_that_of_all_jobs) {
+    const std::vector<Job> jobs = parse_manifest(R"({
+        "options": {"seconds": 8, "no-self-collision": true},
+        "jobs": [{"garment": "a.json", "options": {"seconds": 4}},
+                 {"garment": "b.json", "options": {"no-self-collision": false}}]})",
+                                                 "m.json");
+    ASSERT_EQ(jobs.size(), 2U);
+    EXPECT_EQ(dress_arguments(jobs[0]), (std::vector<std::string>{"a.json", "--no-self-collision", "--seconds", "4"}));
+    EXPECT_EQ(dress_arguments(jobs[1]), (std::vector<std::string>{"b.json", "--seconds", "8"}));
+    EXPECT_TRUE(jobs[0].options[0].is_common);
+    EXPECT_FALSE(jobs[0].options[1].is_common);
+}
+
+TEST(Manifest, the_picture_of_a_design_is_in_its_folder) {
+    const auto designs = [](const std::string& text, const char* file) {
+        std::vector<std::string> all;
+        for (const Job& job : parse_manifest(text, file)) all.push_back(job.options.at(0).value);
+        return all;
+    };
+    EXPECT_EQ(designs(R"({"options": {"design": "all.png"}, "jobs": [{"garment": "a.json"},
+                          {"garment": "b.json", "options": {"design": "../own.png"}},
+                          {"garment": "c.json", "options": {"design": "#ff0000"}}]})",
+                      "lists/m.json"),
+              (std::vector<std::string>{"lists/all.png", "own.png", "#ff0000"}));
+    EXPECT_EQ(designs("garment,design\na.json,print.png\nb.json,test\n", "lists/m.csv"),
+              (std::vector<std::string>{"lists/print.png", "test"}));
+}
+
 TEST(Manifest, csv_has_a_column_per_key_or_option) {
     const std::vector<Job> jobs = parse_manifest(
         "garment,body,fabric,seconds,no-self-collision\ns.json,\"mannequin:bust=92,waist=70\",,9,true\nt.json,,silk,,"
@@ -85,9 +113,39 @@ TEST(Manifest, a_product_is_every_garment_on_every_body_in_every_fabric) {
                  sim::InputError);
 }
 
+TEST(Manifest, only_what_is_written_in_it_is_a_pattern_of_names) {
+    const sim::TemporaryFolder folder;
+    const std::filesystem::path inner = folder / "a[1]*";
+    std::filesystem::create_directories(inner / "mannequins");
+    for (const char* name : {"one.json", "two[2].json", "mannequins/m.obj"}) std::ofstream(inner / name) << "{}";
+    const auto jobs =
+        jobs_of({.garments = {"*.json"}, .bodies = {"mannequins/*.obj"}, .fabrics = {}, .options = {}}, inner);
+    ASSERT_EQ(jobs.size(), 2U);
+    EXPECT_EQ(jobs[0].garment, inner / "one.json");
+    EXPECT_EQ(jobs[0].body, (inner / "mannequins/m.obj").string());
+    const auto named = jobs_of({.garments = {"two[2].json"}, .bodies = {}, .fabrics = {}, .options = {}}, inner);
+    ASSERT_EQ(named.size(), 1U);
+    EXPECT_EQ(named[0].garment, inner / "two[2].json");
+}
+
+TEST(Manifest, nothing_in_it_can_be_read_as_another_option) {
+    EXPECT_EQ(dress_arguments(parse_manifest("garment,body\n--export=x.obj,-b.obj\n", "m.csv").at(0)),
+              (std::vector<std::string>{"./--export=x.obj", "--body", "./-b.obj"}));
+    for (const char* text : {"export=/x.obj", "Seconds", "-q", "", "seconds x"})
+        EXPECT_THROW(parse_option(std::string(text) + "=1"), sim::InputError) << text;
+    EXPECT_EQ(refusal(R"({"jobs": [{"garment": "x", "options": {"export=/x.obj": true}}]})", "m.json"),
+              "m.json: jobs[0].options[\"export=/x.obj\"]: 'export=/x.obj' is no option of a job");
+    EXPECT_EQ(refusal("garment,export=/x.obj\na,true\n", "m.csv"),
+              "m.csv: line 2: 'export=/x.obj' is no option of a job");
+    EXPECT_EQ(refusal("garment,no-self-collision\na,--export=x.obj\n", "m.csv"),
+              "m.csv: line 2: '--export=x.obj' is no value of 'no-self-collision'");
+    EXPECT_EQ(parse_option("camera=-30,10").value, "-30,10");
+}
+
 TEST(Manifest, names_are_unique_and_safe_whatever_the_files_are_called) {
     std::vector<Job> jobs;
-    for (const char* garment : {"one/shirt.json", "two/shirt.json", "\u00c4rmel \u2013 1.json", "..json"})
+    for (const char* garment :
+         {"one/shirt.json", "two/shirt.json", "a b.json", "a-b.json", "\u00c4rmel \u2013 1.json", "..json"})
         jobs.push_back({.name = {}, .garment = garment, .over = {}, .body = {}, .fabric = {}, .options = {}});
     jobs.push_back(
         {.name = {}, .garment = std::string(300, 'x') + ".json", .over = {}, .body = {}, .fabric = {}, .options = {}});

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <random>
@@ -22,6 +23,7 @@
 #include "sim/core/file.h"
 #include "sim/dress/report.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wait_until.h"
 
 namespace selvedge::batch {
 namespace {
@@ -69,7 +71,7 @@ BatchWork pretended_work() {
 }
 
 std::string results_of(const std::vector<Job>& jobs, const Path& output) {
-    const Results results = gather_results(jobs, output);
+    const Results results = gather_results(jobs, output, pretended_work().key);
     EXPECT_TRUE(results.missing.empty());
     write_results(results, output);
     return content_of(output / "results.jsonl") + content_of(output / "results.csv") + gallery_html(results.rows, {});
@@ -126,18 +128,115 @@ TEST(Batch, a_job_that_fails_is_told_and_tried_again_by_the_next_run) {
         return pretend(job, path);
     };
     const BatchCounts counts = run_batch(jobs, options, work);
-    EXPECT_EQ(counts.failed, 2U);
-    EXPECT_EQ(counts.refused, 1U);
-    const Results results = gather_results(jobs, options.output);
+    EXPECT_EQ(counts.failed, 3U);
+    const Results results = gather_results(jobs, options.output, work.key);
     ASSERT_EQ(results.rows.size(), 4U);
     EXPECT_EQ(results.rows[1].find("outcome")->string(), "failed");
     EXPECT_NE(results.rows[1].find("problem")->string().find("signal"), std::string::npos);
     EXPECT_EQ(results.rows[2].find("problem")->string(), "it took longer than 1 s");
-    EXPECT_EQ(results.rows[3].find("outcome")->string(), "refused");
+    EXPECT_EQ(results.rows[3].find("outcome")->string(), "failed");
     EXPECT_EQ(results.rows[3].find("problem")->string(), "selvedge: g3.json: no such file");
     const BatchCounts again = run_batch(jobs, options, pretended_work());
-    EXPECT_EQ(again.done, 2U) << "the failed ones";
+    EXPECT_EQ(again.done, 3U) << "the failed ones";
     EXPECT_EQ(again.failed, 0U);
+}
+
+// Stands in for dress that refuses its input.
+int refuse(const Path& folder) {
+    sim::DressReport report;
+    report.problem = "g.json: wrong";
+    sim::write_file_atomically(folder / job_file::kReport, write_json(json_without_times(report)));
+    return exit_code_of(sim::Outcome::Refused);
+}
+
+TEST(Batch, only_an_outcome_that_its_report_confirms_is_kept) {
+    const sim::TemporaryFolder folder;
+    const std::vector<Job> jobs = numbered_jobs(6);
+    const BatchOptions options{.output = folder / "out"};
+    BatchWork work = pretended_work();
+    work.dress = [](const Job& job, const Path& path) -> int {
+        if (job.name == "job1001") return refuse(path);
+        if (job.name == "job1002") return 0;
+        if (job.name == "job1003") return 2;
+        if (job.name == "job1005") return pretend(job, path);
+        pretend(job, path);
+        std::fprintf(stderr, "selvedge: garment.obj: no space left\n");
+        return 2;
+    };
+    const BatchCounts counts = run_batch(jobs, options, work);
+    EXPECT_EQ(counts.refused, 1U);
+    EXPECT_EQ(counts.dressed, 1U);
+    EXPECT_EQ(counts.failed, 4U);
+    const Results results = gather_results(jobs, options.output, work.key);
+    ASSERT_EQ(results.rows.size(), 6U);
+    const auto problem = [&](std::size_t row) { return results.rows[row].find("problem")->string(); };
+    EXPECT_EQ(problem(0), "selvedge: garment.obj: no space left");
+    EXPECT_EQ(problem(1), "g.json: wrong");
+    EXPECT_EQ(problem(2), "its process ended with exit code 0 and left no report of that");
+    EXPECT_EQ(problem(3), "its process ended with exit code 2 and left no report of that");
+    for (const std::size_t row : {0U, 2U, 3U, 4U})
+        EXPECT_EQ(results.rows[row].find("outcome")->string(), "failed") << row;
+    EXPECT_EQ(run_batch(jobs, options, pretended_work()).done, 4U) << "the failed ones";
+}
+
+TEST(Batch, goes_on_after_a_job_that_prints_much_or_whose_result_cannot_be_kept) {
+    const sim::TemporaryFolder folder;
+    const std::vector<Job> jobs = numbered_jobs(4);
+    const BatchOptions options{.output = folder / "out"};
+    BatchWork work = pretended_work();
+    work.dress = [](const Job& job, const Path& path) -> int {
+        if (job.name == "job1001") {
+            for (int i = 0; i < 100'000; ++i) std::printf("one of many lines\n");
+            throw sim::InputError("g1.json", "", "no such file");
+        }
+        if (job.name == "job1002") std::ofstream(path.parent_path() / job.name) << "a file where the result is to be";
+        return pretend(job, path);
+    };
+    const BatchCounts counts = run_batch(jobs, options, work);
+    EXPECT_TRUE(counts.is_complete());
+    EXPECT_EQ(counts.failed, 2U);
+    EXPECT_EQ(counts.unrecorded, 1U);
+    EXPECT_NE(counts.problem.find("job1002"), std::string::npos) << counts.problem;
+    const Results results = gather_results(jobs, options.output, work.key);
+    EXPECT_EQ(results.missing, std::vector<std::string>{"job1002"});
+    ASSERT_EQ(results.rows.size(), 3U);
+    EXPECT_EQ(results.rows[1].find("problem")->string(), "selvedge: g1.json: no such file");
+}
+
+TEST(Batch, results_of_other_inputs_are_missing) {
+    const sim::TemporaryFolder folder;
+    const std::vector<Job> jobs = numbered_jobs(3);
+    run_batch(jobs, {.output = folder / "out"}, pretended_work());
+    const Results results = gather_results(jobs, folder / "out", [](const Job& job) {
+        return job.name == "job1001" ? std::string("new") : "key of " + job.garment.string();
+    });
+    EXPECT_EQ(results.rows.size(), 2U);
+    EXPECT_EQ(results.missing, std::vector<std::string>{"job1001"});
+}
+
+TEST(Batch, a_result_that_is_made_again_takes_the_place_of_the_older_one) {
+    const sim::TemporaryFolder folder;
+    const std::vector<Job> jobs = numbered_jobs(3);
+    BatchOptions options{.output = folder / "out"};
+    BatchWork work = pretended_work();
+    work.dress = [](const Job& job, const Path& path) {
+        std::ofstream(path / ".selvedge-0123456789abcdef.tmp") << "left by a child that was killed";
+        return pretend(job, path);
+    };
+    run_batch(jobs, options, work);
+    std::ofstream(job_folder(options.output, "job1000") / "old") << "x";
+    options.does_all_again = true;
+    EXPECT_EQ(run_batch(jobs, options, work).done, 3U);
+    EXPECT_FALSE(std::filesystem::exists(job_folder(options.output, "job1000") / "old"));
+    std::size_t folders = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(options.output / "jobs")) {
+        EXPECT_FALSE(std::filesystem::exists(entry.path() / ".lock")) << entry.path();
+        ++folders;
+    }
+    EXPECT_EQ(folders, 3U);
+    const Results results = gather_results(jobs, options.output, work.key);
+    ASSERT_EQ(results.rows.size(), 3U);
+    EXPECT_EQ(write_json(*results.rows[0].find("files"), -1), "[\"report.json\"]");
 }
 
 TEST(Batch, stops_when_it_is_told_to_and_goes_on_later) {
@@ -151,7 +250,7 @@ TEST(Batch, stops_when_it_is_told_to_and_goes_on_later) {
     const BatchCounts part = run_batch(jobs, options, work);
     EXPECT_EQ(part.done, 3U);
     EXPECT_FALSE(part.is_complete());
-    EXPECT_EQ(gather_results(jobs, options.output).missing.size(), 5U);
+    EXPECT_EQ(gather_results(jobs, options.output, work.key).missing.size(), 5U);
     EXPECT_EQ(run_batch(jobs, options, pretended_work()).done, 5U);
 }
 
@@ -168,6 +267,47 @@ TEST(Batch, only_one_process_does_a_shard_at_a_time) {
         std::abort();
     };
     EXPECT_EQ(run_batch(numbered_jobs(1), options, work).failed, 0U);
+}
+
+std::size_t count_of_folders(const Path& jobs) {
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(jobs)) ++count;
+    return count;
+}
+
+TEST(JobFolder, of_a_job_that_another_process_does_is_no_stray) {
+    const sim::TemporaryFolder folder;
+    const Path output = folder / "out";
+    const pid_t pid = ::fork();
+    if (pid == 0) {
+        const UnfinishedJob job(output, "a");
+        std::ofstream(folder / "begun") << "x";
+        for (;;) std::this_thread::sleep_for(1s);
+    }
+    EXPECT_TRUE(wait_until([&] { return std::filesystem::exists(folder / "begun"); }));
+    delete_strays(output, {"a"});
+    EXPECT_EQ(count_of_folders(output / "jobs"), 1U);
+    ::kill(pid, SIGKILL);
+    ::waitpid(pid, nullptr, 0);
+    delete_strays(output, {"b"});
+    EXPECT_EQ(count_of_folders(output / "jobs"), 1U) << "it is of a job that another run may do";
+    delete_strays(output, {"a", "b"});
+    EXPECT_EQ(count_of_folders(output / "jobs"), 0U);
+}
+
+TEST(JobFolder, that_was_being_replaced_takes_its_place_again) {
+    const sim::TemporaryFolder folder;
+    const Path output = folder / "out";
+    UnfinishedJob(output, "a").finish({.key = "k"});
+    std::filesystem::rename(job_folder(output, "a"), job_folder(output, "a.old@0123"));
+    delete_strays(output, {"b"});
+    EXPECT_FALSE(read_record(output, "a"));
+    delete_strays(output, {"a"});
+    ASSERT_TRUE(read_record(output, "a"));
+    EXPECT_EQ(read_record(output, "a")->key, "k");
+    std::filesystem::create_directories(job_folder(output, "a.old@4567"));
+    delete_strays(output, {"a"});
+    EXPECT_EQ(count_of_folders(output / "jobs"), 1U);
 }
 
 // Runs the batch in a process of its own, which is killed after `pause` unless it has ended; returns whether it had.
@@ -206,7 +346,7 @@ TEST(Batch, kills_at_any_moment_lose_no_result_and_leave_no_half_one) {
     int kills = 0;
     while (kills < 200 && !ends_before(std::chrono::milliseconds(1 + random() % 40), jobs, options)) {
         ++kills;
-        const Results results = gather_results(jobs, options.output);  // throws if one is half
+        const Results results = gather_results(jobs, options.output, pretended_work().key);  // throws if one is half
         EXPECT_GE(results.rows.size(), known) << "after " << kills << " kills";
         known = results.rows.size();
     }
@@ -215,9 +355,7 @@ TEST(Batch, kills_at_any_moment_lose_no_result_and_leave_no_half_one) {
     BatchOptions other{.output = folder / "other"};
     run_batch(jobs, other, pretended_work());
     EXPECT_EQ(results_of(jobs, options.output), results_of(jobs, other.output));
-    std::size_t folders = 0;
-    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(options.output / "jobs")) ++folders;
-    EXPECT_EQ(folders, jobs.size()) << "strays are deleted";
+    EXPECT_EQ(count_of_folders(options.output / "jobs"), jobs.size()) << "strays are deleted";
 }
 
 TEST(Batch, parses_shards) {

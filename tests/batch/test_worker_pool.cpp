@@ -81,6 +81,16 @@ TEST_F(WorkerPoolTest, kills_a_job_whose_time_is_over) {
     EXPECT_GE(results.at(0).wall_s, 0.5);
 }
 
+TEST_F(WorkerPoolTest, believes_a_job_that_ended_in_time_though_nobody_looked) {
+    WorkerPool pool({.seconds = 0.3});
+    pool.start(0, folder_ / "log", [] { return 3; });
+    std::this_thread::sleep_for(1s);
+    const std::map<std::size_t, WorkResult> results = run_all(pool);
+    ASSERT_EQ(results.size(), 1U);
+    EXPECT_EQ(results.at(0).end, WorkEnd::Exited);
+    EXPECT_EQ(results.at(0).code, 3);
+}
+
 TEST_F(WorkerPoolTest, kills_what_still_runs_with_its_own_children_when_it_goes) {
     const std::filesystem::path mark = folder_ / "alive";
     {

@@ -3,13 +3,16 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
 #include <random>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
 #include "sim/body/guarded_import.h"
+#include "sim/body/passing_error.h"
 #include "sim/core/parallel.h"
+#include "tests/support/temporary_folder.h"
 
 namespace selvedge::sim {
 namespace {
@@ -140,6 +143,13 @@ TEST(ChildProcess, works_beside_the_threads_of_parallel_loops) {
             done[i] = run_in_child([] { return std::string("ok"); }).answer == "ok";
     });
     for (const int each : done) EXPECT_EQ(each, 1);
+}
+
+TEST(GuardedImport, says_of_a_reader_that_takes_too_long_that_this_may_pass) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "body.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    EXPECT_THROW(guarded_import(folder / "body.obj", ImportKind::Surface, {.child = {.wall_seconds = 0}}),
+                 PassingError);
 }
 
 }  // namespace
