@@ -41,9 +41,9 @@ float longest_edge(const std::array<Vec2f, 3>& u) {
     return std::sqrt(std::max({(u[1] - u[0]).squaredNorm(), (u[2] - u[1]).squaredNorm(), (u[0] - u[2]).squaredNorm()}));
 }
 
-// Triangles with longer edges are sampled by area, no more closely than a mesh of triangles too small to be sampled is by
-// its edges. In a coarse mesh of a finely drawn outline, most are slivers, whose lattices would have hundreds of points
-// each.
+// Triangles with longer edges are sampled by area, no more closely than a mesh of triangles too small to be sampled is
+// by its edges. In a coarse mesh of a finely drawn outline, most are slivers, whose lattices would have hundreds of
+// points each.
 constexpr float kLongestOnLattice = 0.2F;  // m
 
 // Calls take(shares of the corners) for the inner points of a lattice with that many parts per side.

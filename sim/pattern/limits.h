@@ -1,6 +1,6 @@
 #pragma once
-// The largest values that a pattern and its panels may have. The reader of pattern files and the editor share them, so that whatever the
-// editor makes can be opened again.
+// The largest values that a pattern and its panels may have. The reader of pattern files and the editor share them, so
+// that whatever the editor makes can be opened again.
 #include <string>
 #include <vector>
 

@@ -352,7 +352,8 @@ class Reader : private FaultReader {
         if (const Node size = node.member("size")) pattern.size = text(size).value_or("");
         if (const Node edge = node.member("edge_length")) {
             pattern.edge_length = length(edge);
-            if (pattern.edge_length && (*pattern.edge_length < kShortestMeshEdge || *pattern.edge_length > kLongestMeshEdge)) {
+            if (pattern.edge_length &&
+                (*pattern.edge_length < kShortestMeshEdge || *pattern.edge_length > kLongestMeshEdge)) {
                 error(edge, edge.value->number_text() + " is no edge length of a mesh: " + kMeshEdgesText + " are");
             }
         }
