@@ -135,11 +135,16 @@ std::optional<double> girth_round(const DrawMesh& garment, const MeasuredPart& p
     return girth;
 }
 
+bool is_covered(const DrawMesh& garment, const MeasuredPart& part) {
+    const auto is_round_it = [&](const GarmentLoop& loop) { return goes_round(loop, part.plane, part.centres.front()); };
+    return std::ranges::any_of(cut_garment(garment, part.plane), is_round_it);
+}
+
 // Where the trunk is narrowest; of a garment that hangs lower, as a skirt does, at its upper edge, if that is above the
 // hips.
 std::optional<MeasuredPart> waist_of(const DrawMesh& garment, const Body& body, const Range& range, double stature) {
     std::optional<MeasuredPart> narrowest = trunk_at(body, range.high, stature);
-    if (!narrowest || girth_round(garment, *narrowest)) return narrowest;
+    if (!narrowest || is_covered(garment, *narrowest)) return narrowest;
     for (int i = 1; i <= kLevels; ++i) {
         std::optional<MeasuredPart> lower =
             trunk_at(body, range.high - (range.high - range.low) * i / kLevels, stature);
