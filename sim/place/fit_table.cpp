@@ -136,7 +136,9 @@ std::optional<double> girth_round(const DrawMesh& garment, const MeasuredPart& p
 }
 
 bool is_covered(const DrawMesh& garment, const MeasuredPart& part) {
-    const auto is_round_it = [&](const GarmentLoop& loop) { return goes_round(loop, part.plane, part.centres.front()); };
+    const auto is_round_it = [&](const GarmentLoop& loop) {
+        return goes_round(loop, part.plane, part.centres.front());
+    };
     return std::ranges::any_of(cut_garment(garment, part.plane), is_round_it);
 }
 
