@@ -28,10 +28,10 @@ def results_in(out):
     """The results by job: a hash of all that is in its folder."""
     found = {}
     for folder in (out / "jobs").glob("[!.]*"):
-        if not (folder / "job.json").exists():
+        if "@" in folder.name or not (folder / "job.json").exists():  # with @: unfinished, or about to be replaced
             continue
         digest = hashlib.sha256()
-        for file in sorted(folder.iterdir()):
+        for file in sorted(folder.glob("[!.]*")):
             digest.update(file.name.encode() + b"\0" + file.read_bytes())
         found[folder.name] = digest.hexdigest()
     return found
