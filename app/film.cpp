@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -26,6 +25,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/atomic_file.h"
 #include "sim/core/error.h"
+#include "sim/core/file_extension.h"
 #include "sim/core/file_path.h"
 
 namespace selvedge::app {
@@ -144,12 +144,6 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 2> kFilmExtensions{".mp4", ".gif"};
 
-std::string lower_extension(const fs::path& path) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
-}
-
 std::string frame_name(int number) {
     std::array<char, 32> name{};
     std::snprintf(name.data(), name.size(), "frame_%04d.png", number);
@@ -253,7 +247,7 @@ std::string as_rgb(const render::Image& image) {
 }  // namespace
 
 FilmKind film_kind(const fs::path& path) {
-    const std::string extension = lower_extension(path);
+    const std::string extension = sim::lower_extension(path);
     std::error_code ignored;
     if (fs::is_directory(path, ignored) || !path.has_filename()) return FilmKind::Frames;
     if (extension == ".frames") return FilmKind::Frames;

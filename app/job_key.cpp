@@ -1,13 +1,13 @@
 #include "app/job_key.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstddef>
 #include <iterator>
 #include <utility>
 
 #include "sim/core/error.h"
+#include "sim/core/file_extension.h"
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/core/sha256.h"
@@ -19,12 +19,6 @@ namespace selvedge::app {
 namespace {
 
 using Path = std::filesystem::path;
-
-bool is_gltf(const Path& file) {
-    std::string extension = file.extension().string();
-    for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
-    return extension == ".gltf";
-}
 
 // "my body.bin" of "my%20body.bin".
 std::string percent_decoded(const std::string& text) {
@@ -94,7 +88,7 @@ std::vector<Path> JobKeys::inputs_of(const batch::Job& job) {
         if (option.name == "design") files.emplace_back(option.value);  // "test" or a colour is no file
     }
     for (const Path& file : std::vector<Path>(files)) {
-        if (is_gltf(file)) std::ranges::copy(buffers_of(file), std::back_inserter(files));
+        if (sim::lower_extension(file) == ".gltf") std::ranges::copy(buffers_of(file), std::back_inserter(files));
     }
     return files;
 }

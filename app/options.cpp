@@ -3,7 +3,6 @@
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -15,6 +14,7 @@
 
 #include "sim/collide/body_collider.h"
 #include "sim/core/error.h"
+#include "sim/core/file_extension.h"
 #include "sim/core/file_path.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/mannequin/stored_mannequin.h"
@@ -222,8 +222,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void check_extension(const fs::path& path, std::span<const std::string_view> extensions) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string extension = sim::lower_extension(path);
     if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) return;
     std::string known;
     for (const std::string_view name : extensions) known += (known.empty() ? "" : " or ") + std::string(name);

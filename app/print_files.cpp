@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdio>
 
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/file_extension.h"
 #include "sim/print/dxf_file.h"
 #include "sim/print/print_pdf.h"
 #include "sim/print/svg_file.h"
@@ -90,8 +90,7 @@ Printed print_pattern(const sim::Pattern& pattern, const std::filesystem::path& 
     if (pattern.panels.empty()) throw sim::InputError(pattern.name, "", "no panels: nothing to print");
     Printed printed;
     if (!has_allowance(pattern)) printed.notes.emplace_back("no seam allowance: the sewing line is cut");
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = sim::lower_extension(file);
     std::string bytes;
     if (settings.is_layout && extension != ".dxf") {
         bytes = write_layout(pattern, settings, extension, file, printed);

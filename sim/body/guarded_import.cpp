@@ -8,7 +8,6 @@
 #include <unistd.h>
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -29,6 +28,7 @@
 #include "sim/body/system_call_filter.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/file_extension.h"
 #include "sim/core/file_path.h"
 #include "sim/core/flat_bytes.h"
 #include "sim/core/process_memory.h"
@@ -37,12 +37,6 @@ namespace selvedge::sim {
 namespace {
 
 constexpr float kLargest = 1e6F;  // admits a body of 1,800 mm, rejects a corrupted exponent
-
-std::string lower_extension(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
-}
 
 bool looks_like_obj(std::string_view content) {
     if (content.find('\0') != std::string_view::npos) return false;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -10,6 +9,7 @@
 #include "sim/body/guarded_import.h"
 #include "sim/body/pose.h"
 #include "sim/core/error.h"
+#include "sim/core/file_extension.h"
 #include "sim/core/file_path.h"
 
 namespace selvedge::sim {
@@ -33,8 +33,7 @@ Range range_along(const ImportedScene& scene, int axis) {
 }
 
 bool is_gltf(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
+    const std::string extension = lower_extension(path);
     return extension == ".gltf" || extension == ".glb";
 }
 

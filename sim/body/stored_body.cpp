@@ -1,12 +1,12 @@
 #include "sim/body/stored_body.h"
 
-#include <cctype>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "sim/body/body_bytes.h"
+#include "sim/core/file_extension.h"
 #include "sim/core/flat_bytes.h"
 #include "sim/core/sha256.h"
 
@@ -34,13 +34,6 @@ std::optional<MadeBody> made_body_from_bytes(std::string_view bytes) {
     return made;
 }
 
-// In any case, as load_body() takes it.
-bool is_gltf(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
-    return extension == ".gltf";
-}
-
 }  // namespace
 
 MadeBody stored_body(const std::string& made_from, const ContentStore* store, const std::function<MadeBody()>& make) {
@@ -60,7 +53,7 @@ MadeBody load_stored_body(const std::filesystem::path& path, const LoadBodyOptio
         Body body = load_body(path, options, &report);
         return MadeBody{.body = std::move(body), .notes = std::move(report.notes)};
     };
-    if (store == nullptr || is_gltf(path)) return load();
+    if (store == nullptr || lower_extension(path) == ".gltf") return load();
     FlatWriter key;
     key.text(canonical_name(path));
     key.text(sha256_of_file(path));

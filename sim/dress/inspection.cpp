@@ -174,6 +174,11 @@ std::string describe_too_small(const TightLevel& level, const std::string& part)
     return "too small " + (part.empty() ? std::string() : "at the " + part + " ") + where;
 }
 
+// Whether the cloth need not stretch there by more than its fabric does.
+bool is_within_limit(const TightLevel& level) {
+    return shortfall(level) == 0 || level.limit_girth >= level.body_girth;
+}
+
 // What stretches no more than its fabric does is noted; beyond, the garment does not fit. One fault for each limb and
 // for the torso, where they are tightest.
 void validate_fit(const std::vector<TightLevel>& tight, const Body& body, DressReport& report) {
@@ -182,7 +187,7 @@ void validate_fit(const std::vector<TightLevel>& tight, const Body& body, DressR
     std::optional<BodyLimbs> limbs;
     for (const TightLevel& level : tight) {
         if (shortfall(level) == 0) continue;
-        if (level.limit_girth >= level.body_girth) {
+        if (is_within_limit(level)) {
             noted.push_back(level);
             continue;
         }
@@ -209,10 +214,6 @@ void validate_rest(const DrapeResult& draped, DressReport& report) {
         const long speed = std::lround(1000 * draped.rms_speed);
         report.notes.push_back("had settled, but moves by " + std::to_string(speed) + " mm/s in finer sub-steps");
     }
-}
-
-bool is_within_limit(const TightLevel& level) {
-    return shortfall(level) == 0 || level.limit_girth >= level.body_girth;
 }
 
 FitOptions fit_options(const Cloth& cloth) {

@@ -1,7 +1,6 @@
 #include "sim/exchange/mesh_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <map>
 #include <set>
@@ -14,6 +13,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/file_extension.h"
 #include "sim/exchange/glb_file.h"
 #include "sim/exchange/obj_text.h"
 #include "sim/exchange/ply_file.h"
@@ -147,8 +147,7 @@ std::vector<std::string_view> mesh_extensions() {
 }
 
 const MeshFormat& mesh_format_of(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
+    const std::string extension = lower_extension(path);
     const auto found = std::ranges::find(kFormats, extension, &MeshFormat::extension);
     if (found == kFormats.end())
         throw InputError(path.string(), "", "'" + extension + "' is not a mesh format: " + usable_extensions());
