@@ -1,4 +1,5 @@
 // Converts assimp's scene to an ImportedScene; runs in the guarded child process.
+#include <assimp/BaseImporter.h>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -30,7 +32,10 @@ void keep_only_importer(Assimp::Importer& importer, const std::string& extension
         for (std::string word; extensions >> word;) is_wanted = is_wanted || word == extension;
         if (!is_wanted) others.push_back(importer.GetImporter(i));
     }
-    for (Assimp::BaseImporter* other : others) importer.UnregisterLoader(other);
+    for (Assimp::BaseImporter* other : others) {
+        importer.UnregisterLoader(other);
+        const std::unique_ptr<Assimp::BaseImporter> released(other);  // unregistered: ours
+    }
 }
 
 Eigen::Affine3d affine(const aiMatrix4x4& m) {

@@ -39,7 +39,7 @@ bool is_sound(const Body& body) {
     }
     for (const SkinWeights& skin : body.skin) {
         for (std::size_t k = 0; k < 4; ++k) {
-            if (skin.weights[k] > 0 && skin.bones[k] >= bones) return false;
+            if (skin.bones[k] >= bones) return false;
         }
     }
     return true;

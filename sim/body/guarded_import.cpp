@@ -166,8 +166,7 @@ void check_skin(const ImportedScene& scene, const ImportedMesh& mesh, const Inpu
     if (!mesh.skin.empty() && mesh.skin.size() != mesh.x.size()) throw broken;
     for (const SkinWeights& skin : mesh.skin)
         for (std::size_t k = 0; k < 4; ++k)
-            if (!(skin.weights[k] >= 0 && skin.weights[k] <= 1.001F) ||
-                (skin.weights[k] > 0 && skin.bones[k] >= scene.bones.size()))
+            if (!(skin.weights[k] >= 0 && skin.weights[k] <= 1.001F) || skin.bones[k] >= scene.bones.size())
                 throw broken;
 }
 

@@ -87,27 +87,38 @@ std::vector<Vec2d> spots_in(const std::vector<Vec2d>& outline) {
 // Where a label may lie, as far as the caller says.
 using MayLie = std::function<bool(const Eigen::AlignedBox2d&)>;
 
-// Of the places where the label fits, the one farthest from the outline and from what is drawn inside.
+// A place for the middle of a label.
+struct LabelSpot {
+    Vec2d at;
+    double room = 0;  // m, to the outline and to what is drawn inside
+};
+
+// Those with the most room first.
+std::vector<LabelSpot> by_room(const std::vector<Vec2d>& spots, const std::vector<Vec2d>& outline, const Drawn& drawn) {
+    std::vector<LabelSpot> sorted;
+    for (const Vec2d& spot : spots)
+        sorted.push_back({spot, std::min(distance_to_outline(spot, outline), distance_to_drawn(spot, drawn))});
+    std::ranges::stable_sort(sorted, std::ranges::greater(), &LabelSpot::room);
+    return sorted;
+}
+
+// Moves the label to the first spot where it fits. Returns whether there is one.
 bool fit_label(PaperLabel& label, const std::vector<Vec2d>& outline, const Drawn& drawn,
-               const std::vector<Vec2d>& spots, const MayLie& may_lie = {}) {
-    double farthest = -1;
-    Vec2d best = Vec2d::Zero();
-    for (const Vec2d& spot : spots) {
-        label.at = spot;
+               const std::vector<LabelSpot>& spots, const MayLie& may_lie = {}) {
+    for (const LabelSpot& spot : spots) {
+        label.at = spot.at;
         const Eigen::AlignedBox2d box = label_box(label);
-        if (!is_rectangle_inside(box, outline) || meets_box(drawn, box) || (may_lie && !may_lie(box))) continue;
-        const double distance = std::min(distance_to_outline(spot, outline), distance_to_drawn(spot, drawn));
-        if (distance > farthest) farthest = distance, best = spot;
+        if (spot.room < box.sizes().minCoeff() / 2) return false;  // nor has any of those that follow as much
+        if (is_rectangle_inside(box, outline) && !meets_box(drawn, box) && (!may_lie || may_lie(box))) return true;
     }
-    label.at = best;
-    return farthest >= 0;
+    return false;
 }
 
 constexpr std::array kLabelHeights{0.008, 0.006, 0.0045, 0.0035, 0.0025};  // m
 
 // The largest text of which the label fits; none if it does not.
 std::optional<PaperLabel> largest_label(PaperLabel label, const std::vector<Vec2d>& outline, const Drawn& drawn,
-                                        const std::vector<Vec2d>& spots) {
+                                        const std::vector<LabelSpot>& spots) {
     for (const double height : kLabelHeights) {
         label.height = height;
         if (fit_label(label, outline, drawn, spots)) return label;
@@ -120,11 +131,12 @@ void place_label(PaperLabel& label, const PaperPiece& piece, const std::vector<V
     constexpr double kMuch = 1.7;  // times
     const std::vector<Vec2d>& outline = piece.sew;
     for (const Drawn& drawn : {drawn_inside(piece), Drawn()}) {
+        const std::vector<LabelSpot> sorted = by_room(spots, outline, drawn);
         PaperLabel turned = label;
         turned.runs_up = true;
-        const std::optional<PaperLabel> level = largest_label(label, outline, drawn, spots);
+        const std::optional<PaperLabel> level = largest_label(label, outline, drawn, sorted);
         if (level && kMuch * level->height > kLabelHeights.front()) return void(label = *level);
-        const std::optional<PaperLabel> upright = largest_label(turned, outline, drawn, spots);
+        const std::optional<PaperLabel> upright = largest_label(turned, outline, drawn, sorted);
         if (level && (!upright || upright->height < kMuch * level->height)) return void(label = *level);
         if (upright) return void(label = *upright);
     }
@@ -368,7 +380,7 @@ void move_label(PaperPiece& piece, const std::vector<Eigen::AlignedBox2d>& boxes
     if (is_allowed(label_box(piece.label))) return;
     PaperLabel label = piece.label;
     const Drawn drawn = drawn_inside(piece);
-    const std::vector<Vec2d> spots = spots_in(piece.sew);
+    const std::vector<LabelSpot> spots = by_room(spots_in(piece.sew), piece.sew, drawn);
     for (const double height : kLabelHeights) {
         if (height > piece.label.height || height < kLeast * piece.label.height) continue;
         label.height = height;

@@ -45,6 +45,13 @@ TEST(SceneBytes, come_back_as_they_went) {
     EXPECT_EQ(back->scene.bones[1].joint, Vec3d(0, 1.2, 0));
 }
 
+TEST(SceneBytes, are_refused_when_they_name_a_bone_that_is_not_there_though_it_has_no_weight) {
+    ImportAnswer answer = some_answer();
+    EXPECT_NO_THROW(scene_of(answer, "some.glb", ImportKind::Surface));
+    answer.scene.meshes[1].skin[2].bones[3] = 2;
+    EXPECT_THROW(scene_of(answer, "some.glb", ImportKind::Surface), InputError);
+}
+
 TEST(SceneBytes, are_refused_when_cut_anywhere_or_followed_by_more) {
     const std::string bytes = to_bytes(some_answer());
     for (std::size_t length = 0; length < bytes.size(); ++length)
