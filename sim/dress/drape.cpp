@@ -63,8 +63,12 @@ void DrapeRun::give_up(Cloth& cloth) {
     end_fall(cloth);
 }
 
+bool DrapeRun::hangs() const {
+    return phase_ == DrapePhase::Fall && lowered_ >= options_.lowering_time;
+}
+
 bool DrapeRun::hangs_calmly() const {
-    return phase_ == DrapePhase::Fall && lowered_ >= options_.lowering_time && result_.rms_speed < options_.calm_speed;
+    return hangs() && result_.rms_speed < options_.calm_speed;
 }
 
 void DrapeRun::clear_times() {

@@ -72,10 +72,11 @@ class DrapeRun {
     // Restarts the fall from the current state. No effect in phase Relax or after a bad number.
     void reactivate(Cloth& cloth);
 
-    // Ends the fall of a garment that is too small for the body: it would crumple and stretch without coming to rest.
-    // Pre: phase() is Fall.
+    // Goes on to the end of the fall of a garment that is too small for the body: it would crumple and stretch without
+    // coming to rest. Pre: phase() is Relax or Fall.
     void give_up(Cloth& cloth);
-    // Whether the fall has its full weight and speeds are low: what the cloth shows now, it will show later.
+    // Whether the fall has its full weight; and speeds are low: what the cloth shows now, it will show later.
+    bool hangs() const;
     bool hangs_calmly() const;
 
     DrapePhase phase() const { return phase_; }

@@ -74,8 +74,9 @@ void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phas
     }
 }
 
-// Runs the fall to its end, or until the garment was too small for the body at two tests.
-void fall_or_give_up(Dressing& dressing, const Progress& progress) {
+// Runs the fall to its end, or until the garment was too small for the body at two tests. What fits nowhere is given up
+// as soon as it hangs: the tighter it is, the less calmly.
+void fall_or_give_up(Dressing& dressing, bool fits_nowhere, const Progress& progress) {
     constexpr double kBetweenTests = 0.5;  // s of simulated time, in which cloth that hangs calmly slides into place
     double next_test = 0;                  // s
     bool was_too_small = false;
@@ -83,6 +84,7 @@ void fall_or_give_up(Dressing& dressing, const Progress& progress) {
         dressing.advance();
         if (dressing.stage() != DressingStage::Fall) return;
         report(progress, "draping", dressing.fraction());
+        if (fits_nowhere && dressing.hangs()) dressing.give_up();
         if (!dressing.hangs_calmly() || dressing.simulated_seconds() < next_test) continue;
         next_test = dressing.simulated_seconds() + kBetweenTests;
         const bool is_small = is_too_small(*dressing.cloth(), *dressing.body());
@@ -92,22 +94,29 @@ void fall_or_give_up(Dressing& dressing, const Progress& progress) {
 }
 
 // A garment that is too small is not waited for: it crumples and stretches without coming to rest. If the end shows
-// that it is not, it falls on.
-void finish_fall(Dressing& dressing, const Progress& progress) {
-    fall_or_give_up(dressing, progress);
-    const bool was_wrong = dressing.result().was_given_up && !dressing.result().bad_vertex &&
+// that it is not, it falls on. One that could not be pulled over the body stays as it was sewn. Returns what of the
+// sewn garment fits nowhere.
+std::optional<TightLevel> relax_and_fall(Dressing& dressing, const Progress& progress) {
+    std::optional<TightLevel> too_small;
+    if (dressing.stage() == DressingStage::Relax) too_small = fits_nowhere(*dressing.cloth(), *dressing.body());
+    if (too_small && excess_stretch(*too_small) > FaultLimits{}.stretch_max) dressing.give_up();
+    finish_stage(dressing, DressingStage::Relax, "draping", progress);
+    fall_or_give_up(dressing, too_small.has_value(), progress);
+    const bool was_wrong = dressing.result().was_given_up && !dressing.result().bad_vertex && !too_small &&
                            !is_too_small(*dressing.cloth(), *dressing.body());
-    if (!was_wrong) return;
-    dressing.reactivate();
-    finish_stage(dressing, DressingStage::Fall, "draping", progress);
+    if (was_wrong) {
+        dressing.reactivate();
+        finish_stage(dressing, DressingStage::Fall, "draping", progress);
+    }
+    return too_small;
 }
 
 // Fills in the report's faults and fit. body: in the pose in which the collider has it.
 void inspect(DressedGarment& dressed, Dressing& dressing, const Body& body, const BodyCollider& collider,
-             const DrapeResult& result) {
+             const DrapeResult& result, const std::optional<TightLevel>& too_small) {
     const Cloth& cloth = *dressed.cloth;
     validate(cloth, collider, dressing.anchored(), dressing.open_seams(), result, dressed.report,
-             {.may_cross_itself = !dressing.options().self_collision});
+             {.may_cross_itself = !dressing.options().self_collision}, too_small);
     if (result.bad_vertex) return;
     const DesignedGarment designed{.unsewn = dressing.designed(), .body = &dressing.designed_for()};
     validate_wearing(cloth, dressing.sewn_mesh(), designed, body, dressed.report);
@@ -150,8 +159,7 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     timer.done("sewing");
 
     selvedge::sim::report(progress, "draping", 0);
-    finish_stage(dressing, DressingStage::Relax, "draping", progress);
-    finish_fall(dressing, progress);
+    const std::optional<TightLevel> too_small = relax_and_fall(dressing, progress);
     selvedge::sim::report(progress, "draping", 1);
     Cloth& cloth = dressed.cloth.emplace(*dressing.cloth());
     DrapeResult result = dressing.result();
@@ -166,7 +174,7 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     timer.done("draping");
 
     dressed.mesh = draw_mesh(cloth, dressing.sewn_mesh().panel_names);
-    inspect(dressed, dressing, body, own ? *own : dressing.collider(), result);
+    inspect(dressed, dressing, body, own ? *own : dressing.collider(), result, too_small);
     dressed.hierarchy = triangle_hierarchy(cloth);
     dressed.meshing = dressing.drape().meshing;
     timer.done("inspection");

@@ -119,8 +119,9 @@ class Dressing {
     const std::vector<OpenSeam>& open_seams() const { return drape_->open; }  // that did not close, ascending
     const DrapeResult& result() const { return drape_->run->result(); }
     void clear_times() { drape_->run->clear_times(); }  // see DrapeRun
+    bool hangs() const { return drape_ && drape_->run->hangs(); }
     bool hangs_calmly() const { return drape_ && drape_->run->hangs_calmly(); }
-    void give_up() { drape_->run->give_up(drape_->cloth); }  // Pre: hangs_calmly()
+    void give_up() { drape_->run->give_up(drape_->cloth); }  // Pre: Relax or Fall, and see DrapeRun
     void reactivate();                                       // a drape at rest falls on
     double simulated_seconds() const;                        // since sewing began
 

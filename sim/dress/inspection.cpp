@@ -180,24 +180,28 @@ bool is_within_limit(const TightLevel& level) {
 }
 
 // What stretches no more than its fabric does is noted; beyond, the garment does not fit. One fault for each limb and
-// for the torso, where they are tightest.
-void validate_fit(const std::vector<TightLevel>& tight, const Body& body, DressReport& report) {
+// for the torso, where they are tightest. fits_nowhere: as validate().
+void validate_fit(const std::vector<TightLevel>& tight, const std::optional<TightLevel>& fits_nowhere, const Body& body,
+                  DressReport& report) {
     std::vector<TightLevel> noted;
     std::map<int, const TightLevel*> too_small;
     std::optional<BodyLimbs> limbs;
+    const auto worst_there = [&](const TightLevel& level) -> const TightLevel*& {
+        if (!limbs) limbs = find_limbs(body);
+        const auto position = nearest_on_limbs(*limbs, (level.low + level.high) / 2);
+        return too_small[position && position->limb ? static_cast<int>(*position->limb) : -1];
+    };
     for (const TightLevel& level : tight) {
         if (shortfall(level) == 0) continue;
         if (is_within_limit(level)) {
             noted.push_back(level);
             continue;
         }
-        if (!limbs) limbs = find_limbs(body);
-        const auto position = nearest_on_limbs(*limbs, (level.low + level.high) / 2);
-        const int limb = position && position->limb ? static_cast<int>(*position->limb) : -1;
-        const TightLevel*& worst = too_small[limb];
+        const TightLevel*& worst = worst_there(level);
         if (worst == nullptr || shortfall(level) > shortfall(*worst)) worst = &level;
     }
     if (!noted.empty()) report.notes.push_back(describe_tight(noted));
+    if (fits_nowhere && too_small.empty()) worst_there(*fits_nowhere) = &*fits_nowhere;
     for (const auto& [limb, level] : too_small) {
         const std::string part = place_on_body(*limbs, (level->low + level->high) / 2);
         add_fault(report, "does_not_fit", describe_too_small(*level, part), shortfall(*level));
@@ -224,13 +228,13 @@ FitOptions fit_options(const Cloth& cloth) {
 
 // Stretch is a fault beyond the fabric's limit and what the garment's tightness explains.
 void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const FaultLimits& limits,
-                      DressReport& report) {
+                      const std::optional<TightLevel>& too_small, DressReport& report) {
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
     if (strains.empty()) return;
     report.stretch = stretch_statistics(strains);
     const FitOptions fit = fit_options(cloth);
     const std::vector<TightLevel> tight = tight_levels(draw_mesh(cloth, {}), body, fit);
-    validate_fit(tight, body, report);
+    validate_fit(tight, too_small, body, report);
     std::vector<TriangleStrain> unexplained;
     std::size_t worst = 0;
     for (std::size_t i = 0; i < strains.size(); ++i) {
@@ -251,7 +255,7 @@ void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& patte
 
 void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern,
               std::span<const OpenSeam> open_seams, const DrapeResult& draped, DressReport& report,
-              const FaultLimits& limits) {
+              const FaultLimits& limits, const std::optional<TightLevel>& too_small) {
     report.seams.open = static_cast<int>(open_seams.size());
     for (const OpenSeam& open : open_seams) add_fault(report, "open_seam", describe_seam(pattern, open.seam), open.gap);
     if (draped.bad_vertex) {
@@ -260,7 +264,7 @@ void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& patte
         validate_contact(cloth, body, pattern, limits, report);
         validate_crossings(cloth, pattern, limits, report);
         validate_layers(cloth, pattern, report);
-        validate_stretch(cloth, body.body(), pattern, limits, report);
+        validate_stretch(cloth, body.body(), pattern, limits, too_small, report);
     }
     validate_rest(draped, report);
     validate_mesh(cloth, report);
@@ -268,6 +272,17 @@ void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& patte
 
 bool is_too_small(const Cloth& cloth, const Body& body) {
     return !std::ranges::all_of(tight_levels(draw_mesh(cloth, {}), body, fit_options(cloth)), is_within_limit);
+}
+
+std::optional<TightLevel> fits_nowhere(const Cloth& cloth, const Body& body) {
+    std::optional<TightLevel> worst;
+    for (const TightLevel& level : tight_levels(draw_mesh(cloth, {}), body, fit_options(cloth))) {
+        const double most = worst ? excess_stretch(*worst) : 0;
+        if (is_within_limit(level) || excess_stretch(level) <= most) continue;
+        const TightLevel slid = slid_to_narrowest(level, body);
+        if (!is_within_limit(slid) && excess_stretch(slid) > most) worst = slid;
+    }
+    return worst;
 }
 
 std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId vertex) {

@@ -1,5 +1,6 @@
 #pragma once
 // Quality checks of a dressed garment: they find its faults and fill in the report's numbers.
+#include <optional>
 #include <span>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "sim/dress/report.h"
 #include "sim/dress/sewing.h"
 #include "sim/pattern/pattern.h"
+#include "sim/place/fit.h"
 
 namespace selvedge::sim {
 
@@ -22,13 +24,23 @@ struct FaultLimits {
     bool may_cross_itself = false;  // whether cloth that passes through itself is no fault
 };
 
-// Fills in mesh counts, contact, stretch, open seams, notes and faults.
+// Fills in mesh counts, contact, stretch, open seams, notes and faults. too_small: what fits_nowhere() found when the
+// garment was sewn, for cloth that does not show it any more.
 void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern,
               std::span<const OpenSeam> open_seams, const DrapeResult& draped, DressReport& report,
-              const FaultLimits& limits = {});
+              const FaultLimits& limits = {}, const std::optional<TightLevel>& too_small = {});
 
 // Whether cloth that hangs is smaller than what it encloses of the body, though it were stretched to its limit.
 bool is_too_small(const Cloth& cloth, const Body& body);
+
+// The loop of sewn cloth that must stretch most beyond its fabric's limit though it slides to where the body is
+// narrowest within its reach; none if all fit there. Cloth that has crumpled does not show it.
+std::optional<TightLevel> fits_nowhere(const Cloth& cloth, const Body& body);
+
+// How far a loop must stretch beyond its fabric's limit, relative; negative if it need not.
+inline double excess_stretch(const TightLevel& level) {
+    return level.body_girth / level.limit_girth - 1;
+}
 
 // Position for the user, for example "'front' beside 'left_sleeve' at x 0.123 y 1.340 z 0.051 m".
 std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId vertex);

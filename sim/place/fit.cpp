@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -15,37 +16,80 @@
 namespace selvedge::sim {
 namespace {
 
-// Length of one tape around all body sections that the garment's loop encloses, m; 0 when there are none.
-double enclosed_girth(const GarmentLoop& garment, const std::vector<SectionLoop>& body, const Plane& plane) {
-    SectionLoop enclosed;
-    for (const SectionLoop& loop : body) {
-        if (!goes_round(garment, plane, loop.centre)) continue;
-        enclosed.points.insert(enclosed.points.end(), loop.points.begin(), loop.points.end());
-    }
-    return tape_length(enclosed, plane);
+Plane level_at(double y) {
+    return {.point = Vec3d(0, y, 0), .normal = Vec3d::UnitY()};
+}
+
+// The body sections that the garment's loop encloses.
+std::vector<SectionLoop> enclosed_by(const GarmentLoop& garment, const std::vector<SectionLoop>& body,
+                                     const Plane& plane) {
+    std::vector<SectionLoop> enclosed;
+    std::ranges::copy_if(body, std::back_inserter(enclosed),
+                         [&](const SectionLoop& loop) { return goes_round(garment, plane, loop.centre); });
+    return enclosed;
+}
+
+std::vector<Vec3d> centres_of(const std::vector<SectionLoop>& loops) {
+    std::vector<Vec3d> centres;
+    for (const SectionLoop& loop : loops) centres.push_back(loop.centre);
+    return centres;
+}
+
+// Length of one tape around all of the sections, m; 0 when there are none.
+double girth_of(const std::vector<SectionLoop>& loops, const Plane& plane) {
+    SectionLoop together;
+    for (const SectionLoop& loop : loops)
+        together.points.insert(together.points.end(), loop.points.begin(), loop.points.end());
+    return tape_length(together, plane);
+}
+
+// A curve at this distance (m) outside a convex one is longer by this, m (Steiner's formula).
+double girth_of_gap(double distance) {
+    return 2 * std::numbers::pi * distance;
+}
+
+// Sets where the loop lies round the body, and the girths of the body there.
+void put_round(TightLevel& level, const std::vector<SectionLoop>& enclosed, double y, const FitOptions& options) {
+    const double tape = girth_of(enclosed, level_at(y));
+    level.y = level.low.y() = level.high.y() = y;
+    level.body_girth = tape + girth_of_gap(options.thickness);
+    level.contact_girth = tape + girth_of_gap(options.contact_offset);
+    level.enclosed = centres_of(enclosed);
 }
 
 void add_tight_loops(const DrawMesh& garment, const Body& body, const FitOptions& options, double y,
                      std::vector<TightLevel>& levels) {
-    const Plane plane{.point = Vec3d(0, y, 0), .normal = Vec3d::UnitY()};
+    const Plane plane = level_at(y);
     const std::vector<GarmentLoop> loops = cut_garment(garment, plane, options.strain_limits);
     if (loops.empty()) return;
     const std::vector<SectionLoop> sections = section(body, plane);
     for (const GarmentLoop& loop : loops) {
-        const double tape = enclosed_girth(loop, sections, plane);
+        const std::vector<SectionLoop> enclosed = enclosed_by(loop, sections, plane);
+        const double tape = girth_of(enclosed, plane);
         if (tape == 0) continue;
-        // A curve at distance d outside a convex one is longer by 2 pi d (Steiner's formula).
-        const double contact_girth = tape + 2 * std::numbers::pi * options.contact_offset;
-        if (loop.girth >= (1 - options.tolerance) * contact_girth) continue;
+        if (loop.girth >= (1 - options.tolerance) * (tape + girth_of_gap(options.contact_offset))) continue;
         Eigen::AlignedBox3d box;
         for (const Vec3d& point : loop.points) box.extend(point);
-        levels.push_back({.y = y,
-                          .garment_girth = loop.girth,
-                          .limit_girth = loop.limit_girth,
-                          .body_girth = tape + 2 * std::numbers::pi * options.thickness,
-                          .contact_girth = contact_girth,
-                          .low = box.min(),
-                          .high = box.max()});
+        TightLevel level{
+            .garment_girth = loop.girth, .limit_girth = loop.limit_girth, .low = box.min(), .high = box.max()};
+        put_round(level, enclosed, y, options);
+        levels.push_back(std::move(level));
+    }
+}
+
+// The loop on its way up or down, until the body gets wider or ends.
+TightLevel slid_towards(TightLevel level, const LevelSections& body, double step, const FitOptions& options) {
+    while (true) {
+        const double y = level.y + step;
+        const std::vector<SectionLoop> loops = body.at(y);
+        std::vector<SectionLoop> followed;
+        for (const Vec3d& centre : level.enclosed) {
+            if (const auto loop = nearest_loop(loops, centre)) followed.push_back(*loop);
+        }
+        TightLevel next = level;
+        put_round(next, followed, y, options);
+        if (followed.empty() || next.body_girth >= level.body_girth) return level;
+        level = std::move(next);
     }
 }
 
@@ -68,6 +112,13 @@ std::vector<TightLevel> tight_levels(const DrawMesh& garment, const Body& body, 
 double shortfall(const TightLevel& level, const FitOptions& options) {
     const bool is_smaller = level.garment_girth < (1 - options.tolerance) * level.body_girth;
     return is_smaller ? level.body_girth - level.garment_girth : 0;
+}
+
+TightLevel slid_to_narrowest(const TightLevel& level, const Body& body, const FitOptions& options) {
+    const LevelSections sections(body);
+    const TightLevel higher = slid_towards(level, sections, options.step, options);
+    const TightLevel lower = slid_towards(level, sections, -options.step, options);
+    return lower.body_girth < higher.body_girth ? lower : higher;
 }
 
 double explained_strain(const std::vector<TightLevel>& levels, const Vec3d& x, const FitOptions& options) {

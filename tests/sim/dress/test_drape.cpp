@@ -104,6 +104,16 @@ TEST(DrapeRun, gives_up_a_garment_that_hangs_calmly) {
     EXPECT_LE(run.result().simulated_seconds, seconds + 3 * DrapeOptions{}.finish_time + 0.1);
 }
 
+TEST(DrapeRun, gives_up_before_it_relaxes_what_fits_nowhere) {
+    Cloth cloth = cloth_above_the_ball();
+    DrapeRun run(cloth, {});
+    run.give_up(cloth);
+    EXPECT_EQ(run.phase(), DrapePhase::Finish);
+    while (run.advance(cloth, ball())) continue;
+    EXPECT_EQ(run.result().stopped_because, "too small");
+    EXPECT_LE(run.result().simulated_seconds, 3 * DrapeOptions{}.finish_time + 0.1);
+}
+
 // A ball with bumps of 4 mm, each as wide as a triangle of the cloth.
 Body ball_with_bumps() {
     Body body = shapes::sphere(Vec3d(0, 1, 0), 0.15, 80);

@@ -449,6 +449,24 @@ TEST_F(ValidateTube, knows_what_no_drape_makes_fit) {
     EXPECT_FALSE(is_too_small(cloth_on(kGirth + 0.1, 0), post()));
 }
 
+TEST_F(ValidateTube, knows_how_far_beyond_its_limit_it_must_stretch) {
+    const auto small = fits_nowhere(cloth_on(kGirth / 1.25, 0.25), post());
+    ASSERT_TRUE(small);
+    EXPECT_NEAR(excess_stretch(*small), 1.25 / (1 + Fabric{}.strain_limit) - 1, 0.01);
+    EXPECT_FALSE(fits_nowhere(cloth_on(kGirth / 1.02, 0.02), post())) << "2 % are within the fabric's limit";
+    EXPECT_FALSE(fits_nowhere(cloth_on(kGirth + 0.1, 0), post()));
+}
+
+TEST_F(ValidateTube, is_called_too_small_for_what_it_was_when_it_was_sewn) {
+    const auto small = fits_nowhere(cloth_on(kGirth - 0.1, 0.2), post());
+    const Cloth crumpled = cloth_on(kGirth + 0.1, 0);  // its level cuts are longer than the loops round the body
+    DressReport report;
+    validate(crumpled, BodyCollider(post(), {.cell = 0.006F, .band = 0.024F}), tube(kGirth / 2, kHeight, 0.8, 0.3), {},
+             settled(), report, {}, small);
+    ASSERT_EQ(count(report, "does_not_fit"), 1);
+    EXPECT_NEAR(std::ranges::find(report.faults, "does_not_fit", &DressFault::kind)->value, 0.1, 0.004);
+}
+
 TEST_F(ValidateTube, does_not_blame_the_drape_of_what_was_given_up_as_too_small) {
     DrapeResult given_up;
     given_up.was_given_up = true;

@@ -151,6 +151,40 @@ TEST(Fit, is_tight_only_where_the_body_bulges) {
     EXPECT_NEAR(levels.back().y, 1 + half_height, 0.012);
 }
 
+// A ball with a waist a little above its middle: radius 14.6 cm at y 1, 8.8 cm at y 1.06, 10.8 cm at y 1.08.
+Body ball_with_waist() {
+    Body body = shapes::sphere(Vec3d(0, 1, 0), 0.15, 96);
+    for (Vec3d& x : body.x) {
+        const double width = (x.y() - 1.05) / 0.03;
+        const double factor = 1 - 0.4 * std::exp(-width * width);
+        x.x() *= factor;
+        x.z() *= factor;
+    }
+    return body;
+}
+
+TEST(Fit, a_loop_reaches_the_waist_above_it_but_not_what_lies_behind_a_bulge) {
+    const Body body = ball_with_waist();
+    const auto levels = tight_levels(round_garment({.girth = 0.4, .radius = 0.2, .low = 0.9, .high = 1.1}), body);
+    const auto reach_from = [&](double y) {
+        for (const TightLevel& level : levels)
+            if (std::abs(level.y - y) < 1e-6) return slid_to_narrowest(level, body).body_girth / (2 * std::numbers::pi);
+        return 0.0;
+    };
+    EXPECT_NEAR(reach_from(1.0), 0.0883, 0.001);
+    EXPECT_NEAR(reach_from(1.04), 0.0883, 0.001);
+    EXPECT_LT(reach_from(0.94), 0.06) << "it slides off at the bottom";
+}
+
+TEST(Fit, a_loop_reaches_what_both_legs_need_together) {
+    const Body legs = shapes::together(leg(-0.1), leg(0.1));
+    const auto levels = tight_levels(round_garment({.girth = 0.8, .radius = 0.2, .low = 0.3, .high = 0.7}), legs);
+    ASSERT_FALSE(levels.empty());
+    EXPECT_EQ(levels[0].enclosed.size(), 2U);
+    EXPECT_EQ(slid_to_narrowest(levels[0], legs).y, levels[0].y) << "nowhere narrower";
+    EXPECT_NEAR(slid_to_narrowest(levels[0], legs).body_girth, 2 * (0.32 + 0.14) + kThicknessGirth, 1e-9);
+}
+
 TEST(Fit, a_skirt_has_one_tape_round_both_legs) {
     const Body legs = shapes::together(leg(-0.1), leg(0.1));
     const double tape = 2 * (0.32 + 0.14) + kOffsetGirth;
