@@ -274,13 +274,15 @@ bool is_too_small(const Cloth& cloth, const Body& body) {
     return !std::ranges::all_of(tight_levels(draw_mesh(cloth, {}), body, fit_options(cloth)), is_within_limit);
 }
 
-std::optional<TightLevel> fits_nowhere(const Cloth& cloth, const Body& body) {
+std::optional<TightLevel> fits_nowhere(const Cloth& cloth, const Body& body, const FaultLimits& limits) {
     std::optional<TightLevel> worst;
+    double most = limits.stretch_p99;
     for (const TightLevel& level : tight_levels(draw_mesh(cloth, {}), body, fit_options(cloth))) {
-        const double most = worst ? excess_stretch(*worst) : 0;
-        if (is_within_limit(level) || excess_stretch(level) <= most) continue;
+        if (excess_stretch(level) <= most) continue;
         const TightLevel slid = slid_to_narrowest(level, body);
-        if (!is_within_limit(slid) && excess_stretch(slid) > most) worst = slid;
+        if (excess_stretch(slid) <= most) continue;
+        worst = slid;
+        most = excess_stretch(slid);
     }
     return worst;
 }

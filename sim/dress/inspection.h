@@ -34,8 +34,8 @@ void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& patte
 bool is_too_small(const Cloth& cloth, const Body& body);
 
 // The loop of sewn cloth that must stretch most beyond its fabric's limit though it slides to where the body is
-// narrowest within its reach; none if all fit there. Cloth that has crumpled does not show it.
-std::optional<TightLevel> fits_nowhere(const Cloth& cloth, const Body& body);
+// narrowest within its reach; none if none must by more than stretch_p99. Cloth that has crumpled does not show it.
+std::optional<TightLevel> fits_nowhere(const Cloth& cloth, const Body& body, const FaultLimits& limits = {});
 
 // How far a loop must stretch beyond its fabric's limit, relative; negative if it need not.
 inline double excess_stretch(const TightLevel& level) {

@@ -453,7 +453,7 @@ TEST_F(ValidateTube, knows_how_far_beyond_its_limit_it_must_stretch) {
     const auto small = fits_nowhere(cloth_on(kGirth / 1.25, 0.25), post());
     ASSERT_TRUE(small);
     EXPECT_NEAR(excess_stretch(*small), 1.25 / (1 + Fabric{}.strain_limit) - 1, 0.01);
-    EXPECT_FALSE(fits_nowhere(cloth_on(kGirth / 1.02, 0.02), post())) << "2 % are within the fabric's limit";
+    EXPECT_FALSE(fits_nowhere(cloth_on(kGirth / 1.04, 0.04), post())) << "1 % beyond the fabric's limit is no fault";
     EXPECT_FALSE(fits_nowhere(cloth_on(kGirth + 0.1, 0), post()));
 }
 
