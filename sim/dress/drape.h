@@ -75,9 +75,9 @@ class DrapeRun {
     // Goes on to the end of the fall of a garment that is too small for the body: it would crumple and stretch without
     // coming to rest. Pre: phase() is Relax or Fall.
     void give_up(Cloth& cloth);
-    // Whether the fall has its full weight; and speeds are low: what the cloth shows now, it will show later.
+    // Whether the fall has its full weight.
     bool hangs() const;
-    bool hangs_calmly() const;
+    bool hangs_calmly() const;  // and speeds are low: what the cloth shows now, it will show later
 
     DrapePhase phase() const { return phase_; }
     double fraction() const { return fraction_; }

@@ -93,22 +93,22 @@ void fall_or_give_up(Dressing& dressing, bool fits_nowhere, const Progress& prog
     }
 }
 
-// A garment that is too small is not waited for: it crumples and stretches without coming to rest. If the end shows
-// that it is not, it falls on. One that could not be pulled over the body stays as it was sewn. Returns what of the
-// sewn garment fits nowhere.
+// A garment that is too small is not waited for: it crumples and stretches without coming to rest. One that could not
+// be pulled over the body stays as it was sewn; an outfit hangs, for the sake of its other garments. Returns what of
+// the sewn garment fits nowhere. If the end shows that the verdict was wrong, it falls on.
 std::optional<TightLevel> relax_and_fall(Dressing& dressing, const Progress& progress) {
     std::optional<TightLevel> too_small;
     if (dressing.stage() == DressingStage::Relax) too_small = fits_nowhere(*dressing.cloth(), *dressing.body());
-    if (too_small && excess_stretch(*too_small) > FaultLimits{}.stretch_max) dressing.give_up();
+    const bool is_one = garments_of(dressing.pattern()).size() == 1;
+    if (is_one && too_small && excess_stretch(*too_small) > FaultLimits{}.stretch_max) dressing.give_up();
     finish_stage(dressing, DressingStage::Relax, "draping", progress);
     fall_or_give_up(dressing, too_small.has_value(), progress);
-    const bool was_wrong = dressing.result().was_given_up && !dressing.result().bad_vertex && !too_small &&
-                           !is_too_small(*dressing.cloth(), *dressing.body());
-    if (was_wrong) {
-        dressing.reactivate();
-        finish_stage(dressing, DressingStage::Fall, "draping", progress);
-    }
-    return too_small;
+    if (!dressing.result().was_given_up || dressing.result().bad_vertex) return std::nullopt;
+    const bool shows_it = is_too_small(*dressing.cloth(), *dressing.body());
+    if (shows_it || (too_small && is_overstretched(*dressing.cloth()))) return too_small;
+    dressing.reactivate();
+    finish_stage(dressing, DressingStage::Fall, "draping", progress);
+    return std::nullopt;
 }
 
 // Fills in the report's faults and fit. body: in the pose in which the collider has it.
@@ -159,15 +159,18 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     timer.done("sewing");
 
     selvedge::sim::report(progress, "draping", 0);
-    const std::optional<TightLevel> too_small = relax_and_fall(dressing, progress);
+    std::optional<TightLevel> too_small = relax_and_fall(dressing, progress);
     selvedge::sim::report(progress, "draping", 1);
-    Cloth& cloth = dressed.cloth.emplace(*dressing.cloth());
+    Cloth& cloth = dressed.cloth.emplace(dressing.take_cloth());
     DrapeResult result = dressing.result();
     const Body rests = is_moved ? posed(body, rest_pose(body)) : Body{};  // as move_to_own_pose() leaves it
     std::optional<BodyCollider> own;
     if (is_moved && !result.bad_vertex) {
         own.emplace(rests, DistanceFieldOptions{}, std::function<void()>{}, store);
+        const bool was_given_up = result.was_given_up;
         result = move_to_own_pose(cloth, body, pose, *own, options, progress);
+        result.was_given_up = was_given_up;
+        too_small.reset();  // it was found in the other pose
         report.notes.emplace_back("dressed with lowered arms, which then moved into the pose of the body");
     }
     record_drape(report, result);

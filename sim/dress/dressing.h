@@ -119,6 +119,8 @@ class Dressing {
     const std::vector<OpenSeam>& open_seams() const { return drape_->open; }  // that did not close, ascending
     const DrapeResult& result() const { return drape_->run->result(); }
     void clear_times() { drape_->run->clear_times(); }  // see DrapeRun
+    // Takes the cloth away. Afterwards only what was dressed, and its result, may be asked. Pre: Done.
+    Cloth take_cloth() { return std::move(drape_->cloth); }
     bool hangs() const { return drape_ && drape_->run->hangs(); }
     bool hangs_calmly() const { return drape_ && drape_->run->hangs_calmly(); }
     void give_up() { drape_->run->give_up(drape_->cloth); }  // Pre: Relax or Fall, and see DrapeRun

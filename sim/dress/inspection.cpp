@@ -180,8 +180,8 @@ bool is_within_limit(const TightLevel& level) {
 }
 
 // What stretches no more than its fabric does is noted; beyond, the garment does not fit. One fault for each limb and
-// for the torso, where they are tightest. fits_nowhere: as validate().
-void validate_fit(const std::vector<TightLevel>& tight, const std::optional<TightLevel>& fits_nowhere, const Body& body,
+// for the torso, where they are tightest. sewn: the too_small of validate().
+void validate_fit(const std::vector<TightLevel>& tight, const std::optional<TightLevel>& sewn, const Body& body,
                   DressReport& report) {
     std::vector<TightLevel> noted;
     std::map<int, const TightLevel*> too_small;
@@ -201,7 +201,7 @@ void validate_fit(const std::vector<TightLevel>& tight, const std::optional<Tigh
         if (worst == nullptr || shortfall(level) > shortfall(*worst)) worst = &level;
     }
     if (!noted.empty()) report.notes.push_back(describe_tight(noted));
-    if (fits_nowhere && too_small.empty()) worst_there(*fits_nowhere) = &*fits_nowhere;
+    if (sewn && too_small.empty()) worst_there(*sewn) = &*sewn;
     for (const auto& [limb, level] : too_small) {
         const std::string part = place_on_body(*limbs, (level->low + level->high) / 2);
         add_fault(report, "does_not_fit", describe_too_small(*level, part), shortfall(*level));
@@ -233,8 +233,9 @@ void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& patte
     if (strains.empty()) return;
     report.stretch = stretch_statistics(strains);
     const FitOptions fit = fit_options(cloth);
-    const std::vector<TightLevel> tight = tight_levels(draw_mesh(cloth, {}), body, fit);
+    std::vector<TightLevel> tight = tight_levels(draw_mesh(cloth, {}), body, fit);
     validate_fit(tight, too_small, body, report);
+    if (too_small) tight.push_back(*too_small);
     std::vector<TriangleStrain> unexplained;
     std::size_t worst = 0;
     for (std::size_t i = 0; i < strains.size(); ++i) {
@@ -274,12 +275,22 @@ bool is_too_small(const Cloth& cloth, const Body& body) {
     return !std::ranges::all_of(tight_levels(draw_mesh(cloth, {}), body, fit_options(cloth)), is_within_limit);
 }
 
+bool is_overstretched(const Cloth& cloth, const FaultLimits& limits) {
+    std::vector<TriangleStrain> over = measure_strain(cloth);
+    for (std::size_t i = 0; i < over.size(); ++i) {
+        const std::uint16_t panel = cloth.mesh.leaf_triangles()[i].panel;
+        over[i] = beyond(over[i], cloth.material.fabrics[panel].strain_limit);
+    }
+    return !over.empty() && stretch_statistics(over).warp_weft_p99 > limits.stretch_p99;
+}
+
 std::optional<TightLevel> fits_nowhere(const Cloth& cloth, const Body& body, const FaultLimits& limits) {
     std::optional<TightLevel> worst;
     double most = limits.stretch_p99;
+    const LevelSections sections(body);
     for (const TightLevel& level : tight_levels(draw_mesh(cloth, {}), body, fit_options(cloth))) {
         if (excess_stretch(level) <= most) continue;
-        const TightLevel slid = slid_to_narrowest(level, body);
+        const TightLevel slid = slid_to_narrowest(level, sections);
         if (excess_stretch(slid) <= most) continue;
         worst = slid;
         most = excess_stretch(slid);

@@ -25,13 +25,16 @@ struct FaultLimits {
 };
 
 // Fills in mesh counts, contact, stretch, open seams, notes and faults. too_small: what fits_nowhere() found when the
-// garment was sewn, for cloth that does not show it any more.
+// garment was sewn, for cloth that has crumpled since and does not show it.
 void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern,
               std::span<const OpenSeam> open_seams, const DrapeResult& draped, DressReport& report,
               const FaultLimits& limits = {}, const std::optional<TightLevel>& too_small = {});
 
 // Whether cloth that hangs is smaller than what it encloses of the body, though it were stretched to its limit.
 bool is_too_small(const Cloth& cloth, const Body& body);
+
+// Whether the 99th percentile of its stretch is beyond its fabrics' limits by more than stretch_p99.
+bool is_overstretched(const Cloth& cloth, const FaultLimits& limits = {});
 
 // The loop of sewn cloth that must stretch most beyond its fabric's limit though it slides to where the body is
 // narrowest within its reach; none if none must by more than stretch_p99. Cloth that has crumpled does not show it.

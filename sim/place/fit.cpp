@@ -6,6 +6,8 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "sim/body/section.h"
 #include "sim/collide/surface_bvh.h"
@@ -29,10 +31,12 @@ std::vector<SectionLoop> enclosed_by(const GarmentLoop& garment, const std::vect
     return enclosed;
 }
 
-std::vector<Vec3d> centres_of(const std::vector<SectionLoop>& loops) {
-    std::vector<Vec3d> centres;
-    for (const SectionLoop& loop : loops) centres.push_back(loop.centre);
-    return centres;
+Eigen::AlignedBox2d box_of(const std::vector<SectionLoop>& loops) {
+    Eigen::AlignedBox2d box;
+    for (const SectionLoop& loop : loops) {
+        for (const Vec3d& point : loop.points) box.extend(Vec2d(point.x(), point.z()));
+    }
+    return box;
 }
 
 // Length of one tape around all of the sections, m; 0 when there are none.
@@ -54,7 +58,7 @@ void put_round(TightLevel& level, const std::vector<SectionLoop>& enclosed, doub
     level.y = level.low.y() = level.high.y() = y;
     level.body_girth = tape + girth_of_gap(options.thickness);
     level.contact_girth = tape + girth_of_gap(options.contact_offset);
-    level.enclosed = centres_of(enclosed);
+    level.enclosed = box_of(enclosed);
 }
 
 void add_tight_loops(const DrawMesh& garment, const Body& body, const FitOptions& options, double y,
@@ -77,20 +81,30 @@ void add_tight_loops(const DrawMesh& garment, const Body& body, const FitOptions
     }
 }
 
-// The loop on its way up or down, until the body gets wider or ends.
-TightLevel slid_towards(TightLevel level, const LevelSections& body, double step, const FitOptions& options) {
-    while (true) {
-        const double y = level.y + step;
-        const std::vector<SectionLoop> loops = body.at(y);
-        std::vector<SectionLoop> followed;
-        for (const Vec3d& centre : level.enclosed) {
-            if (const auto loop = nearest_loop(loops, centre)) followed.push_back(*loop);
-        }
-        TightLevel next = level;
-        put_round(next, followed, y, options);
-        if (followed.empty() || next.body_girth >= level.body_girth) return level;
-        level = std::move(next);
+// The loop at the next level: round the sections that lie inside of what it encloses here; none if there are none.
+std::optional<TightLevel> slid(const TightLevel& level, const LevelSections& body, double step,
+                               const FitOptions& options) {
+    std::vector<SectionLoop> followed = body.at(level.y + step);
+    std::erase_if(followed, [&](const SectionLoop& loop) {
+        return !level.enclosed.contains(Vec2d(loop.centre.x(), loop.centre.z()));
+    });
+    if (followed.empty()) return std::nullopt;
+    TightLevel next = level;
+    put_round(next, followed, level.y + step, options);
+    const Vec2d moved = next.enclosed.center() - level.enclosed.center();
+    for (Vec3d* corner : {&next.low, &next.high}) *corner += Vec3d(moved.x(), 0, moved.y());
+    return next;
+}
+
+// The narrowest on its way up or down, until the body gets wider or ends.
+TightLevel narrowest_towards(const TightLevel& level, const LevelSections& body, double step,
+                             const FitOptions& options) {
+    TightLevel narrowest = level;
+    for (std::optional<TightLevel> at = slid(level, body, step, options); at; at = slid(*at, body, step, options)) {
+        if (at->body_girth > (1 + options.tolerance) * narrowest.body_girth) break;
+        if (at->body_girth < narrowest.body_girth) narrowest = *at;
     }
+    return narrowest;
 }
 
 }  // namespace
@@ -114,10 +128,9 @@ double shortfall(const TightLevel& level, const FitOptions& options) {
     return is_smaller ? level.body_girth - level.garment_girth : 0;
 }
 
-TightLevel slid_to_narrowest(const TightLevel& level, const Body& body, const FitOptions& options) {
-    const LevelSections sections(body);
-    const TightLevel higher = slid_towards(level, sections, options.step, options);
-    const TightLevel lower = slid_towards(level, sections, -options.step, options);
+TightLevel slid_to_narrowest(const TightLevel& level, const LevelSections& body, const FitOptions& options) {
+    const TightLevel higher = narrowest_towards(level, body, options.step, options);
+    const TightLevel lower = narrowest_towards(level, body, -options.step, options);
     return lower.body_girth < higher.body_girth ? lower : higher;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/body/body.h"
+#include "sim/body/section.h"
 #include "sim/core/math.h"
 #include "sim/mesh/draw_mesh.h"
 
@@ -22,14 +23,14 @@ struct FitOptions {
 
 // A level at which one closed loop of the garment is shorter than a tape at the contact offset round what it encloses.
 struct TightLevel {
-    double y = 0;                   // m
-    double garment_girth = 0;       // m, around the garment in material coordinates
-    double limit_girth = 0;         // m, the same with each panel stretched to its fabric's limit
-    double body_girth = 0;          // m, tape around the body over the cloth's thickness
-    double contact_girth = 0;       // m, tape around the body at a distance of contact_offset
-    Vec3d low = Vec3d::Zero();      // m, bounding box of the garment's loop in 3D
-    Vec3d high = Vec3d::Zero();     // its y equals the level's
-    std::vector<Vec3d> enclosed{};  // m, centres of the body's sections in it
+    double y = 0;                  // m
+    double garment_girth = 0;      // m, around the garment in material coordinates
+    double limit_girth = 0;        // m, the same with each panel stretched to its fabric's limit
+    double body_girth = 0;         // m, tape around the body over the cloth's thickness
+    double contact_girth = 0;      // m, tape around the body at a distance of contact_offset
+    Vec3d low = Vec3d::Zero();     // m, bounding box of the garment's loop in 3D
+    Vec3d high = Vec3d::Zero();    // its y equals the level's
+    Eigen::AlignedBox2d enclosed{};  // m, x and z of the body's sections in it
 };
 
 // Tight levels ordered by height, at multiples of the step. Each closed loop counts separately, so one level can occur
@@ -42,9 +43,9 @@ std::vector<TightLevel> tight_levels(const DrawMesh& garment, const Body& body, 
 // does not count.
 double shortfall(const TightLevel& level, const FitOptions& options = {});
 
-// The same loop at the level to which it would slide, up or down the body, as long as that gets narrower: what is too
-// small there fits nowhere within its reach. Pre: the body is that of tight_levels().
-TightLevel slid_to_narrowest(const TightLevel& level, const Body& body, const FitOptions& options = {});
+// The same loop where the body is narrowest on its way, up or down, as long as that gets no wider than the tolerance:
+// what is too small there fits nowhere within its reach. Pre: the sections are of the body of tight_levels().
+TightLevel slid_to_narrowest(const TightLevel& level, const LevelSections& body, const FitOptions& options = {});
 
 // The strain that tightness explains at a point: that of the tightest loop within reach, 0 where there is none. For
 // example, a tight sleeve explains nothing at the waist beside it.

@@ -108,7 +108,7 @@ bool fit_label(PaperLabel& label, const std::vector<Vec2d>& outline, const Drawn
     for (const LabelSpot& spot : spots) {
         label.at = spot.at;
         const Eigen::AlignedBox2d box = label_box(label);
-        if (spot.room < box.sizes().minCoeff() / 2) return false;  // nor has any of those that follow as much
+        if (spot.room < box.sizes().minCoeff() / 2) return false;  // those that follow have even less room
         if (is_rectangle_inside(box, outline) && !meets_box(drawn, box) && (!may_lie || may_lie(box))) return true;
     }
     return false;

@@ -205,11 +205,17 @@ void PairSearch::bound_elements(const ContactSurface& surface, const float* poin
 
 void PairSearch::find_elements(const SelfContactKernels& loops, const ContactSurface& surface, const float* points,
                                const Sweep& sweep, const PairReach& reach, float thickness_scale, ContactPairs& pairs) {
-    noted_vertices_.clear(dummy_);
-    noted_edges_.clear(dummy_);
-    for (const TrianglePair pair : new_triangle_pairs()) note_elements(surface, pair, thickness_scale);
+    constexpr std::size_t kAtOnce = 16;  // blocks of each kind to be measured: 40 kB, which a near cache holds
     for (PairList* const list : {&pairs.vertex_triangle, &pairs.edge_edge}) {
         keep_known(loops, points, sweep, reach, *list);
+    }
+    noted_vertices_.clear(dummy_);
+    noted_edges_.clear(dummy_);
+    for (const TrianglePair pair : new_triangle_pairs()) {
+        note_elements(surface, pair, thickness_scale);
+        if (noted_vertices_.block_count() > kAtOnce)
+            measure(loops, noted_vertices_, points, sweep, reach, pairs.vertex_triangle);
+        if (noted_edges_.block_count() > kAtOnce) measure(loops, noted_edges_, points, sweep, reach, pairs.edge_edge);
     }
     measure(loops, noted_vertices_, points, sweep, reach, pairs.vertex_triangle);
     measure(loops, noted_edges_, points, sweep, reach, pairs.edge_edge);
@@ -305,6 +311,7 @@ float PairSearch::radius_of(const ContactSurface& surface, TrianglePair pair, fl
     return std::min(radius, kOfEdge * std::min(shortest_edge_[pair.first], shortest_edge_[pair.second]));
 }
 
+// Adds the noted pairs that are within reach, and clears the noted ones.
 void PairSearch::measure(const SelfContactKernels& loops, PairList& noted, const float* points, const Sweep& sweep,
                          const PairReach& reach, PairList& pairs) {
     for (std::size_t i = 0; i < noted.block_count(); ++i) {
@@ -312,6 +319,7 @@ void PairSearch::measure(const SelfContactKernels& loops, PairList& noted, const
         unsigned found = loops.measure_pairs(noted.kind(), block, points, sweep, reach);
         for (; found != 0; found &= found - 1) pairs.add(block, static_cast<std::size_t>(__builtin_ctz(found)));
     }
+    noted.clear(dummy_);
 }
 
 }  // namespace selvedge::sim
