@@ -188,7 +188,7 @@ void print_counts(const batch::BatchCounts& counts) {
                 counts.does_not_fit, counts.defects, counts.refused, counts.failed);
 }
 
-// The commands that do the first few failures again.
+// Why the first few jobs failed, and the commands that do them again.
 void print_replays(const std::vector<sim::Json>& rows) {
     constexpr std::size_t kMost = 5;
     std::size_t count = 0;
@@ -197,7 +197,7 @@ void print_replays(const std::vector<sim::Json>& rows) {
         if (outcome == "dressed" || outcome == "does_not_fit") continue;
         if (++count > kMost) continue;
         constexpr std::size_t kLongest = 10'000;  // characters: a command that is cut is of no use
-        std::printf("%s, to do again:\n  %s\n", sim::printable(outcome).c_str(),
+        std::printf("%s: %s\n  %s\n", sim::printable(outcome).c_str(), sim::printable(batch::first_cause(row)).c_str(),
                     sim::printable(row.find("replay")->string(), kLongest).c_str());
     }
     if (count > kMost) std::printf("and %zu more: see results.jsonl\n", count - kMost);
@@ -262,7 +262,7 @@ int conclude(const BatchArguments& arguments, const std::vector<batch::Job>& job
 
 int run(BatchArguments arguments) {
     if (!arguments.shard.empty()) arguments.batch.shard = batch::parse_shard(arguments.shard);
-    if (!arguments.compared.empty()) batch::check_output_of_batch(arguments.compared);
+    if (!arguments.compared.empty()) batch::check_earlier_run(arguments.compared, arguments.batch.output);
     const std::vector<batch::Job> jobs = jobs_of(arguments);
     check_options(jobs);
     JobKeys keys(JobOutputs{.has_pictures = arguments.has_pictures, .exports = arguments.exports});

@@ -21,6 +21,7 @@
 #include "app/options.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
+#include "app/refused_report.h"
 #include "app/report_inputs.h"
 #include "render/image/image.h"
 #include "sim/core/error.h"
@@ -212,7 +213,7 @@ int run_dress(DressArguments arguments, const sim::ContentStore* store) {
             refused.problem = error.what();
             write_report(arguments, refused);
         }
-        throw;
+        throw ReportedError(error);
     }
 }
 

@@ -20,6 +20,9 @@ class Inputs {
         if (std::ranges::any_of(list_, is_same)) return;
         list_.push_back({std::string(role), file.string(), sim::sha256_of_file(file)});
     }
+    void add_text(std::string_view role, const std::string& text) {
+        list_.push_back({std::string(role), text, sim::sha256(text)});
+    }
     std::vector<sim::ReportInput> take() { return std::move(list_); }
 
  private:
@@ -33,7 +36,7 @@ std::vector<sim::ReportInput> report_inputs(const GarmentOptions& options, const
     Inputs inputs;
     inputs.add("garment", options.garment);
     for (const Path& over : options.over) inputs.add("over", over);
-    if (body.is_file()) inputs.add("body", body.source);
+    body.is_file() ? inputs.add("body", body.source) : inputs.add_text("body", body.source);
     if (!motion.empty()) inputs.add("motion", motion);
     for (const sim::NamedFileUse& named : named_file_uses(shown)) {
         if (named.use == sim::FileUse::Fabric) inputs.add("fabric", named.file);

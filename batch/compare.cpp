@@ -41,17 +41,18 @@ void compare_pictures(const Path& now, const Path& before, const Path& differenc
 
 }  // namespace
 
-void check_output_of_batch(const Path& before) {
+void check_earlier_run(const Path& before, const Path& output) {
     if (!sim::is_folder(before / "jobs"))
         throw sim::InputError(before.string(), "--compare", "is not the output of a batch");
+    std::error_code error;
+    if (std::filesystem::equivalent(before, output, error))
+        throw sim::InputError(before.string(), "--compare", "is the output of this batch: there is no earlier run");
 }
 
 std::vector<JobChange> compare_runs(const std::vector<sim::Json>& rows, const Path& output, const Path& before,
                                     const std::function<void(double fraction)>& progress) {
-    check_output_of_batch(before);
+    check_earlier_run(before, output);
     std::error_code error;
-    if (std::filesystem::equivalent(before, output, error))
-        throw sim::InputError(before.string(), "--compare", "is the output of this batch: there is no earlier run");
     std::filesystem::remove_all(output / "differences", error);
     std::vector<JobChange> changes;
     for (const sim::Json& row : rows) {

@@ -21,8 +21,8 @@ struct JobChange {
     bool is_changed() const { return is_new || has_new_outcome || has_new_picture; }
 };
 
-// Throws InputError if `before` is not the output of a batch.
-void check_output_of_batch(const std::filesystem::path& before);
+// Throws InputError if `before` is not the output of a batch, or is the output of this one.
+void check_earlier_run(const std::filesystem::path& before, const std::filesystem::path& output);
 
 // One for each row, in their order. Where the pictures differ, OUTPUT/differences gets NAME.before.png, a copy, and
 // NAME.png, which shows where. Throws InputError if `before` is not the output of a batch.

@@ -85,11 +85,6 @@ std::string hash_of(const Json& row, std::string_view role) {
     return {};
 }
 
-std::string first_cause(const Json& row) {
-    const std::vector<Json>& faults = row.find(key::kFaults)->elements();
-    return faults.empty() ? text_at(row, key::kProblem) : text_at(faults.front(), key::kCause);
-}
-
 // "4.2", in cm; empty if it was not measured.
 std::string ease_of(const Json& row, std::string_view measure) {
     for (const Json& one : row.find(key::kFit)->elements()) {
@@ -151,6 +146,11 @@ std::string times_csv(const std::vector<Json>& rows, const Path& output) {
 }
 
 }  // namespace
+
+std::string first_cause(const Json& row) {
+    const std::vector<Json>& faults = row.find(key::kFaults)->elements();
+    return faults.empty() ? text_at(row, key::kProblem) : text_at(faults.front(), key::kCause);
+}
 
 Results gather_results(const std::vector<Job>& jobs, const Path& output,
                        const std::function<std::string(const Job&)>& key_of) {

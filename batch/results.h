@@ -22,6 +22,9 @@ struct Results {
 Results gather_results(const std::vector<Job>& jobs, const std::filesystem::path& output,
                        const std::function<std::string(const Job&)>& key_of);
 
+// Of a row: the cause of its first fault, or why it was refused or failed; empty if it has none.
+std::string first_cause(const sim::Json& row);
+
 // Writes results.jsonl, results.csv and times.csv. Throws InputError.
 void write_results(const Results& results, const std::filesystem::path& output);
 

@@ -159,6 +159,7 @@ py::array_t<int> first_seams(Result& self) {
     py::array_t<int> array(static_cast<py::ssize_t>(seams.size()));
     for (std::size_t v = 0; v < seams.size(); ++v)
         array.mutable_at(static_cast<py::ssize_t>(v)) = seams[v].empty() ? -1 : seams[v].front();
+    array.attr("setflags")(py::arg("write") = false);
     return array;
 }
 

@@ -75,7 +75,7 @@ def dress(
 
     pattern: a Pattern or the path of a garment file. body: None: the one that the pattern names.
     fabric: a shipped fabric or a fabric file, of all panels; None: the pattern's. seconds: longest simulated time,
-    0.01 to 600. edge_length: of the base mesh, 0.005 to 0.5 m; None: the pattern's, or 0.05. max_level: times an edge
+    0.01 to 600. edge_length: of the base mesh, 0.005 to 0.3 m; None: the pattern's, or 0.05. max_level: times an edge
     may be halved, 0 to 8. shortest_edge: shorter ones are not halved, m. triangles: number to keep near.
     self_collision: whether the cloth collides with itself. over: garments worn over it, from the inside out.
     threads: most threads to use, of all that the process dresses at the time; the result is the same for any.

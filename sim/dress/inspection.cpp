@@ -208,10 +208,15 @@ void validate_fit(const std::vector<TightLevel>& tight, const std::optional<Tigh
     }
 }
 
+// How cloth is stretched that was given up says no more than that it is too small.
 void validate_rest(const DrapeResult& draped, DressReport& report) {
     const auto does_not_fit = [](const DressFault& fault) { return class_of(fault) == FaultClass::DoesNotFit; };
     if (draped.was_given_up && std::ranges::any_of(report.faults, does_not_fit)) {
-        report.notes.emplace_back("its fall was ended early, because it is too small for the body");
+        std::erase_if(report.faults, [](const DressFault& fault) { return fault.kind == "overstretched"; });
+        const long stretch = std::lround(100 * report.stretch.warp_weft_max);
+        report.notes.push_back(
+            "its fall was ended early, because it is too small for the body; it is stretched by up to " +
+            std::to_string(stretch) + " %");
     } else if (!draped.settled) {
         add_fault(report, "not_settled", "whole garment, rms speed in m/s", draped.rms_speed);
     } else if (draped.rms_speed > DrapeOptions{}.rest_speed) {

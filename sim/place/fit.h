@@ -23,13 +23,13 @@ struct FitOptions {
 
 // A level at which one closed loop of the garment is shorter than a tape at the contact offset round what it encloses.
 struct TightLevel {
-    double y = 0;                  // m
-    double garment_girth = 0;      // m, around the garment in material coordinates
-    double limit_girth = 0;        // m, the same with each panel stretched to its fabric's limit
-    double body_girth = 0;         // m, tape around the body over the cloth's thickness
-    double contact_girth = 0;      // m, tape around the body at a distance of contact_offset
-    Vec3d low = Vec3d::Zero();     // m, bounding box of the garment's loop in 3D
-    Vec3d high = Vec3d::Zero();    // its y equals the level's
+    double y = 0;                    // m
+    double garment_girth = 0;        // m, around the garment in material coordinates
+    double limit_girth = 0;          // m, the same with each panel stretched to its fabric's limit
+    double body_girth = 0;           // m, tape around the body over the cloth's thickness
+    double contact_girth = 0;        // m, tape around the body at a distance of contact_offset
+    Vec3d low = Vec3d::Zero();       // m, bounding box of the garment's loop in 3D
+    Vec3d high = Vec3d::Zero();      // its y equals the level's
     Eigen::AlignedBox2d enclosed{};  // m, x and z of the body's sections in it
 };
 

@@ -121,7 +121,7 @@ TEST(AnimateCommand, notes_the_limbs_that_a_motion_has_no_joints_for) {
               std::string::npos)
         << run.out << run.err;
     const sim::Json report = sim::read_json(folder / "nod.json");
-    const sim::Json& input = report.find("inputs")->elements().at(1);
+    const sim::Json& input = report.find("inputs")->elements().at(2);  // after the garment and the body
     EXPECT_EQ(input.find("role")->string(), "motion");
     EXPECT_EQ(input.find("file")->string(), folder / "nod.bvh");
 }
