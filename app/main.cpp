@@ -1,9 +1,7 @@
 // selvedge: the program's entry point. Each subcommand has a file of its own.
 #include <CLI/CLI.hpp>
-#include <cstddef>
 #include <cstdio>
 #include <exception>
-#include <span>
 #include <string>
 
 #include "app/commands.h"
@@ -29,7 +27,6 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer("Example: selvedge dress patterns/tshirt.json --render tshirt.png");
 
-    const std::span<const char* const> arguments{argv, static_cast<std::size_t>(argc)};
     int exit_code = 0;
     selvedge::app::add_dress_command(app, exit_code);
     selvedge::app::add_animate_command(app, exit_code);
@@ -46,13 +43,13 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() != 0) selvedge::app::write_refused_report(arguments, error.what());
+        if (error.get_exit_code() != 0) selvedge::app::write_refused_report(app, error.what());
         return report_usage(app, error);
     } catch (const selvedge::app::ReportedError& error) {
         std::fprintf(stderr, "selvedge: %s\n", error.what());
         return 2;
     } catch (const selvedge::sim::InputError& error) {
-        selvedge::app::write_refused_report(arguments, error.what());
+        selvedge::app::write_refused_report(app, error.what());
         std::fprintf(stderr, "selvedge: %s\n", error.what());
         return 2;
     } catch (const std::exception& error) {

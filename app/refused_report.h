@@ -1,10 +1,13 @@
 #pragma once
 // The report of a command that is refused before it has what its own report needs: an older report of that name would
 // be taken for its result.
-#include <span>
 #include <string>
 
 #include "sim/core/error.h"
+
+namespace CLI {
+class App;
+}
 
 namespace selvedge::app {
 
@@ -14,8 +17,8 @@ class ReportedError : public sim::InputError {
     explicit ReportedError(const sim::InputError& error) : sim::InputError(error) {}
 };
 
-// Writes it to the file that `--report` names, if the command is dress or animate. Does nothing if that cannot be
-// written, or there is a file that is no report.
-void write_refused_report(std::span<const char* const> arguments, const std::string& problem);
+// Writes it to the file that `--report` names, if the command that was parsed has that option. Does nothing if it
+// cannot be written, or there is a file that is no report.
+void write_refused_report(const CLI::App& app, const std::string& problem);
 
 }  // namespace selvedge::app

@@ -74,9 +74,9 @@ void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phas
     }
 }
 
-// Runs the fall to its end, or until the garment was too small for the body at two tests. What fits nowhere is given up
-// as soon as it hangs: the tighter it is, the less calmly.
-void fall_or_give_up(Dressing& dressing, bool fits_nowhere, const Progress& progress) {
+// Runs the fall to its end, or until the garment was too small for the body at two tests. What is known to be too small
+// is given up as soon as it hangs: the tighter it is, the less calmly.
+void fall_or_give_up(Dressing& dressing, bool is_known, const Progress& progress) {
     constexpr double kBetweenTests = 0.5;  // s of simulated time, in which cloth that hangs calmly slides into place
     double next_test = 0;                  // s
     bool was_too_small = false;
@@ -84,7 +84,7 @@ void fall_or_give_up(Dressing& dressing, bool fits_nowhere, const Progress& prog
         dressing.advance();
         if (dressing.stage() != DressingStage::Fall) return;
         report(progress, "draping", dressing.fraction());
-        if (fits_nowhere && dressing.hangs()) dressing.give_up();
+        if (is_known && dressing.hangs()) dressing.give_up();
         if (!dressing.hangs_calmly() || dressing.simulated_seconds() < next_test) continue;
         next_test = dressing.simulated_seconds() + kBetweenTests;
         const bool is_small = is_too_small(*dressing.cloth(), *dressing.body());

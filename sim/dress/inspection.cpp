@@ -208,11 +208,14 @@ void validate_fit(const std::vector<TightLevel>& tight, const std::optional<Tigh
     }
 }
 
-// How cloth is stretched that was given up says no more than that it is too small.
-void validate_rest(const DrapeResult& draped, DressReport& report) {
+// Pre: the report has the faults of fit.
+bool is_given_up_as_too_small(const DrapeResult& draped, const DressReport& report) {
     const auto does_not_fit = [](const DressFault& fault) { return class_of(fault) == FaultClass::DoesNotFit; };
-    if (draped.was_given_up && std::ranges::any_of(report.faults, does_not_fit)) {
-        std::erase_if(report.faults, [](const DressFault& fault) { return fault.kind == "overstretched"; });
+    return draped.was_given_up && std::ranges::any_of(report.faults, does_not_fit);
+}
+
+void validate_rest(const DrapeResult& draped, DressReport& report) {
+    if (is_given_up_as_too_small(draped, report)) {
         const long stretch = std::lround(100 * report.stretch.warp_weft_max);
         report.notes.push_back(
             "its fall was ended early, because it is too small for the body; it is stretched by up to " +
@@ -231,24 +234,31 @@ FitOptions fit_options(const Cloth& cloth) {
     return fit;
 }
 
-// Stretch is a fault beyond the fabric's limit and what the garment's tightness explains.
-void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const FaultLimits& limits,
-                      const std::optional<TightLevel>& too_small, DressReport& report) {
-    const std::vector<TriangleStrain> strains = measure_strain(cloth);
-    if (strains.empty()) return;
-    report.stretch = stretch_statistics(strains);
-    const FitOptions fit = fit_options(cloth);
-    std::vector<TightLevel> tight = tight_levels(draw_mesh(cloth, {}), body, fit);
-    validate_fit(tight, too_small, body, report);
-    if (too_small) tight.push_back(*too_small);
+// What of the strains (per leaf triangle) is beyond the fabrics' limits and what tightness explains.
+std::vector<TriangleStrain> unexplained_of(const std::vector<TriangleStrain>& strains, const Cloth& cloth,
+                                           const std::vector<TightLevel>& tight) {
     std::vector<TriangleStrain> unexplained;
-    std::size_t worst = 0;
     for (std::size_t i = 0; i < strains.size(); ++i) {
         const LeafTriangle& leaf = cloth.mesh.leaf_triangles()[i];
         const double explained = explained_strain(tight, middle_of(cloth, leaf));
-        unexplained.push_back(beyond(strains[i], fit.strain_limits[leaf.panel] + explained));
-        if (larger_of(unexplained[i]) > larger_of(unexplained[worst])) worst = i;
+        unexplained.push_back(beyond(strains[i], cloth.material.fabrics[leaf.panel].strain_limit + explained));
     }
+    return unexplained;
+}
+
+// Stretch that is not explained is a fault, unless the garment was given up: then it is stretched because it is too
+// small.
+void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const DrapeResult& draped,
+                      const FaultLimits& limits, const std::optional<TightLevel>& too_small, DressReport& report) {
+    const std::vector<TriangleStrain> strains = measure_strain(cloth);
+    if (strains.empty()) return;
+    report.stretch = stretch_statistics(strains);
+    const std::vector<TightLevel> tight = tight_levels(draw_mesh(cloth, {}), body, fit_options(cloth));
+    validate_fit(tight, too_small, body, report);
+    if (is_given_up_as_too_small(draped, report)) return;
+    const std::vector<TriangleStrain> unexplained = unexplained_of(strains, cloth, tight);
+    const auto worst =
+        static_cast<std::size_t>(std::ranges::max_element(unexplained, {}, larger_of) - unexplained.begin());
     const StretchStatistics statistics = stretch_statistics(unexplained);
     const std::string place = describe_place(cloth, pattern, cloth.mesh.leaf_triangles()[worst].v[0]);
     if (statistics.warp_weft_p99 > limits.stretch_p99)
@@ -270,7 +280,7 @@ void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& patte
         validate_contact(cloth, body, pattern, limits, report);
         validate_crossings(cloth, pattern, limits, report);
         validate_layers(cloth, pattern, report);
-        validate_stretch(cloth, body.body(), pattern, limits, too_small, report);
+        validate_stretch(cloth, body.body(), pattern, draped, limits, too_small, report);
     }
     validate_rest(draped, report);
     validate_mesh(cloth, report);
@@ -281,11 +291,7 @@ bool is_too_small(const Cloth& cloth, const Body& body) {
 }
 
 bool is_overstretched(const Cloth& cloth, const FaultLimits& limits) {
-    std::vector<TriangleStrain> over = measure_strain(cloth);
-    for (std::size_t i = 0; i < over.size(); ++i) {
-        const std::uint16_t panel = cloth.mesh.leaf_triangles()[i].panel;
-        over[i] = beyond(over[i], cloth.material.fabrics[panel].strain_limit);
-    }
+    const std::vector<TriangleStrain> over = unexplained_of(measure_strain(cloth), cloth, {});
     return !over.empty() && stretch_statistics(over).warp_weft_p99 > limits.stretch_p99;
 }
 

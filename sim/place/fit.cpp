@@ -61,23 +61,21 @@ void put_round(TightLevel& level, const std::vector<SectionLoop>& enclosed, doub
     level.enclosed = box_of(enclosed);
 }
 
-void add_tight_loops(const DrawMesh& garment, const Body& body, const FitOptions& options, double y,
+void add_tight_loops(const DrawMesh& garment, const LevelSections& body, const FitOptions& options, double y,
                      std::vector<TightLevel>& levels) {
     const Plane plane = level_at(y);
     const std::vector<GarmentLoop> loops = cut_garment(garment, plane, options.strain_limits);
     if (loops.empty()) return;
-    const std::vector<SectionLoop> sections = section(body, plane);
+    const std::vector<SectionLoop> sections = body.at(y);
     for (const GarmentLoop& loop : loops) {
         const std::vector<SectionLoop> enclosed = enclosed_by(loop, sections, plane);
-        const double tape = girth_of(enclosed, plane);
-        if (tape == 0) continue;
-        if (loop.girth >= (1 - options.tolerance) * (tape + girth_of_gap(options.contact_offset))) continue;
+        if (enclosed.empty()) continue;
         Eigen::AlignedBox3d box;
         for (const Vec3d& point : loop.points) box.extend(point);
         TightLevel level{
             .garment_girth = loop.girth, .limit_girth = loop.limit_girth, .low = box.min(), .high = box.max()};
         put_round(level, enclosed, y, options);
-        levels.push_back(std::move(level));
+        if (level.garment_girth < (1 - options.tolerance) * level.contact_girth) levels.push_back(std::move(level));
     }
 }
 
@@ -119,7 +117,8 @@ std::vector<TightLevel> tight_levels(const DrawMesh& garment, const Body& body, 
                                                  [](const Vec3f& a, const Vec3f& b) { return a.y() < b.y(); });
     const auto first = static_cast<int>(std::ceil(static_cast<double>(low->y()) / options.step));
     const auto last = static_cast<int>(std::floor(static_cast<double>(high->y()) / options.step));
-    for (int i = first; i <= last; ++i) add_tight_loops(garment, body, options, i * options.step, levels);
+    const LevelSections sections(body);
+    for (int i = first; i <= last; ++i) add_tight_loops(garment, sections, options, i * options.step, levels);
     return levels;
 }
 
