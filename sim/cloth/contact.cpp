@@ -1,6 +1,7 @@
 #include "sim/cloth/contact.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -231,10 +232,16 @@ std::uint16_t trunk_only_slots(const SampleBlock& samples, const std::vector<boo
     return static_cast<std::uint16_t>(slots);
 }
 
-void query(SolverState& solver, const SampleBlock& samples, ContactBlock& block, const Collider& body, float reach) {
-    if (solver.contacts.is_trunk_only.empty()) return body.contacts({&block, 1}, reach);
-    const std::uint16_t trunk_only = trunk_only_slots(samples, solver.contacts.is_trunk_only);
-    body.contacts_apart({&block, 1}, {&trunk_only, 1}, reach);
+constexpr unsigned kAllSlots = (1U << kBlock) - 1;
+
+// Queries at least these slots.
+void query(SolverState& solver, const SampleBlock& samples, ContactBlock& block, const Collider& body, float reach,
+           unsigned slots = kAllSlots) {
+    const bool meets_all = solver.contacts.is_trunk_only.empty();
+    if (meets_all && (slots == kAllSlots || !body.costs_by_slot())) return body.contacts({&block, 1}, reach);
+    std::uint16_t apart = meets_all ? std::uint16_t(0) : trunk_only_slots(samples, solver.contacts.is_trunk_only);
+    if (body.costs_by_slot()) apart = static_cast<std::uint16_t>(apart | (kAllSlots & ~slots));
+    body.contacts_apart({&block, 1}, {&apart, 1}, reach);
 }
 
 // The same for vertices; to_query: their offsets in the arrays of points.
@@ -282,7 +289,8 @@ void meet_in_turn(SolverState& solver, SampleBlock& samples, const Kernels& loop
         loops.locate_samples(samples, floats(solver.points), now);
         if (!has_found || now.point(at) != found.point(at)) {
             ContactBlock block = has_found ? alone(now, at) : now;
-            query(solver, samples, block, body, limits.offset + kPlaneReach);
+            const unsigned slots = has_found ? 1U << at : kAllSlots;
+            query(solver, samples, block, body, limits.offset + kPlaneReach, slots);
             if (!has_found) found = block;
             found.set_point(at, block.point(at));
             found.set(at, {block.distance[at], {block.nx[at], block.ny[at], block.nz[at]}});
@@ -300,17 +308,21 @@ float meet_samples(SolverState& solver, SampleBlock& samples, const Kernels& loo
                    const ContactLimits& limits) {
     ContactBlock block;
     const SampleState state = loops.locate_samples(samples, floats(solver.points), block);
-    if (!state.needs_query && !state.touches) return state.free;
+    if (state.to_query == 0 && !state.touches) return state.free;
     if (samples.in_turn[0] != 0) {
         meet_in_turn(solver, samples, loops, body, limits);
         return 0;
     }
-    if (state.needs_query) {
-        query(solver, samples, block, body, limits.offset + kPlaneReach);
+    const bool leaves_some = body.costs_by_slot() && state.to_query != kAllSlots;
+    if (state.to_query != 0) query(solver, samples, block, body, limits.offset + kPlaneReach, state.to_query);
+    if (leaves_some) {
+        for (unsigned left = state.to_query; left != 0; left &= left - 1)
+            store_query_at(block, static_cast<std::size_t>(std::countr_zero(left)), limits, samples);
+    } else if (state.to_query != 0) {
         loops.store_query(block, limits, samples);
     }
     loops.push_samples(samples, limits, floats(solver.points), floats(solver.before));
-    return state.needs_query ? *std::ranges::min_element(samples.slack) : 0;
+    return state.to_query != 0 && !leaves_some ? *std::ranges::min_element(samples.slack) : 0;
 }
 
 void forget_skips(ContactState& contacts) {

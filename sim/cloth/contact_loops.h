@@ -183,7 +183,7 @@ void store_query_and_project(const ContactBlock& result, const std::uint32_t* of
 }
 
 SampleState locate_samples(const SampleBlock& block, const float* points, ContactBlock& at_points) {
-    unsigned needs_query = 0, touches = 0;
+    unsigned to_query = 0, touches = 0;
     BlockFloats squared;
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
         const Xyz x = mixed(block, at, corners_of(block, at, points));
@@ -191,15 +191,15 @@ SampleState locate_samples(const SampleBlock& block, const float* points, Contac
         lanes::store(&at_points.y[at], x.y);
         lanes::store(&at_points.z[at], x.z);
         const ContactCache here = near(block, at, x);
-        needs_query |= lanes::bits(here.needs_query);
+        to_query |= lanes::bits(here.needs_query) << at;
         touches |= lanes::bits(here.may_touch);
         lanes::store(&squared[at], here.squared);
     }
-    if ((needs_query | touches) != 0) return {needs_query != 0, touches != 0, 0};
+    if ((to_query | touches) != 0) return {to_query, touches != 0, 0};
     Floats free = lanes::broadcast(std::numeric_limits<float>::max());
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount)
         free = lanes::min(free, load_at(block.slack, at) - lanes::sqrt(load_at(squared, at)));
-    return {false, false, least_of(free)};
+    return {0, false, least_of(free)};
 }
 
 // a in lanes where the comparison is true, b in the others.

@@ -50,10 +50,11 @@ struct ContactLimits {
     float friction_scale = 1;
 };
 
-// For sixteen samples: whether any must query the collider, whether any touches according to the contact cache, and how
-// far they may move before one can do either.
+// For sixteen samples: which must query the collider, a bit per slot, whether any touches according to the contact
+// cache, and how far they may move before one can do either.
 struct SampleState {
-    bool needs_query, touches;
+    unsigned to_query;
+    bool touches;
     float free;  // m; 0 if any has to query or touches
 };
 

@@ -65,6 +65,10 @@ class Collider {
     virtual void contacts_apart(std::span<ContactBlock> blocks, std::span<const std::uint16_t> trunk_only,
                                 float reach) const;
 
+    // Whether a query costs by its slots rather than by its blocks, so that slots that need no contact are left out, as
+    // those of trunk_only are.
+    virtual bool costs_by_slot() const { return false; }
+
     // First intersection of the segment with the surface, from either side.
     virtual std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const = 0;
 

@@ -43,6 +43,7 @@ class JointedCollider final : public Collider {
     void contacts(std::span<ContactBlock> blocks, float reach) const override;
     void contacts_apart(std::span<ContactBlock> blocks, std::span<const std::uint16_t> trunk_only,
                         float reach) const override;
+    bool costs_by_slot() const override { return true; }
     std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const override;
     float band() const override { return trunk_.band(); }
     float max_error() const override { return trunk_.max_error(); }

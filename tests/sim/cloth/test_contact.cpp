@@ -258,6 +258,60 @@ TEST(PushOutSamples, skips_no_block_that_has_something_to_do) {
     EXPECT_LT(seen, all * 9 / 10) << "hardly anything was skipped";
 }
 
+// The ball, as if its answers cost by the slot: a slot that was not asked for gets a wrong one.
+class BallBySlot final : public Collider {
+ public:
+    Contact contact(const Vec3f& p) const override { return ball().contact(p); }
+    void contacts(std::span<ContactBlock> blocks, float reach) const override { ball().contacts(blocks, reach); }
+    void contacts_apart(std::span<ContactBlock> blocks, std::span<const std::uint16_t> left_out,
+                        float reach) const override {
+        ball().contacts(blocks, reach);
+        for (std::size_t b = 0; b < blocks.size(); ++b) {
+            for (std::size_t i = 0; i < kContactLanes; ++i) {
+                if ((left_out[b] >> i & 1) == 0) continue;
+                blocks[b].set(i, {-1, Vec3f::UnitX()});
+                ++left_out_;
+            }
+        }
+    }
+    bool costs_by_slot() const override { return true; }
+    std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const override {
+        return ball().first_hit(from, to);
+    }
+    float band() const override { return ball().band(); }
+    float max_error() const override { return ball().max_error(); }
+    long left_out() const { return left_out_; }
+
+ private:
+    mutable long left_out_ = 0;
+};
+
+// Tangent planes of other points are off by their curvature: half the square of kPlaneReach over the ball's radius.
+TEST(PushOutSamples, asks_a_collider_that_costs_by_the_slot_for_what_it_needs_alone) {
+    const BallBySlot by_slot;
+    std::mt19937 random(9);
+    Cloth cloth = coarse_cloth(1.16), other = coarse_cloth(1.16);
+    std::size_t pushed = 0;
+    for (int round = 0; round < 300; ++round) {
+        cloth.solver.before = cloth.solver.points;
+        for (const VertexId v : cloth.mesh.leaf_vertices()) {
+            const Vec3f by(draw(random, -0.0005F, 0.0005F), draw(random, -0.0014F, 0.001F), 0);
+            cloth.solver.points[v.value].head<3>() += by;
+        }
+        other.solver.points = cloth.solver.points;
+        other.solver.before = cloth.solver.before;
+        const std::vector<Vec4f> before = cloth.solver.points;
+        push_out(cloth);
+        set_contact_offset(other, kOffset);
+        push_out_samples(other, kernels(simd_level()), by_slot, {.offset = kOffset, .floor = kNoFloor});
+        pushed += cloth.solver.points != before ? 1 : 0;
+        for (std::size_t v = 0; v < cloth.x.size(); ++v)
+            ASSERT_LT((cloth.solver.points[v] - other.solver.points[v]).norm(), 1e-4F) << "in round " << round;
+    }
+    EXPECT_GT(pushed, 50U) << "it hardly touched the ball";
+    EXPECT_GT(by_slot.left_out(), 1000);
+}
+
 // A block in turn gives the same bits as a block for each of its samples.
 TEST(PushOutSamples, of_one_block_that_share_vertices_are_pushed_one_after_the_other) {
     Cloth in_turn = coarse_cloth(1.1535), alone = coarse_cloth(1.1535);
