@@ -13,6 +13,28 @@
 namespace selvedge::sim {
 namespace {
 
+struct YarnTriangle {
+    std::array<std::uint32_t, 3> v{};
+    MaterialFrame frame;
+    float longest = 1;  // of warp and weft
+};
+
+YarnTriangle triangle_of(const LeafTriangle& leaf, const ClothMaterial& material) {
+    return {.v = {leaf.v[0].value, leaf.v[1].value, leaf.v[2].value},
+            .frame = material_frame(leaf.u, material.grain_angles[leaf.panel]),
+            .longest = 1 + static_cast<float>(material.fabrics[leaf.panel].strain_limit)};
+}
+
+Vec3f yarn(const YarnTriangle& triangle, const std::array<float, 2>& along, const std::vector<Vec4f>& points) {
+    const Vec4f &x0 = points[triangle.v[0]], &x1 = points[triangle.v[1]], &x2 = points[triangle.v[2]];
+    return (along[0] * (x1 - x0) + along[1] * (x2 - x0)).head<3>();
+}
+
+float over_limit(const YarnTriangle& triangle, const std::vector<Vec4f>& points) {
+    const float warp = yarn(triangle, triangle.frame.a, points).norm();
+    return std::max(warp, yarn(triangle, triangle.frame.b, points).norm()) - triangle.longest;
+}
+
 // The yarns of the leaf triangles and the triangles at each vertex.
 class Yarns {
  public:
@@ -20,9 +42,7 @@ class Yarns {
         for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
             const auto index = static_cast<std::uint32_t>(triangles_.size());
             for (const VertexId v : leaf.v) triangles_at_[v.value].push_back(index);
-            triangles_.push_back({.v = {leaf.v[0].value, leaf.v[1].value, leaf.v[2].value},
-                                  .frame = material_frame(leaf.u, cloth.material.grain_angles[leaf.panel]),
-                                  .longest = 1 + static_cast<float>(cloth.material.fabrics[leaf.panel].strain_limit)});
+            triangles_.push_back(triangle_of(leaf, cloth.material));
         }
         is_active_.assign(triangles_.size(), false);
     }
@@ -43,7 +63,7 @@ class Yarns {
     void sweep(std::vector<Vec4f>& points) {
         const std::size_t count = active_.size();
         for (std::size_t i = 0; i < count; ++i) {
-            const Triangle& triangle = triangles_[active_[i]];
+            const YarnTriangle& triangle = triangles_[active_[i]];
             const bool warp = shorten(triangle, triangle.frame.a, points);
             const bool weft = shorten(triangle, triangle.frame.b, points);
             if (!warp && !weft) continue;
@@ -53,24 +73,8 @@ class Yarns {
     }
 
  private:
-    struct Triangle {
-        std::array<std::uint32_t, 3> v{};
-        MaterialFrame frame;
-        float longest = 1;  // of warp and weft
-    };
-
-    static Vec3f yarn(const Triangle& triangle, const std::array<float, 2>& along, const std::vector<Vec4f>& points) {
-        const Vec4f &x0 = points[triangle.v[0]], &x1 = points[triangle.v[1]], &x2 = points[triangle.v[2]];
-        return (along[0] * (x1 - x0) + along[1] * (x2 - x0)).head<3>();
-    }
-
-    static float over_limit(const Triangle& triangle, const std::vector<Vec4f>& points) {
-        const float warp = yarn(triangle, triangle.frame.a, points).norm();
-        return std::max(warp, yarn(triangle, triangle.frame.b, points).norm()) - triangle.longest;
-    }
-
     // Returns whether the yarn was too long and could be corrected.
-    static bool shorten(const Triangle& triangle, const std::array<float, 2>& along, std::vector<Vec4f>& points) {
+    static bool shorten(const YarnTriangle& triangle, const std::array<float, 2>& along, std::vector<Vec4f>& points) {
         const Vec3f direction = yarn(triangle, along, points);
         const float length = direction.norm();
         if (length <= triangle.longest) return false;
@@ -93,7 +97,7 @@ class Yarns {
     }
 
     float tolerance_;
-    std::vector<Triangle> triangles_;
+    std::vector<YarnTriangle> triangles_;
     std::vector<std::vector<std::uint32_t>> triangles_at_;  // by vertex
     std::vector<bool> is_active_;
     std::vector<std::uint32_t> active_;
@@ -123,6 +127,15 @@ class StillPoints {
 };
 
 }  // namespace
+
+double total_excess(const Cloth& cloth, float tolerance) {
+    double sum = 0;
+    for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
+        const float over = over_limit(triangle_of(leaf, cloth.material), cloth.x);
+        if (over > tolerance) sum += static_cast<double>(over - tolerance);
+    }
+    return sum;
+}
 
 StrainProjectionReport project_strain(Cloth& cloth, const Collider& body, const StepOptions& stepping,
                                       const StrainProjectionOptions& options) {

@@ -25,6 +25,10 @@ struct StrainProjectionReport {
     float deepest_face = 0;  // m, of the watched faces inside the body in that iteration
 };
 
+// The strain of the more stretched yarn beyond its fabric's limit and the tolerance, summed over the leaf triangles
+// that have such; 0 if project_strain() has nothing to do for them.
+double total_excess(const Cloth& cloth, float tolerance = StrainProjectionOptions{}.tolerance);
+
 // Uses the contact options and self-contact of `stepping`; contacts are without friction. Pre: as step().
 StrainProjectionReport project_strain(Cloth& cloth, const Collider& body, const StepOptions& stepping,
                                       const StrainProjectionOptions& options = {});

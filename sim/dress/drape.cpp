@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "sim/cloth/standoff.h"
 #include "sim/cloth/strain_projection.h"
@@ -11,10 +12,12 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr float kRelaxDamping = 12;   // 1/s, while seam tension relaxes
-constexpr float kFinishDamping = 40;  // 1/s, while residual stretch is removed
-constexpr float kFallDamping = 2;     // 1/s, air drag
-constexpr float kFloorSpeed = 0.2F;   // m/s: slow against falling cloth, so that it folds what it meets as a fall does
+constexpr float kRelaxDamping = 12;    // 1/s, while seam tension relaxes
+constexpr float kFinishDamping = 100;  // 1/s, while residual stretch is removed
+constexpr float kFallDamping = 2;      // 1/s, air drag
+constexpr float kFloorSpeed = 0.2F;    // m/s: slow against falling cloth, so that it folds what it meets as a fall does
+
+constexpr int kCalmInterval = 3;  // frames between adaptations of calm cloth, which moves 5 mm (rms) at most meanwhile
 
 using Clock = std::chrono::steady_clock;
 
@@ -99,6 +102,8 @@ void DrapeRun::end_fall(Cloth& cloth) {
     if (!has_time) return end(cloth);
     phase_ = DrapePhase::Finish;
     phase_start_ = result_.simulated_seconds;
+    excess_ = total_excess(cloth);
+    lessens_ = true;  // as is to be seen
     refresh_contacts(cloth, finishing_contact());
     set_substep(cloth, usual_substep_ / static_cast<float>(finishing_substeps(options_.adapt.shortest_edge)));
 }
@@ -137,9 +142,10 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     AdaptClothOptions adapting = options_.adapt;
     adapting.may_rejoin = may_rejoin_;
     if (!options_.may_rest || !is_at_rest(cloth)) {
-        adapt_once(cloth, body, adapting);
+        if (may_rejoin_ || frames_ % kCalmInterval == 0) adapt_once(cloth, body, adapting);
         update_contacts_between_frames(cloth, body, stepping);
     }
+    ++frames_;
     run_steps(cloth, body, stepping);
     may_rejoin_ = result_.rms_speed >= options_.calm_speed;
     learning_rate_scale_ = std::min(1.0F, result_.rms_speed / options_.calm_speed);
@@ -158,8 +164,9 @@ double DrapeRun::rest_weight() const {
 }
 
 // Single triangles where much cloth meets, as under an arm, stay stretched by up to 20 % however long the fall lasts:
-// one solver iteration per sub-step cannot move what many other constraints hold. Finer sub-steps leave 10 %. The
-// movement that they cause gets some time to come to rest. What is then beyond the fabric's strain limit is projected.
+// one solver iteration per sub-step cannot move what many other constraints hold. Finer sub-steps leave 10 %. They go
+// on while they lessen what is beyond the fabric's strain limit, and until the movement that they cause is at rest.
+// What is then beyond the limit is projected.
 void DrapeRun::finish_frame(Cloth& cloth, const Collider& body) {
     StepOptions stepping{.gravity = options_.gravity, .extra_damping = kFinishDamping, .contact = finishing_contact()};
     stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // updates would set it in motion
@@ -168,6 +175,9 @@ void DrapeRun::finish_frame(Cloth& cloth, const Collider& body) {
     const std::size_t usual_steps = result_.step_ms.size();
     run_steps(cloth, body, stepping);
     result_.step_ms.resize(usual_steps);  // the statistics cover steps of usual length only
+    constexpr double kWorthwhile = 0.1;   // of the excess: a frame that takes away less costs more than the projection
+    const double before = std::exchange(excess_, total_excess(cloth));
+    lessens_ = before - excess_ > kWorthwhile * before;
     if (finishes() || result_.bad_vertex) return;
     stepping.self_contact = options_.self_contact;
     project(cloth, body, stepping);
@@ -192,8 +202,7 @@ void DrapeRun::update_contacts_between_frames(Cloth& cloth, const Collider& body
 
 bool DrapeRun::finishes() const {
     const double elapsed = result_.simulated_seconds - phase_start_;
-    return elapsed < options_.finish_time ||
-           (result_.rms_speed > options_.rest_speed && elapsed < 3 * options_.finish_time);
+    return elapsed < 3 * options_.finish_time && (lessens_ || result_.rms_speed > options_.rest_speed);
 }
 
 void DrapeRun::adapt_once(Cloth& cloth, const Collider& body, const AdaptClothOptions& adapting) {

@@ -24,7 +24,7 @@ struct DrapeOptions {
     double relax_time = 0.6;              // s without gravity and friction, at the start
     double coarse_time = 0.2;             // s of relax_time at level 0
     double lowering_time = 1;             // s after relax_time, if any, in which gravity grows to its full value
-    double finish_time = 0.2;             // s of max_seconds in finer sub-steps, at the end; up to 3 x until at rest
+    double finish_time = 0.2;             // s of max_seconds, kept for finer sub-steps at the end; 3 x at most
     Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
     bool may_rest = false;                // whether steps skip a cloth at rest during the fall (sim/cloth/resting.h)
     AdaptClothOptions adapt{};
@@ -115,10 +115,13 @@ class DrapeRun {
     double relaxed_ = 0;             // s
     double lowered_ = 0;             // s, of the fall
     double phase_start_ = 0;         // s, of simulated time
+    int frames_ = 0;                 // of phase Fall, of all falls
     double at_rest_ = 0;             // s, weighted
     double fraction_ = 0;            // 0..1
     bool may_rejoin_ = true;         // it still moves fast enough
     float learning_rate_scale_ = 1;  // of the biases of stretch and shear
+    double excess_ = 0;              // total_excess() at the end of the last frame, in phase Finish
+    bool lessens_ = false;           // that frame has lessened it
     float lowered_floor_ = 0;        // m, by which the floor is lower than it will be
     float usual_substep_ = 0;        // s
 };

@@ -72,7 +72,9 @@ void FrameTimes::note(const SessionTimes& frame) {
 SessionTimes FrameTimes::medians() const {
     const auto median = [&](double SessionTimes::*part) {
         std::vector<double> values;
-        for (const SessionTimes& one : last_) values.push_back(one.*part);
+        for (const SessionTimes& one : last_) {
+            if (one.*part > 0) values.push_back(one.*part);  // calm cloth is not adapted in every frame
+        }
         return quantile(values, 0.5);
     };
     return {median(&SessionTimes::adaptation), median(&SessionTimes::steps), median(&SessionTimes::frame)};
