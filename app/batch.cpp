@@ -97,14 +97,25 @@ std::vector<batch::JobOption> options_for_all(const BatchArguments& arguments) {
     return options;
 }
 
+// The items of a list that was written with blanks: 'silk, denim'.
+std::vector<std::string> without_blanks(std::vector<std::string> items) {
+    for (std::string& item : items) {
+        item.erase(0, item.find_first_not_of(' '));
+        item.erase(item.find_last_not_of(' ') + 1);
+    }
+    std::erase(items, "");
+    return items;
+}
+
 // Of an option, a job's own value counts before that of --set, and this before the manifest's for all jobs.
 std::vector<batch::Job> jobs_of(const BatchArguments& arguments) {
     const std::vector<batch::JobOption> options = options_for_all(arguments);
     const bool has_product = !arguments.product.garments.empty();
+    batch::Product product = arguments.product;
+    product.fabrics = without_blanks(product.fabrics);
     if (arguments.manifest.empty() != has_product)
         throw sim::InputError("", "", "name a manifest, or --patterns with --bodies and --fabrics");
-    std::vector<batch::Job> jobs =
-        has_product ? jobs_of(arguments.product, "") : batch::read_manifest(arguments.manifest);
+    std::vector<batch::Job> jobs = has_product ? jobs_of(product, "") : batch::read_manifest(arguments.manifest);
     for (batch::Job& job : jobs) {
         std::erase_if(job.options,
                       [&](const batch::JobOption& one) { return one.is_common && has(options, one.name); });
@@ -124,7 +135,7 @@ DressArguments parse_dress(const batch::Job& job) {
     try {
         return read_dress_options(dress_arguments(job));
     } catch (const sim::InputError& error) {
-        throw sim::InputError("", "job '" + job.name + "'", error.what());
+        throw sim::InputError(job.origin, "job '" + job.name + "'", error.what());
     }
 }
 
@@ -140,9 +151,9 @@ void check_options(const std::vector<batch::Job>& jobs) {
 }
 
 // As run_dress(), but trouble that may pass leaves no report: it would be kept as refused.
-int run_dress_once(const DressArguments& dress, const sim::ContentStore* store) {
+int run_dress_once(const DressArguments& dress, const KnownBodies& known) {
     try {
-        return run_dress(dress, store);
+        return run_dress(dress, known);
     } catch (const sim::PassingError&) {
         std::error_code ignored;
         std::filesystem::remove(dress.report_file, ignored);
@@ -150,8 +161,7 @@ int run_dress_once(const DressArguments& dress, const sim::ContentStore* store) 
     }
 }
 
-int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path& folder,
-              const sim::ContentStore* store) {
+int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path& folder, const KnownBodies& known) {
     DressArguments dress = parse_dress(job);
     dress.garment.threads = 1;
     dress.garment.is_quiet = true;
@@ -160,11 +170,17 @@ int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path
     if (arguments.has_pictures) dress.picture_file = folder / batch::job_file::kPicture;
     for (const std::string& extension : arguments.exports)
         dress.exports.files.push_back(folder / ("garment." + extension));
-    const int code = run_dress_once(dress, store);
+    const int code = run_dress_once(dress, known);
     if (sim::file_exists(dress.picture_file))
         write_png(folder / batch::job_file::kThumbnail,
                   batch::shrunk(render::read_png(dress.picture_file), kThumbnailSide));
     return code;
+}
+
+// What garments name themselves is not known here.
+void prepare_body(const batch::Job& job, LastBody& last_body) {
+    const BodyOptions body = parse_dress(job).body;
+    if (!body.source.empty()) last_body.prepare(body);
 }
 
 // None if nobody asked for one and the user's cannot be made.
@@ -203,7 +219,19 @@ void print_replays(const std::vector<sim::Json>& rows) {
     if (count > kMost) std::printf("and %zu more: see results.jsonl\n", count - kMost);
 }
 
-void write_all(const BatchArguments& arguments, const batch::Results& results) {
+// The folders of jobs that are not in this list: another list of jobs made them.
+std::size_t count_others(const std::vector<batch::Job>& jobs, const Path& output) {
+    std::set<std::string> own;
+    for (const batch::Job& job : jobs) own.insert(job.name);
+    std::error_code error;
+    const std::vector<Path> folders = sim::entries_of(output / "jobs", error);
+    return std::size_t(std::ranges::count_if(folders, [&](const Path& folder) {
+        const std::string name = folder.filename().string();
+        return batch::is_job_name(name) && !own.contains(name);
+    }));
+}
+
+void write_all(const BatchArguments& arguments, const std::vector<batch::Job>& jobs, const batch::Results& results) {
     const Path& output = arguments.batch.output;
     write_results(results, output);
     std::vector<batch::JobChange> changes;
@@ -220,6 +248,9 @@ void write_all(const BatchArguments& arguments, const batch::Results& results) {
         std::printf("%td of %zu jobs changed since %s\n", changed, changes.size(),
                     sim::printable(arguments.compared.string()).c_str());
     }
+    if (const std::size_t others = count_others(jobs, output); others > 0)
+        std::printf("note: %s also holds %zu jobs that are not in this list, and not in its tables\n",
+                    sim::printable(output.string()).c_str(), others);
     std::printf("wrote %s, with results.jsonl, results.csv and times.csv beside it\n",
                 sim::printable((output / "index.html").string()).c_str());
 }
@@ -232,7 +263,7 @@ bool is_sound(const std::vector<sim::Json>& rows) {
 batch::Results gather(const BatchArguments& arguments, const std::vector<batch::Job>& jobs, JobKeys& keys) {
     batch::Results results =
         gather_results(jobs, arguments.batch.output, [&](const batch::Job& job) { return keys(job); });
-    write_all(arguments, results);
+    write_all(arguments, jobs, results);
     return results;
 }
 
@@ -269,13 +300,17 @@ int run(BatchArguments arguments) {
     if (arguments.only_merges) return merge(arguments, jobs, keys);
 
     const std::optional<sim::ContentStore> store = open_store(arguments, keys.program());
+    LastBody last_body(store ? &*store : nullptr);
     const StopSignal stop;
     BatchProgress progress(progress_bar_options(arguments.is_quiet));
     const batch::BatchCounts counts = run_batch(
         jobs, arguments.batch,
         {.key = [&](const batch::Job& job) { return keys(job); },
-         .dress = [&](const batch::Job& job,
-                      const Path& folder) { return dress_job(arguments, job, folder, store ? &*store : nullptr); },
+         .prepare = [&](const batch::Job& job) { prepare_body(job, last_body); },
+         .dress =
+             [&](const batch::Job& job, const Path& folder) {
+                 return dress_job(arguments, job, folder, {.store = store ? &*store : nullptr, .ready = &last_body});
+             },
          .progress = [&](const batch::BatchCounts& now) { progress.show(now); },
          .is_stopped = [&] { return stop.is_raised(); }});
     progress.finish();

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <iterator>
@@ -148,7 +149,15 @@ void print_sett_note(const sim::Pattern& pattern, const PictureOptions& picture)
     }
 }
 
-int dress_and_write(DressArguments& arguments, sim::DressReport& refused, const sim::ContentStore* store) {
+std::shared_ptr<const ReadyBody> ready_body(const BodyOptions& options, const KnownBodies& known,
+                                            const sim::Progress& progress) {
+    std::shared_ptr<const ReadyBody> ready = known.ready == nullptr ? nullptr : known.ready->find(options);
+    if (ready) return ready;
+    sim::report(progress, "reading the body", 0);
+    return make_ready_body(options, known.store);
+}
+
+int dress_and_write(DressArguments& arguments, sim::DressReport& refused, const KnownBodies& known) {
     std::vector<std::string> notes;
     const sim::Pattern pattern = load_garments(arguments.garment, notes);
     refused.garment = pattern.name;
@@ -163,17 +172,24 @@ int dress_and_write(DressArguments& arguments, sim::DressReport& refused, const 
 
     std::optional<sim::ThreadLimit> limit;
     if (arguments.garment.threads) limit.emplace(*arguments.garment.threads);
-    const sim::MadeBody wearer = make_body(arguments.body, store);
-    refused.body = wearer.body.name;
+    check_layers(pattern, arguments.garment.dress);
+    check_size(pattern);
     ProgressBar bar(progress_bar_options(arguments.garment.is_quiet));
-    sim::DressedGarment dressed = dress(pattern, wearer.body, arguments.garment.dress, bar.progress(), store);
+    const auto start = std::chrono::steady_clock::now();
+    const std::shared_ptr<const ReadyBody> ready = ready_body(arguments.body, known, bar.progress());
+    const double body_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const sim::Body& body = ready->wearer.body();
+    refused.body = body.name;
+    sim::DressedGarment dressed = dress(pattern, ready->wearer, arguments.garment.dress, bar.progress(), known.store);
     bar.finish();
     sim::DressReport& report = dressed.report;
+    report.timing.wall_s += body_s;
+    report.timing.phases_s["body"] += body_s;
     report.inputs = refused.inputs;
-    std::ranges::copy(wearer.notes, std::back_inserter(notes));
+    std::ranges::copy(ready->notes, std::back_inserter(notes));
     report.notes.insert(report.notes.begin(), notes.begin(), notes.end());
 
-    const Writing writing = write_outputs(arguments, pattern, dressed, wearer.body);
+    const Writing writing = write_outputs(arguments, pattern, dressed, body);
     if (!arguments.garment.is_quiet) print_summary(report);
     if (!arguments.garment.is_quiet && draws(arguments)) print_sett_note(pattern, arguments.picture);
     print_faults(report);
@@ -202,11 +218,11 @@ void add_output_options(CLI::App& command, DressArguments& arguments) {
 }  // namespace
 
 // What is refused has a report too: one of an earlier run would lie.
-int run_dress(DressArguments arguments, const sim::ContentStore* store) {
+int run_dress(DressArguments arguments, const KnownBodies& known) {
     check_outputs(arguments);
     sim::DressReport refused;
     try {
-        return dress_and_write(arguments, refused, store);
+        return dress_and_write(arguments, refused, known);
     } catch (const sim::InputError& error) {
         if (!arguments.report_file.empty()) {
             check_distinct({arguments.report_file}, input_files(arguments.garment, arguments.body));

@@ -10,6 +10,7 @@
 #include "app/garment_options.h"
 #include "app/options.h"
 #include "app/picture.h"
+#include "app/ready_body.h"
 #include "sim/core/content_store.h"
 
 namespace CLI {
@@ -34,8 +35,14 @@ struct DressArguments {
 // parsing.
 void add_dress_options(CLI::App& command, DressArguments& arguments);
 
-// Dresses, writes and prints; returns the exit code. store: where bodies and their fields may be found and are kept;
-// null for none. Throws InputError for wrong input, which it has then written into the report.
-int run_dress(DressArguments arguments, const sim::ContentStore* store = nullptr);
+// Where what a dressing needs of its body may be found; null for none of them.
+struct KnownBodies {
+    const sim::ContentStore* store = nullptr;  // keeps bodies and their fields
+    const LastBody* ready = nullptr;
+};
+
+// Dresses, writes and prints; returns the exit code. Throws InputError for wrong input, which it has then written into
+// the report.
+int run_dress(DressArguments arguments, const KnownBodies& known = {});
 
 }  // namespace selvedge::app

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "batch/job_folder.h"
+#include "batch/results.h"
 #include "sim/core/file.h"
 #include "sim/dress/report.h"
 
@@ -49,6 +50,7 @@ Json row_of(const Json& row, const JobChange* change) {
          {key::kOutcome, key::kProblem, key::kFit, key::kInputs, key::kNotes, key::kSimulatedSeconds})
         shown[name] = member_of(row, name);
     shown["faults"] = faults_of(row);
+    shown["first_cause"] = first_cause(row);
     shown["picture"] = has_file(row, job_file::kPicture);
     const Json* mesh = row.find(key::kMesh);
     shown["triangles"] = mesh == nullptr ? Json() : member_of(*mesh, key::kLeafTriangles);

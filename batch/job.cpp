@@ -67,6 +67,14 @@ std::string replay_command(const Job& job) {
     return command + " --report report.json --render picture.png";
 }
 
+std::string body_key(const Job& job) {
+    std::string key = job.body;
+    for (const JobOption& option : job.options) {
+        if (option.name.starts_with("body-")) key += '\0' + option.name + '=' + option.value;
+    }
+    return key;
+}
+
 std::string describe_job(const Job& job) {
     std::string text = job.garment.stem().string();
     for (const std::filesystem::path& over : job.over) text += "+" + over.stem().string();

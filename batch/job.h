@@ -23,6 +23,7 @@ struct Job {
     std::string body;                         // a file, or mannequin:...; empty: the pattern's
     std::string fabric;                       // a shipped fabric, or a file; empty: the pattern's
     std::vector<JobOption> options;
+    std::string origin{};  // where its manifest has it: "jobs.csv: line 12"; empty without one
 
     bool operator==(const Job&) const = default;
 };
@@ -32,6 +33,9 @@ std::vector<std::string> dress_arguments(const Job& job);
 
 // The command line that does this job alone, for a shell: it writes the report and the picture into the working folder.
 std::string replay_command(const Job& job);
+
+// The body that is worn and how it is read: equal for jobs that may share it.
+std::string body_key(const Job& job);
 
 // A name for the job's folder that says what it holds; long ones end in a hash. Different jobs may get the same name,
 // as those of "a b.json" and "a-b.json" do: name_jobs() tells them apart.

@@ -222,6 +222,7 @@ std::vector<Job> jobs_of_json(std::string_view text, const Path& file) {
         check_count(list.size(), file.string());
         for (std::size_t i = 0; i < list.size(); ++i) {
             Job& job = jobs.emplace_back(job_of(list.at(i)));
+            job.origin = file.string() + ": " + list.at(i).path();
             resolve(job, folder);
             add_common(common, list.at(i), job);
         }
@@ -273,6 +274,7 @@ std::vector<Job> jobs_of_csv(std::string_view text, const Path& file) {
         if (rows[i].fields.size() > columns.size())
             throw InputError(file.string(), place, "has more fields than there are columns");
         Job job;
+        job.origin = file.string() + ": " + place;
         for (std::size_t k = 0; k < rows[i].fields.size(); ++k) {
             const std::string& field = rows[i].fields[k];
             take_field(job, columns[k], field);
@@ -311,7 +313,8 @@ std::vector<Job> jobs_of(const Product& product, const Path& folder) {
                                 .over = {},
                                 .body = body,
                                 .fabric = fabric,
-                                .options = product.options});
+                                .options = product.options,
+                                .origin = {}});
             }
         }
     }
@@ -351,7 +354,10 @@ void name_jobs(std::vector<Job>& jobs) {
     }
     std::ranges::stable_sort(jobs, {}, &Job::name);
     const auto same = std::ranges::adjacent_find(jobs, {}, &Job::name);
-    if (same != jobs.end()) throw InputError("", "job '" + same->name + "'", "there are two of this name");
+    if (same == jobs.end()) return;
+    const std::string& other = std::next(same)->origin;
+    throw InputError(same->origin, "job '" + same->name + "'",
+                     "there are two of this name" + (other.empty() ? "" : ", the other is " + other));
 }
 
 }  // namespace selvedge::batch

@@ -149,7 +149,12 @@ std::string times_csv(const std::vector<Json>& rows, const Path& output) {
 
 std::string first_cause(const Json& row) {
     const std::vector<Json>& faults = row.find(key::kFaults)->elements();
-    return faults.empty() ? text_at(row, key::kProblem) : text_at(faults.front(), key::kCause);
+    const std::string problem = text_at(row, key::kProblem);
+    if (faults.empty() || !problem.empty()) return problem;
+    const std::string outcome = text_at(row, key::kOutcome);
+    const auto decides = [&](const Json& fault) { return text_at(fault, key::kClass) == outcome; };
+    const auto first = std::ranges::find_if(faults, decides);
+    return text_at(first == faults.end() ? faults.front() : *first, key::kCause);
 }
 
 Results gather_results(const std::vector<Job>& jobs, const Path& output,

@@ -22,7 +22,8 @@ struct Results {
 Results gather_results(const std::vector<Job>& jobs, const std::filesystem::path& output,
                        const std::function<std::string(const Job&)>& key_of);
 
-// Of a row: the cause of its first fault, or why it was refused or failed; empty if it has none.
+// Of a row: why it was refused or failed, or the cause of the first fault that makes the outcome what it is; empty if
+// it has none.
 std::string first_cause(const sim::Json& row);
 
 // Writes results.jsonl, results.csv and times.csv. Throws InputError.

@@ -117,6 +117,11 @@ void count(BatchCounts& counts, const JobRecord& record) {
     }
 }
 
+// Well or not.
+bool is_dressed(const JobRecord& record) {
+    return !record.has_failed && record.exit_code != exit_code_of(sim::Outcome::Refused);
+}
+
 class BatchRun {
  public:
     BatchRun(const std::vector<Job>& jobs, const BatchOptions& options, const BatchWork& work)
@@ -155,10 +160,21 @@ class BatchRun {
                 todo_.push_back(i);
             }
         }
+        std::ranges::stable_sort(todo_, {}, [&](std::size_t i) { return body_key(jobs_[i]); });
     }
 
     void begin_some() {
         while (next_ < todo_.size() && pool_.running() < std::size_t(options_.workers) && begin(todo_[next_])) ++next_;
+    }
+
+    // For a single job it would gain nothing.
+    void prepare(std::size_t job) {
+        const std::string body = body_key(jobs_[job]);
+        const bool is_last = next_ + 1 == todo_.size() || body_key(jobs_[todo_[next_ + 1]]) != body;
+        if (tried_bodies_.contains(body) && !(is_last && body != prepared_)) {
+            work_.prepare(jobs_[job]);
+            prepared_ = body;
+        }
     }
 
     // False if the system has no process left for it now.
@@ -166,6 +182,7 @@ class BatchRun {
         try {
             auto folder = std::make_unique<UnfinishedJob>(options_.output, jobs_[job].name);
             const Path path = folder->path();
+            prepare(job);
             if (!pool_.start(job, folder->file(job_file::kLog), [&] { return work_.dress(jobs_[job], path); }))
                 return false;
             unfinished_[job] = std::move(folder);
@@ -191,6 +208,7 @@ class BatchRun {
             const JobRecord record = finish(*folder, result);
             ++counts_.done;
             count(counts_, record);
+            if (is_dressed(record)) tried_bodies_.insert(body_key(jobs_[result.job]));
         } catch (const sim::InputError& error) {
             count_unrecorded(error);
         }
@@ -230,6 +248,8 @@ class BatchRun {
     std::size_t next_ = 0;  // of todo_
     int tries_ = 0;         // in a row to start a process
     std::map<std::size_t, std::string> keys_;
+    std::set<std::string> tried_bodies_;  // on which a garment was dressed
+    std::string prepared_;                // the body that was prepared last
     std::map<std::size_t, std::unique_ptr<UnfinishedJob>> unfinished_;
     WorkerPool pool_;  // last: its processes end before the folders go that they write
 };

@@ -50,6 +50,9 @@ struct BatchCounts {
 struct BatchWork {
     // The hash of all that the result follows from.
     std::function<std::string(const Job&)> key;
+    // Makes ready in this process what the job's process, which is a copy of it, would make too: its body. Called
+    // before a job begins, once a garment was dressed on that body, so that nothing untried is done here.
+    std::function<void(const Job&)> prepare;
     // Dresses, and writes into the folder; returns the exit code of dress. Runs in the child process.
     std::function<int(const Job&, const std::filesystem::path& folder)> dress;
     std::function<void(const BatchCounts&)> progress;  // called several times a second
@@ -57,9 +60,9 @@ struct BatchWork {
 };
 
 // A job whose result does not follow from its inputs alone, such as one that crashed, took too long or could not write
-// a file, is reported as failed, and done again by the next run. Pre: the jobs have names (name_jobs()); this process
-// has started no threads. Throws InputError if the output folder cannot be made, if another process does the same shard
-// in it, or if no process can be started for long.
+// a file, is reported as failed, and done again by the next run. Jobs on the same body follow each other. Pre: the jobs
+// have names (name_jobs()); this process has started no threads. Throws InputError if the output folder cannot be made,
+// if another process does the same shard in it, or if no process can be started for long.
 BatchCounts run_batch(const std::vector<Job>& jobs, const BatchOptions& options, const BatchWork& work);
 
 }  // namespace selvedge::batch

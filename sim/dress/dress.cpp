@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <memory>
 #include <optional>
 
 #include "sim/core/math.h"
 #include "sim/dress/animation.h"
-#include "sim/dress/dressing_pose.h"
 #include "sim/dress/inspection.h"
 #include "sim/dress/own_pose.h"
 #include "sim/dress/session_frame.h"
@@ -129,6 +129,22 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
                      const ContentStore* store) {
     check_layers(pattern, options);
     check_size(pattern);
+    DressTiming timing;
+    PhaseTimer timer(timing);
+    report(progress, "reading the body", 0);
+    const Wearer wearer(std::shared_ptr<const Body>(std::shared_ptr<void>(), &body), {}, store);  // not owned
+    timer.done("body");
+    DressedGarment dressed = dress(pattern, wearer, options, progress, store);
+    dressed.report.timing.wall_s += timing.wall_s;
+    dressed.report.timing.phases_s["body"] += timing.phases_s["body"];
+    return dressed;
+}
+
+DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOptions& options,
+                     const Progress& progress, const ContentStore* store) {
+    check_layers(pattern, options);
+    check_size(pattern);
+    const Body& body = wearer.body();
     DressedGarment dressed;
     DressReport& report = dressed.report;
     PhaseTimer timer(report.timing);
@@ -138,13 +154,7 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     report.body = body.name;
     Dressing dressing({}, store);
     dressing.set_options(options);
-    const Pose pose = body.skin.empty() ? Pose{} : dressing_pose(body);
-    const bool is_moved = !body.skin.empty() && needs_other_pose(body, pose);
-    const Body stands = is_moved ? posed(body, pose) : Body{};
-    dressing.set_body(std::shared_ptr<const Body>(std::shared_ptr<void>(), is_moved ? &stands : &body));  // not owned
-
-    selvedge::sim::report(progress, "reading the body", 0);
-    dressing.collider();
+    dressing.set_body(wearer);
     timer.done("body");
 
     dressing.set_pattern(pattern);
@@ -163,12 +173,11 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     selvedge::sim::report(progress, "draping", 1);
     Cloth& cloth = dressed.cloth.emplace(dressing.take_cloth());
     DrapeResult result = dressing.result();
-    const Body rests = is_moved ? posed(body, rest_pose(body)) : Body{};  // as move_to_own_pose() leaves it
-    std::optional<BodyCollider> own;
-    if (is_moved && !result.bad_vertex) {
-        own.emplace(rests, DistanceFieldOptions{}, std::function<void()>{}, store);
+    const bool is_moved = wearer.stands_otherwise();
+    const BodyCollider* const own = is_moved && !result.bad_vertex ? wearer.own_collider() : nullptr;
+    if (own != nullptr) {
         const bool was_given_up = result.was_given_up;
-        result = move_to_own_pose(cloth, body, pose, *own, options, progress);
+        result = move_to_own_pose(cloth, body, wearer.pose(), *own, options, progress);
         result.was_given_up = was_given_up;
         too_small.reset();  // it was found in the other pose
         report.notes.emplace_back("dressed with lowered arms, which then moved into the pose of the body");

@@ -8,6 +8,7 @@
 #include "sim/core/parallel.h"
 #include "sim/dress/dressing.h"
 #include "sim/dress/report.h"
+#include "sim/dress/wearer.h"
 #include "sim/mesh/draw_mesh.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/pattern.h"
@@ -29,6 +30,9 @@ struct DressedGarment {
 // Throws InputError for a pattern that cannot be meshed, or an unknown fabric or body. Later problems are faults in the
 // report. store: where the bodies' fields, and the body that the pattern names, may be found and are kept; null for
 // none.
+DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOptions& options = {},
+                     const Progress& progress = {}, const ContentStore* store = nullptr);
+// The same, with a body that is made ready first.
 DressedGarment dress(const Pattern& pattern, const Body& body, const DressOptions& options = {},
                      const Progress& progress = {}, const ContentStore* store = nullptr);
 

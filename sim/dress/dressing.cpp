@@ -262,11 +262,20 @@ void Dressing::reactivate() {
 // Body.
 
 void Dressing::set_body(std::shared_ptr<const Body> body) {
-    if (body == body_) return;
+    set_body(std::move(body), nullptr);
+}
+
+void Dressing::set_body(const Wearer& wearer) {
+    set_body(wearer.stands(), wearer.collider());
+}
+
+void Dressing::set_body(std::shared_ptr<const Body> body, std::shared_ptr<const BodyCollider> collider) {
+    if (body == body_ && (collider_ || !collider)) return;
     const bool is_same = body && body_ && has_equal_surface(*body, *body_);
     const std::shared_ptr<const Body> last = std::exchange(body_, std::move(body));
-    if (is_same) return;  // collider_ still holds the previous body, which is equal
-    const auto last_collider = std::exchange(collider_, nullptr);
+    if (is_same && !collider_) collider_ = std::move(collider);
+    if (is_same) return;  // collider_ holds that body or the previous one, which is equal
+    const auto last_collider = std::exchange(collider_, std::move(collider));
     std::optional<AnchoredPattern> last_anchored = std::exchange(anchored_, std::nullopt);
     try {
         take_body();
@@ -293,12 +302,8 @@ void Dressing::take_body() {
 
 const BodyCollider& Dressing::collider() {
     SELVEDGE_ASSERT(body_ || collider_);
-    if (!collider_) collider_.reset(new ColliderOfBody{body_, BodyCollider(*body_, {}, interrupt_, store_)});
-    return collider_->collider;
-}
-
-std::shared_ptr<const BodyCollider> Dressing::shared_collider() const {
-    return collider_ ? std::shared_ptr<const BodyCollider>(collider_, &collider_->collider) : nullptr;
+    if (!collider_) collider_ = shared_collider_of(body_, interrupt_, store_);
+    return *collider_;
 }
 
 // Panels that were placed for another body move with this one.

@@ -23,6 +23,7 @@
 #include "sim/dress/drape.h"
 #include "sim/dress/garment_sewing.h"
 #include "sim/dress/sewing.h"
+#include "sim/dress/wearer.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/mesh/sew.h"
 #include "sim/pattern/fabric.h"
@@ -76,6 +77,8 @@ class Dressing {
     // What is dressed in what. A method that throws InputError (a pattern that cannot be meshed, an unknown fabric or
     // body) changes nothing.
     void set_body(std::shared_ptr<const Body> body);
+    // The same, with the collider that there is already. The body is dressed as it stands.
+    void set_body(const Wearer& wearer);
     void set_pattern(Pattern pattern);
     void set_options(const DressOptions& options);
     // Hidden parts of the cloth that hangs are coarsened from the next adaptation on; null: as DressOptions::seen_from
@@ -107,7 +110,7 @@ class Dressing {
     const Body& designed_for();      // the body that the pattern names; made when first needed. Pre: there is a body
     const BodyCollider& collider();  // of the body; built when first needed, which is slow. Pre: there is a body
     // The same, with its body, for others to keep; null if it has not been needed.
-    std::shared_ptr<const BodyCollider> shared_collider() const;
+    const std::shared_ptr<const BodyCollider>& shared_collider() const { return collider_; }
 
     const GarmentMesh& placed() const { return placed_; }  // for display: meshed quickly
     const Cloth* cloth() const;                            // of separate panels in Sew; null in Place
@@ -153,11 +156,6 @@ class Dressing {
     bool restore(const Drape& drape);
 
  private:
-    struct ColliderOfBody {
-        std::shared_ptr<const Body> body;
-        BodyCollider collider;
-    };
-
     void begin_sewing(std::optional<WornGarments> worn);
     bool sew_over();
     void end_sewing();
@@ -168,6 +166,7 @@ class Dressing {
     std::vector<Fabric> fabrics() const;
     int deepest_level() const { return options_.deepest_level.value_or(options_.max_level); }
 
+    void set_body(std::shared_ptr<const Body> body, std::shared_ptr<const BodyCollider> collider);
     void take_body();
     void place();
     void clear();
@@ -184,7 +183,7 @@ class Dressing {
     Pattern pattern_;  // the newest one that can be meshed
     std::optional<AnchoredPattern> anchored_;
     std::shared_ptr<const Body> body_;
-    std::shared_ptr<const ColliderOfBody> collider_;
+    std::shared_ptr<const BodyCollider> collider_;  // keeps its body alive
     PatternAnchor anchor_{store_};
 
     PanelMeshCache quick_meshes_, meshes_;

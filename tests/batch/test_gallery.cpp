@@ -59,6 +59,18 @@ TEST(Gallery, holds_rows_as_data_that_cannot_end_its_script) {
     EXPECT_EQ(page.find("https://"), std::string::npos);
 }
 
+TEST(Results, name_the_cause_of_the_fault_that_makes_the_outcome) {
+    const sim::TemporaryFolder folder;
+    UnfinishedJob job(folder / "out", "a");
+    sim::DressReport report;
+    report.faults = {{"does_not_fit", "too small at the waist by 3.2 cm", 0.032}, {"self_crossing", "it", 0.1}};
+    sim::write_file_atomically(job.file(job_file::kReport), write_json(json_without_times(report)));
+    job.finish({.key = "k", .exit_code = exit_code_of(outcome_of(report))});
+    const Results results = gather_results({job_called("a")}, folder / "out", key_of);
+    EXPECT_EQ(results.rows.front().find("outcome")->string(), "defect");
+    EXPECT_NE(first_cause(results.rows.front()).find("crossing itself"), std::string::npos);
+}
+
 TEST(CompareRuns, finds_new_jobs_new_outcomes_and_new_pictures) {
     const sim::TemporaryFolder folder;
     finish(folder / "old", {.name = "same"});

@@ -169,7 +169,7 @@ TEST(Manifest, says_what_is_wrong_and_where) {
     EXPECT_EQ(refusal(R"({"jobs": [{"garment": "x", "name": "../y"}]})", "m.json").substr(0, 22),
               "m.json: jobs[0].name: ");
     EXPECT_EQ(refusal(R"({"jobs": [{"garment": "x", "name": "y"}, {"garment": "z", "name": "y"}]})", "m.json"),
-              "job 'y': there are two of this name");
+              "m.json: jobs[0]: job 'y': there are two of this name, the other is m.json: jobs[1]");
     EXPECT_EQ(refusal("body\nx\n", "m.csv"), "m.csv: line 1: there is no column 'garment'");
     EXPECT_EQ(refusal("garment\na,b\n", "m.csv"), "m.csv: line 2: has more fields than there are columns");
     EXPECT_EQ(refusal("garment,threads\na,2\n", "m.csv"), "m.csv: line 2: 'threads' is no option of a job");

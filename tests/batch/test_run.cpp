@@ -65,6 +65,7 @@ int pretend(const Job& job, const Path& folder) {
 
 BatchWork pretended_work() {
     return {.key = [](const Job& job) { return "key of " + job.garment.string(); },
+            .prepare = [](const Job&) {},
             .dress = pretend,
             .progress = [](const BatchCounts&) {},
             .is_stopped = [] { return false; }};
@@ -114,6 +115,24 @@ TEST(Batch, does_not_do_again_what_has_the_same_inputs) {
     BatchOptions all = options;
     all.does_all_again = true;
     EXPECT_EQ(run_batch(jobs, all, changed).done, 5U);
+}
+
+TEST(Batch, prepares_a_body_for_several_jobs_once_a_garment_was_dressed_on_it) {
+    const sim::TemporaryFolder folder;
+    std::vector<Job> jobs = numbered_jobs(9);
+    for (std::size_t i = 0; i < jobs.size(); ++i) jobs[i].body = i % 2 == 0 ? "even" : "odd";
+    jobs[7].body = "odd";
+    jobs[7].options = {{"body-unit", "cm", false}};
+    BatchWork work = pretended_work();
+    std::vector<std::string> prepared;
+    work.prepare = [&](const Job& job) { prepared.push_back(job.name); };
+    work.dress = [](const Job& job, const Path& path) -> int {
+        if (job.name == "job1001") std::raise(SIGSEGV);
+        return pretend(job, path);
+    };
+    EXPECT_EQ(run_batch(jobs, {.output = folder / "out"}, work).failed, 1U);
+    EXPECT_EQ(prepared, (std::vector<std::string>{"job1002", "job1004", "job1006", "job1008"}))
+        << "jobs on one body follow each other; the first on 'odd' crashed, and after the second there is one alone";
 }
 
 TEST(Batch, a_job_that_fails_is_told_and_tried_again_by_the_next_run) {

@@ -1,0 +1,45 @@
+#pragma once
+// A body that one process holds ready for others that are copies of it, so that these neither read it nor build its
+// collider.
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/options.h"
+#include "sim/core/content_store.h"
+#include "sim/dress/wearer.h"
+
+namespace selvedge::app {
+
+struct ReadyBody {
+    sim::Wearer wearer;
+    std::vector<std::string> notes;  // as of make_body()
+};
+
+// The body of make_body(), with its collider. store: null for none. Throws InputError as make_body() does.
+std::shared_ptr<const ReadyBody> make_ready_body(const BodyOptions& options, const sim::ContentStore* store);
+
+// Holds the body that was asked for last. More would take memory of every process.
+class LastBody {
+ public:
+    explicit LastBody(const sim::ContentStore* store) : store_(store) {}
+
+    // Makes the body ready on this thread, if it is not. One that cannot be made is left to whoever needs it.
+    void prepare(const BodyOptions& options);
+    // Null if that body is not ready, or its file was written since.
+    std::shared_ptr<const ReadyBody> find(const BodyOptions& options) const;
+
+ private:
+    struct Entry {
+        BodyOptions options;
+        std::filesystem::file_time_type written{};  // of its file, if it has one
+        std::shared_ptr<const ReadyBody> body;      // null: it could not be made
+    };
+
+    const sim::ContentStore* store_;
+    std::optional<Entry> entry_;
+};
+
+}  // namespace selvedge::app
