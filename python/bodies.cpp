@@ -114,6 +114,14 @@ void add_bodies(py::module_& module) {
     module.def("_mannequin", &make_mannequin, py::arg("sex"), py::arg("measures"), py::arg("resolution"),
                py::arg("stance").none(true), "A mannequin from measures in m; stance in rad.");
     module.def(
+        "_body_named",
+        [](const std::string& source) {
+            if (source.empty()) throw sim::InputError("", "body", "names no body");
+            return made_from({.source = source, .load = {}});
+        },
+        py::arg("source"), py::call_guard<py::gil_scoped_release>(),
+        "The body of a text as the command's --body takes it.");
+    module.def(
         "load_body", &load_body, py::arg("path"), py::kw_only(), py::arg("unit") = "auto", py::arg("up") = "auto",
         "Loads a body from an OBJ, glTF, GLB or FBX file, in metres with y up, and repairs its surface.\n\n"
         "unit: of the file: auto (by its size), m, dm, cm, mm or in. up: its axis that points up: auto, y or z.\n"

@@ -16,7 +16,14 @@ if TYPE_CHECKING:
 
     Picture = npt.NDArray[np.uint8]
 PatternLike = Union[Pattern, PathLike]
+BodyLike = Union[Body, PathLike]
 Progress = Callable[[float, str], object]
+
+
+def _body_of(body: BodyLike | None) -> Body | None:
+    if body is None or isinstance(body, Body):
+        return body
+    return _selvedge._body_named(os.fspath(body))
 
 
 def mannequin(
@@ -58,7 +65,7 @@ def mannequin(
 
 def dress(
     pattern: PatternLike,
-    body: Body | None = None,
+    body: BodyLike | None = None,
     *,
     fabric: str | None = None,
     seconds: float = 12,
@@ -73,7 +80,8 @@ def dress(
 ) -> Result:
     """Puts a garment on a body and drapes it until it is at rest: the same bits as `selvedge dress`.
 
-    pattern: a Pattern or the path of a garment file. body: None: the one that the pattern names.
+    pattern: a Pattern or the path of a garment file. body: a Body, 'mannequin:bust=92,...' as the command takes it (in cm),
+    or the path of a body file; None: the one that the pattern names.
     fabric: a shipped fabric or a fabric file, of all panels; None: the pattern's. seconds: longest simulated time,
     0.01 to 600. edge_length: of the base mesh, 0.005 to 0.3 m; None: the pattern's, or 0.05. max_level: times an edge
     may be halved, 0 to 8. shortest_edge: shorter ones are not halved, m. triangles: number to keep near.
@@ -89,7 +97,7 @@ def dress(
         fabric or "", edge_length, max_level, shortest_edge, triangles, self_collision
     )
     documents = [document_of(one) for one in over]
-    return _selvedge._dress(document_of(pattern), body, documents, arguments, seconds, threads, progress)
+    return _selvedge._dress(document_of(pattern), _body_of(body), documents, arguments, seconds, threads, progress)
 
 
 def _option(name: str, value: object) -> str:
@@ -102,7 +110,7 @@ def _numbers(values: Sequence[float] | npt.NDArray[np.float64], scale: float = 1
 
 def render(
     subject: Result | Mesh | Frame,
-    body: Body | None = None,
+    body: BodyLike | None = None,
     *,
     size: tuple[int, int] = (1024, 1024),
     view: str = "front",
@@ -122,7 +130,7 @@ def render(
     """Draws a garment: the picture of `selvedge dress --render`, or for a Mesh or Frame that of `selvedge render`.
 
     Returns uint8 of shape (height, width, 4): red, green, blue, alpha, from the top left.
-    body: drawn with it; None: a result's own body, and for a mesh none. size: (width, height) in pixels.
+    body: drawn with it, as of dress(); None: a result's own body, and for a mesh none. size: (width, height) in pixels.
     view: front, back, left, right, three-quarter, ... camera: instead of the view, (azimuth, elevation[, zoom]) in
     degrees, or eye and target in m, six numbers. frame: what fills the picture, 'all' or 'garment'.
     show: tartan, plain, edges, level, strain, clearance, panels, seams, ... tartan: a shipped one or a threadcount;
@@ -142,9 +150,9 @@ def render(
     if transparent:
         options.append("--transparent")
     if isinstance(subject, Result):
-        return _selvedge._render_result(subject, body, options)
+        return _selvedge._render_result(subject, _body_of(body), options)
     mesh = subject.mesh if isinstance(subject, Frame) else subject
-    return _selvedge._render_mesh(mesh, body, options, fabric or "")
+    return _selvedge._render_mesh(mesh, _body_of(body), options, fabric or "")
 
 
 def export(
@@ -182,7 +190,7 @@ class Session(_selvedge._Session):
     def __init__(
         self,
         pattern: PatternLike,
-        body: Body | None = None,
+        body: BodyLike | None = None,
         *,
         fabric: str | None = None,
         edge_length: float | None = None,
@@ -196,7 +204,11 @@ class Session(_selvedge._Session):
         arguments = _selvedge._DressArguments(
             fabric or "", edge_length, max_level, shortest_edge, triangles, self_collision
         )
-        super().__init__(document_of(pattern), body, arguments, threads)
+        super().__init__(document_of(pattern), _body_of(body), arguments, threads)
+
+    def set_body(self, body: BodyLike) -> None:
+        """Changes the body; the garment starts again. Raises InputError for a wrong one, and changes nothing then."""
+        super().set_body(body if isinstance(body, Body) else _selvedge._body_named(os.fspath(body)))
 
     def set_pattern(self, pattern: PatternLike) -> None:
         """Changes the pattern. If its panels, edges and seams stay the same in number and kind, the cloth goes on from

@@ -193,6 +193,15 @@ class Dressing(InFolder):
         self.assertEqual(most[0], 2)
         np.testing.assert_array_equal(results["a"].positions, results["b"].positions)
 
+    def test_a_body_can_be_named_as_the_command_names_it(self):
+        named = selvedge.dress(shipped("two_squares"), "mannequin:bust=84", **QUICK)
+        made = selvedge.dress(shipped("two_squares"), selvedge.mannequin(bust=0.84), **QUICK)
+        np.testing.assert_array_equal(named.positions, made.positions)
+        with self.assertRaises(selvedge.InputError):
+            selvedge.dress(shipped("two_squares"), "mannequin:bust=1e9", **QUICK)
+        with self.assertRaises(selvedge.InputError):
+            selvedge.dress(shipped("two_squares"), "", **QUICK)
+
     def test_wrong_input_names_the_argument(self):
         for name, value in {
             "seconds": -1,
