@@ -35,6 +35,7 @@
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/core/printable.h"
+#include "sim/core/trimmed.h"
 
 namespace selvedge::app {
 namespace {
@@ -99,10 +100,7 @@ std::vector<batch::JobOption> options_for_all(const BatchArguments& arguments) {
 
 // The items of a list that was written with blanks: 'silk, denim'.
 std::vector<std::string> without_blanks(std::vector<std::string> items) {
-    for (std::string& item : items) {
-        item.erase(0, item.find_first_not_of(' '));
-        item.erase(item.find_last_not_of(' ') + 1);
-    }
+    for (std::string& item : items) item = std::string(sim::trimmed(item));
     std::erase(items, "");
     return items;
 }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "sim/core/error.h"
+#include "sim/core/trimmed.h"
 
 namespace selvedge::editor {
 namespace {
@@ -12,12 +13,6 @@ constexpr std::array<std::string_view, 23> kVerbs{"where",      "expect", "open"
                                                   "action",     "key",    "type", "move",   "press",  "release",
                                                   "click",      "double", "drag", "wheel",  "frames", "settle",
                                                   "screenshot", "export", "wear", "import", "print"};
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 // Splits at blanks; quoted text keeps its blanks.
 std::vector<std::string> split_words(std::string_view text) {
@@ -48,13 +43,13 @@ std::vector<ScriptStep> parse_script(std::string_view text, const std::string& f
     int number = 0;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = trimmed(text.substr(0, end));
+        const std::string_view line = sim::trimmed(text.substr(0, end));
         text.remove_prefix(std::min(end + 1, text.size()));
         ++number;
         if (line.empty() || line.front() == '#') continue;
         const std::size_t blank = std::min(line.find(' '), line.size());
         ScriptStep step{.line = number, .verb = std::string(line.substr(0, blank)), .arguments = {}, .rest = {}};
-        step.rest = trimmed(line.substr(blank));
+        step.rest = sim::trimmed(line.substr(blank));
         step.arguments = split_words(step.rest);
         if (std::find(kVerbs.begin(), kVerbs.end(), step.verb) == kVerbs.end()) {
             throw sim::InputError(file, "line " + std::to_string(number), "there is no step '" + step.verb + "'");

@@ -20,10 +20,12 @@ BodyLike = Union[Body, PathLike]
 Progress = Callable[[float, str], object]
 
 
-def _body_of(body: BodyLike | None) -> Body | None:
-    if body is None or isinstance(body, Body):
-        return body
-    return _selvedge._body_named(os.fspath(body))
+def _body_of(body: BodyLike) -> Body:
+    return body if isinstance(body, Body) else _selvedge._body_named(os.fspath(body))
+
+
+def _body_if_any(body: BodyLike | None) -> Body | None:
+    return None if body is None else _body_of(body)
 
 
 def mannequin(
@@ -80,8 +82,8 @@ def dress(
 ) -> Result:
     """Puts a garment on a body and drapes it until it is at rest: the same bits as `selvedge dress`.
 
-    pattern: a Pattern or the path of a garment file. body: a Body, 'mannequin:bust=92,...' as the command takes it (in cm),
-    or the path of a body file; None: the one that the pattern names.
+    pattern: a Pattern or the path of a garment file. body: a Body, 'mannequin:bust=92,...' as the command
+    takes it (in cm), or the path of a body file; None: the one that the pattern names.
     fabric: a shipped fabric or a fabric file, of all panels; None: the pattern's. seconds: longest simulated time,
     0.01 to 600. edge_length: of the base mesh, 0.005 to 0.3 m; None: the pattern's, or 0.05. max_level: times an edge
     may be halved, 0 to 8. shortest_edge: shorter ones are not halved, m. triangles: number to keep near.
@@ -97,7 +99,7 @@ def dress(
         fabric or "", edge_length, max_level, shortest_edge, triangles, self_collision
     )
     documents = [document_of(one) for one in over]
-    return _selvedge._dress(document_of(pattern), _body_of(body), documents, arguments, seconds, threads, progress)
+    return _selvedge._dress(document_of(pattern), _body_if_any(body), documents, arguments, seconds, threads, progress)
 
 
 def _option(name: str, value: object) -> str:
@@ -150,9 +152,9 @@ def render(
     if transparent:
         options.append("--transparent")
     if isinstance(subject, Result):
-        return _selvedge._render_result(subject, _body_of(body), options)
+        return _selvedge._render_result(subject, _body_if_any(body), options)
     mesh = subject.mesh if isinstance(subject, Frame) else subject
-    return _selvedge._render_mesh(mesh, _body_of(body), options, fabric or "")
+    return _selvedge._render_mesh(mesh, _body_if_any(body), options, fabric or "")
 
 
 def export(
@@ -204,11 +206,11 @@ class Session(_selvedge._Session):
         arguments = _selvedge._DressArguments(
             fabric or "", edge_length, max_level, shortest_edge, triangles, self_collision
         )
-        super().__init__(document_of(pattern), _body_of(body), arguments, threads)
+        super().__init__(document_of(pattern), _body_if_any(body), arguments, threads)
 
     def set_body(self, body: BodyLike) -> None:
         """Changes the body; the garment starts again. Raises InputError for a wrong one, and changes nothing then."""
-        super().set_body(body if isinstance(body, Body) else _selvedge._body_named(os.fspath(body)))
+        super().set_body(_body_of(body))
 
     def set_pattern(self, pattern: PatternLike) -> None:
         """Changes the pattern. If its panels, edges and seams stay the same in number and kind, the cloth goes on from

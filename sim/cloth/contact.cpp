@@ -234,13 +234,12 @@ std::uint16_t trunk_only_slots(const SampleBlock& samples, const std::vector<boo
 
 constexpr unsigned kAllSlots = (1U << kBlock) - 1;
 
-// Queries at least these slots.
+// Queries these slots, and the others where that costs nothing.
 void query(SolverState& solver, const SampleBlock& samples, ContactBlock& block, const Collider& body, float reach,
-           unsigned slots = kAllSlots) {
-    const bool meets_all = solver.contacts.is_trunk_only.empty();
-    if (meets_all && (slots == kAllSlots || !body.costs_by_slot())) return body.contacts({&block, 1}, reach);
-    std::uint16_t apart = meets_all ? std::uint16_t(0) : trunk_only_slots(samples, solver.contacts.is_trunk_only);
-    if (body.costs_by_slot()) apart = static_cast<std::uint16_t>(apart | (kAllSlots & ~slots));
+           unsigned slots) {
+    unsigned trunk_only = kAllSlots & ~slots;
+    if (!solver.contacts.is_trunk_only.empty()) trunk_only |= trunk_only_slots(samples, solver.contacts.is_trunk_only);
+    const auto apart = static_cast<std::uint16_t>(trunk_only);
     body.contacts_apart({&block, 1}, {&apart, 1}, reach);
 }
 
@@ -266,6 +265,14 @@ void store_query_at(const ContactBlock& result, std::size_t at, const ContactLim
     samples.slack[at] = height - limits.margin;
     set_values(samples.normal, at, {result.nx[at], result.ny[at], result.nz[at]});
     samples.height[at] = height;
+}
+
+// The same for these slots.
+void store_queries(const ContactBlock& result, unsigned slots, const Kernels& loops, const ContactLimits& limits,
+                   SampleBlock& samples) {
+    if (slots == kAllSlots) return loops.store_query(result, limits, samples);
+    for (unsigned left = slots; left != 0; left &= left - 1)
+        store_query_at(result, static_cast<std::size_t>(std::countr_zero(left)), limits, samples);
 }
 
 // The block with this slot alone near anything: a collider is done with the others at once.
@@ -313,16 +320,11 @@ float meet_samples(SolverState& solver, SampleBlock& samples, const Kernels& loo
         meet_in_turn(solver, samples, loops, body, limits);
         return 0;
     }
-    const bool leaves_some = body.costs_by_slot() && state.to_query != kAllSlots;
-    if (state.to_query != 0) query(solver, samples, block, body, limits.offset + kPlaneReach, state.to_query);
-    if (leaves_some) {
-        for (unsigned left = state.to_query; left != 0; left &= left - 1)
-            store_query_at(block, static_cast<std::size_t>(std::countr_zero(left)), limits, samples);
-    } else if (state.to_query != 0) {
-        loops.store_query(block, limits, samples);
-    }
+    const unsigned slots = state.to_query == 0 || body.costs_by_slot() ? state.to_query : kAllSlots;
+    if (slots != 0) query(solver, samples, block, body, limits.offset + kPlaneReach, slots);
+    store_queries(block, slots, loops, limits, samples);
     loops.push_samples(samples, limits, floats(solver.points), floats(solver.before));
-    return state.to_query != 0 && !leaves_some ? *std::ranges::min_element(samples.slack) : 0;
+    return slots == kAllSlots ? *std::ranges::min_element(samples.slack) : 0;
 }
 
 void forget_skips(ContactState& contacts) {

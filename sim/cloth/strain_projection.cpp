@@ -128,7 +128,8 @@ class StillPoints {
 
 }  // namespace
 
-double total_excess(const Cloth& cloth, float tolerance) {
+double total_excess(const Cloth& cloth) {
+    constexpr float tolerance = StrainProjectionOptions{}.tolerance;
     double sum = 0;
     for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
         const float over = over_limit(triangle_of(leaf, cloth.material), cloth.x);

@@ -25,9 +25,9 @@ struct StrainProjectionReport {
     float deepest_face = 0;  // m, of the watched faces inside the body in that iteration
 };
 
-// The strain of the more stretched yarn beyond its fabric's limit and the tolerance, summed over the leaf triangles
-// that have such; 0 if project_strain() has nothing to do for them.
-double total_excess(const Cloth& cloth, float tolerance = StrainProjectionOptions{}.tolerance);
+// The strain of the more stretched yarn beyond its fabric's limit and the usual tolerance, summed over the leaf
+// triangles that have such; 0 if project_strain() has nothing to do for them.
+double total_excess(const Cloth& cloth);
 
 // Uses the contact options and self-contact of `stepping`; contacts are without friction. Pre: as step().
 StrainProjectionReport project_strain(Cloth& cloth, const Collider& body, const StepOptions& stepping,

@@ -173,8 +173,7 @@ DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOp
     selvedge::sim::report(progress, "draping", 1);
     Cloth& cloth = dressed.cloth.emplace(dressing.take_cloth());
     DrapeResult result = dressing.result();
-    const bool is_moved = wearer.stands_otherwise();
-    const BodyCollider* const own = is_moved && !result.bad_vertex ? wearer.own_collider() : nullptr;
+    const BodyCollider* const own = result.bad_vertex ? nullptr : wearer.own_collider();
     if (own != nullptr) {
         const bool was_given_up = result.was_given_up;
         result = move_to_own_pose(cloth, body, wearer.pose(), *own, options, progress);

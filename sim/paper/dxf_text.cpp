@@ -5,19 +5,13 @@
 #include <cmath>
 
 #include "sim/core/error.h"
+#include "sim/core/trimmed.h"
 
 namespace selvedge::sim {
 namespace {
 
 constexpr std::size_t kLargestFile = 64U << 20U;  // bytes
 constexpr std::size_t kMostGroups = 4000000;
-
-std::string_view trimmed(std::string_view text) {
-    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-    return text;
-}
 
 // Takes a line off the text; CR, LF and both end one.
 std::string_view take_line(std::string_view& text) {
