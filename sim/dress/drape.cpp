@@ -56,13 +56,14 @@ bool DrapeRun::advance(Cloth& cloth, const Collider& body) {
 void DrapeRun::reactivate(Cloth& cloth) {
     if (phase_ == DrapePhase::Relax || result_.bad_vertex) return;
     if (cloth.substep != usual_substep_) set_substep(cloth, usual_substep_);
-    result_.settled = result_.was_given_up = false;
+    result_.settled = false;
+    result_.given_up.reset();
     fraction_ = 0;
     begin_fall();
 }
 
-void DrapeRun::give_up(Cloth& cloth) {
-    result_.was_given_up = true;
+void DrapeRun::give_up(Cloth& cloth, GiveUp why) {
+    result_.given_up = why;
     end_fall(cloth);
 }
 
@@ -112,7 +113,7 @@ void DrapeRun::end(Cloth& cloth) {
     phase_ = DrapePhase::Done;
     if (cloth.substep != usual_substep_) set_substep(cloth, usual_substep_);
     result_.stopped_because = result_.settled ? "settled" : "time limit";
-    if (result_.was_given_up) result_.stopped_because = "too small";
+    if (result_.given_up) result_.stopped_because = *result_.given_up == GiveUp::TooSmall ? "too small" : "slips down";
     if (result_.bad_vertex) result_.stopped_because = "bad number";
 }
 
@@ -165,19 +166,21 @@ double DrapeRun::rest_weight() const {
 
 // Single triangles where much cloth meets, as under an arm, stay stretched by up to 20 % however long the fall lasts:
 // one solver iteration per sub-step cannot move what many other constraints hold. Finer sub-steps leave 10 %. They go
-// on while they lessen what is beyond the fabric's strain limit, and until the movement that they cause is at rest.
-// What is then beyond the limit is projected.
+// on while they lessen what is beyond the fabric's strain limit; what is then beyond it is projected. The cloth is
+// stiffer in finer sub-steps, which sets it in motion: nobody waits for that to end, and the speed told is the fall's.
 void DrapeRun::finish_frame(Cloth& cloth, const Collider& body) {
     StepOptions stepping{.gravity = options_.gravity, .extra_damping = kFinishDamping, .contact = finishing_contact()};
     stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // updates would set it in motion
     stepping.substeps *= static_cast<int>(std::lround(usual_substep_ / cloth.substep));
     update_contacts_between_frames(cloth, body, stepping);
     const std::size_t usual_steps = result_.step_ms.size();
+    const float speed = result_.rms_speed;
     run_steps(cloth, body, stepping);
     result_.step_ms.resize(usual_steps);  // the statistics cover steps of usual length only
+    result_.rms_speed = speed;
     constexpr double kWorthwhile = 0.1;   // of the excess: a frame that takes away less costs more than the projection
     const double before = std::exchange(excess_, total_excess(cloth));
-    lessens_ = before - excess_ > kWorthwhile * before;
+    lessens_ = excess_ > 0 && before - excess_ > kWorthwhile * before;
     if (finishes() || result_.bad_vertex) return;
     stepping.self_contact = options_.self_contact;
     project(cloth, body, stepping);
@@ -202,7 +205,7 @@ void DrapeRun::update_contacts_between_frames(Cloth& cloth, const Collider& body
 
 bool DrapeRun::finishes() const {
     const double elapsed = result_.simulated_seconds - phase_start_;
-    return elapsed < 3 * options_.finish_time && (lessens_ || result_.rms_speed > options_.rest_speed);
+    return elapsed < 3 * options_.finish_time && lessens_;
 }
 
 void DrapeRun::adapt_once(Cloth& cloth, const Collider& body, const AdaptClothOptions& adapting) {

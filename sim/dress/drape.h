@@ -38,12 +38,18 @@ struct DrapeOptions {
     std::function<std::span<const KinematicVertex>(const Cloth&, float)> kinematic_vertices = {};
 };
 
+// Why the rest of a garment that does not fit its body is not waited for.
+enum class GiveUp {
+    TooSmall,  // it would crumple and stretch without coming to rest
+    SlipsDown  // it would fall to the floor
+};
+
 struct DrapeResult {
     bool settled = false;
-    bool was_given_up = false;  // by give_up()
+    std::optional<GiveUp> given_up{};  // by give_up()
     std::string stopped_because;
     std::optional<VertexId> bad_vertex;
-    float rms_speed = 0;  // m/s at the end; `settled` is determined before the final phase
+    float rms_speed = 0;  // m/s at the end of the fall
     double simulated_seconds = 0;
     long splits = 0;
     long rejoins = 0;
@@ -72,9 +78,8 @@ class DrapeRun {
     // Restarts the fall from the current state. No effect in phase Relax or after a bad number.
     void reactivate(Cloth& cloth);
 
-    // Goes on to the end of the fall of a garment that is too small for the body: it would crumple and stretch without
-    // coming to rest. Pre: phase() is Relax or Fall.
-    void give_up(Cloth& cloth);
+    // Goes on to the end of the fall. Pre: phase() is Relax or Fall.
+    void give_up(Cloth& cloth, GiveUp why);
     // Whether the fall has its full weight.
     bool hangs() const;
     bool hangs_calmly() const;  // and speeds are low: what the cloth shows now, it will show later

@@ -74,36 +74,43 @@ void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phas
     }
 }
 
-// Runs the fall to its end, or until the garment was too small for the body at two tests. What is known to be too small
-// is given up as soon as it hangs: the tighter it is, the less calmly.
-void fall_or_give_up(Dressing& dressing, bool is_known, const Progress& progress) {
+// Runs the fall to its end, or until the garment slips down the body or was too small for it at two tests. What is known
+// to be too small is given up as soon as it hangs: the tighter it is, the less calmly.
+void fall_or_give_up(Dressing& dressing, bool is_known, const WearingCheck& wearing, const Progress& progress) {
     constexpr double kBetweenTests = 0.5;  // s of simulated time, in which cloth that hangs calmly slides into place
-    double next_test = 0;                  // s
+    const bool is_one = garments_of(dressing.pattern()).size() == 1;  // others of an outfit are waited for
+    double next_test = 0;                                             // s
     bool was_too_small = false;
     while (dressing.stage() == DressingStage::Fall) {
         dressing.advance();
         if (dressing.stage() != DressingStage::Fall) return;
         report(progress, "draping", dressing.fraction());
-        if (is_known && dressing.hangs()) dressing.give_up();
-        if (!dressing.hangs_calmly() || dressing.simulated_seconds() < next_test) continue;
-        next_test = dressing.simulated_seconds() + kBetweenTests;
-        const bool is_small = is_too_small(*dressing.cloth(), *dressing.body());
-        if (is_small && was_too_small) dressing.give_up();
-        was_too_small = is_small;
+        if (is_known && dressing.hangs()) {
+            dressing.give_up(GiveUp::TooSmall);
+        } else if (is_one && wearing.slip(*dressing.cloth())) {
+            dressing.give_up(GiveUp::SlipsDown);
+        } else if (dressing.hangs_calmly() && dressing.simulated_seconds() >= next_test) {
+            next_test = dressing.simulated_seconds() + kBetweenTests;
+            const bool is_small = is_too_small(*dressing.cloth(), *dressing.body());
+            if (is_small && was_too_small) dressing.give_up(GiveUp::TooSmall);
+            was_too_small = is_small;
+        }
     }
 }
 
 // A garment that is too small is not waited for: it crumples and stretches without coming to rest. One that could not
 // be pulled over the body stays as it was sewn; an outfit hangs, for the sake of its other garments. Returns what of
-// the sewn garment fits nowhere. If the end shows that the verdict was wrong, it falls on.
-std::optional<TightLevel> relax_and_fall(Dressing& dressing, const Progress& progress) {
+// the sewn garment fits nowhere. If the end shows that the verdict was wrong, it falls on. What slips down is not waited
+// for either.
+std::optional<TightLevel> relax_and_fall(Dressing& dressing, const WearingCheck& wearing, const Progress& progress) {
     std::optional<TightLevel> too_small;
     if (dressing.stage() == DressingStage::Relax) too_small = fits_nowhere(*dressing.cloth(), *dressing.body());
     const bool is_one = garments_of(dressing.pattern()).size() == 1;
-    if (is_one && too_small && excess_stretch(*too_small) > FaultLimits{}.stretch_max) dressing.give_up();
+    if (is_one && too_small && excess_stretch(*too_small) > FaultLimits{}.stretch_max)
+        dressing.give_up(GiveUp::TooSmall);
     finish_stage(dressing, DressingStage::Relax, "draping", progress);
-    fall_or_give_up(dressing, too_small.has_value(), progress);
-    if (!dressing.result().was_given_up || dressing.result().bad_vertex) return std::nullopt;
+    fall_or_give_up(dressing, too_small.has_value(), wearing, progress);
+    if (dressing.result().given_up != GiveUp::TooSmall || dressing.result().bad_vertex) return std::nullopt;
     const bool shows_it = is_too_small(*dressing.cloth(), *dressing.body());
     if (shows_it || (too_small && is_overstretched(*dressing.cloth()))) return too_small;
     dressing.reactivate();
@@ -111,16 +118,19 @@ std::optional<TightLevel> relax_and_fall(Dressing& dressing, const Progress& pro
     return std::nullopt;
 }
 
-// Fills in the report's faults and fit. body: in the pose in which the collider has it.
-void inspect(DressedGarment& dressed, Dressing& dressing, const Body& body, const BodyCollider& collider,
+WearingCheck check_wearing(Dressing& dressing, const Body& wearer) {
+    return {dressing.sewn_mesh(), {.unsewn = dressing.designed(), .body = &dressing.designed_for()}, wearer};
+}
+
+// Fills in the report's faults and fit. The collider and `wearing` have the wearer in the same pose.
+void inspect(DressedGarment& dressed, Dressing& dressing, const WearingCheck& wearing, const BodyCollider& collider,
              const DrapeResult& result, const std::optional<TightLevel>& too_small) {
     const Cloth& cloth = *dressed.cloth;
     validate(cloth, collider, dressing.anchored(), dressing.open_seams(), result, dressed.report,
              {.may_cross_itself = !dressing.options().self_collision}, too_small);
     if (result.bad_vertex) return;
-    const DesignedGarment designed{.unsewn = dressing.designed(), .body = &dressing.designed_for()};
-    validate_wearing(cloth, dressing.sewn_mesh(), designed, body, dressed.report);
-    dressed.report.fit = measure_fit(dressed.mesh, body);
+    wearing.validate(cloth, dressed.report);
+    dressed.report.fit = measure_fit(dressed.mesh, collider.body());
 }
 
 }  // namespace
@@ -169,15 +179,16 @@ DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOp
     timer.done("sewing");
 
     selvedge::sim::report(progress, "draping", 0);
-    std::optional<TightLevel> too_small = relax_and_fall(dressing, progress);
+    const WearingCheck dressed_on = check_wearing(dressing, *dressing.body());
+    std::optional<TightLevel> too_small = relax_and_fall(dressing, dressed_on, progress);
     selvedge::sim::report(progress, "draping", 1);
     Cloth& cloth = dressed.cloth.emplace(dressing.take_cloth());
     DrapeResult result = dressing.result();
     const BodyCollider* const own = result.bad_vertex ? nullptr : wearer.own_collider();
     if (own != nullptr) {
-        const bool was_given_up = result.was_given_up;
+        const std::optional<GiveUp> given_up = result.given_up;
         result = move_to_own_pose(cloth, body, wearer.pose(), *own, options, progress);
-        result.was_given_up = was_given_up;
+        result.given_up = given_up;
         too_small.reset();  // it was found in the other pose
         report.notes.emplace_back("dressed with lowered arms, which then moved into the pose of the body");
     }
@@ -185,7 +196,8 @@ DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOp
     timer.done("draping");
 
     dressed.mesh = draw_mesh(cloth, dressing.sewn_mesh().panel_names);
-    inspect(dressed, dressing, body, own ? *own : dressing.collider(), result, too_small);
+    inspect(dressed, dressing, own ? check_wearing(dressing, body) : dressed_on, own ? *own : dressing.collider(), result,
+            too_small);
     dressed.hierarchy = triangle_hierarchy(cloth);
     dressed.meshing = dressing.drape().meshing;
     timer.done("inspection");

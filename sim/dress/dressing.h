@@ -126,7 +126,7 @@ class Dressing {
     Cloth take_cloth() { return std::move(drape_->cloth); }
     bool hangs() const { return drape_ && drape_->run->hangs(); }
     bool hangs_calmly() const { return drape_ && drape_->run->hangs_calmly(); }
-    void give_up() { drape_->run->give_up(drape_->cloth); }  // Pre: Relax or Fall, and see DrapeRun
+    void give_up(GiveUp why) { drape_->run->give_up(drape_->cloth, why); }  // Pre: Relax or Fall, and see DrapeRun
     void reactivate();                                       // a drape at rest falls on
     double simulated_seconds() const;                        // since sewing began
 

@@ -211,20 +211,19 @@ void validate_fit(const std::vector<TightLevel>& tight, const std::optional<Tigh
 // Pre: the report has the faults of fit.
 bool is_given_up_as_too_small(const DrapeResult& draped, const DressReport& report) {
     const auto does_not_fit = [](const DressFault& fault) { return class_of(fault) == FaultClass::DoesNotFit; };
-    return draped.was_given_up && std::ranges::any_of(report.faults, does_not_fit);
+    return draped.given_up == GiveUp::TooSmall && std::ranges::any_of(report.faults, does_not_fit);
 }
 
 void validate_rest(const DrapeResult& draped, DressReport& report) {
-    if (is_given_up_as_too_small(draped, report)) {
+    if (draped.given_up == GiveUp::SlipsDown) {
+        report.notes.emplace_back("its fall was ended early, because it slips down the body");
+    } else if (is_given_up_as_too_small(draped, report)) {
         const long stretch = std::lround(100 * report.stretch.warp_weft_max);
         report.notes.push_back(
             "its fall was ended early, because it is too small for the body; it is stretched by up to " +
             std::to_string(stretch) + " %");
     } else if (!draped.settled) {
         add_fault(report, "not_settled", "whole garment, rms speed in m/s", draped.rms_speed);
-    } else if (draped.rms_speed > DrapeOptions{}.rest_speed) {
-        const long speed = std::lround(1000 * draped.rms_speed);
-        report.notes.push_back("had settled, but moves by " + std::to_string(speed) + " mm/s in finer sub-steps");
     }
 }
 
@@ -247,7 +246,7 @@ std::vector<TriangleStrain> unexplained_of(const std::vector<TriangleStrain>& st
 }
 
 // Stretch that is not explained is a fault, unless the garment was given up: then it is stretched because it is too
-// small.
+// small, or because it slips.
 void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const DrapeResult& draped,
                       const FaultLimits& limits, const std::optional<TightLevel>& too_small, DressReport& report) {
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
@@ -255,7 +254,7 @@ void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& patte
     report.stretch = stretch_statistics(strains);
     const std::vector<TightLevel> tight = tight_levels(draw_mesh(cloth, {}), body, fit_options(cloth));
     validate_fit(tight, too_small, body, report);
-    if (is_given_up_as_too_small(draped, report)) return;
+    if (draped.given_up == GiveUp::SlipsDown || is_given_up_as_too_small(draped, report)) return;
     const std::vector<TriangleStrain> unexplained = unexplained_of(strains, cloth, tight);
     const auto worst =
         static_cast<std::size_t>(std::ranges::max_element(unexplained, {}, larger_of) - unexplained.begin());

@@ -191,7 +191,7 @@ struct DressReport {
     std::vector<std::string> garments;  // from the innermost to the outermost
     std::string body;
     bool settled = false;
-    std::string stopped_because;  // "settled", "too small", "time limit" or "bad number"
+    std::string stopped_because;  // "settled", "too small", "slips down", "time limit" or "bad number"
     double simulated_seconds = 0;
     std::vector<DressFault> faults;
     std::vector<std::string> notes;  // information for the user that is not a fault

@@ -7,7 +7,9 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,17 +37,21 @@ struct WornGarment {
     std::vector<Vec3d> closed_draped;  // m, per vertex of `closed`
 };
 
-WornGarment compare_drape(const Cloth& cloth, const GarmentMesh& sewn, const GarmentMesh& unsewn) {
-    SELVEDGE_ASSERT(unsewn.triangles.size() == sewn.triangles.size());
+// The garment as it was placed.
+WornGarment undraped(GarmentMesh unsewn) {
     WornGarment garment{.panels = unsewn, .draped = unsewn.x, .closed = unsewn, .in_closed = {}, .closed_draped = {}};
+    garment.in_closed = merge_seams(garment.closed);
+    return garment;
+}
+
+WornGarment compare_drape(const Cloth& cloth, const GarmentMesh& sewn, WornGarment garment) {
     for (std::size_t t = 0; t < sewn.triangles.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto now = static_cast<std::size_t>(sewn.triangles[t].vertices[k]);
-            garment.draped[static_cast<std::size_t>(unsewn.triangles[t].vertices[k])] =
+            garment.draped[static_cast<std::size_t>(garment.panels.triangles[t].vertices[k])] =
                 cloth.x[now].head<3>().cast<double>();
         }
     }
-    garment.in_closed = merge_seams(garment.closed);
     garment.closed_draped.assign(garment.closed.x.size(), Vec3d::Zero());
     std::vector<int> joined(garment.closed.x.size(), 0);
     for (std::size_t v = 0; v < garment.draped.size(); ++v) {
@@ -374,13 +380,23 @@ std::optional<DressFault> weakness_of(const LoweredEdge& lowered, const WornGarm
                       .unit = "N"};
 }
 
+// A waist or upper edge that has slipped.
+struct Slip {
+    DressFault fault;
+    std::size_t panel = 0;  // that has the edge
+};
+
+// Parts of the garment that slip, because they do not fit.
+using SlippingParts = std::set<std::size_t>;
+
 // An edge that goes round the trunk is held by what is wider below it: the bust or the hips. It has slipped if it was
 // placed above that and now lies below. It may do so by a waistband's width, because panels settle.
 // One that is as wide as the body where it was placed also slides down if the cloth is too stretchy for its weight.
-void validate_upper_edges(const Cloth& cloth, const WornGarment& garment, const MeantOpenings& meant,
-                          const BodyPair& bodies, DressReport& report) {
+std::vector<Slip> slips_of(const Cloth& cloth, const WornGarment& garment, const MeantOpenings& meant,
+                           const BodyPair& bodies) {
+    std::vector<Slip> slips;
     const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
-    if (!is_ascending(from) || !is_ascending(to)) return;
+    if (!is_ascending(from) || !is_ascending(to)) return slips;
     const double hips = to[1], chest = to[3];
     const std::vector<Opening>& openings = meant.openings;
     for (std::size_t i = 0; i < openings.size(); ++i) {
@@ -401,24 +417,25 @@ void validate_upper_edges(const Cloth& cloth, const WornGarment& garment, const 
         if (class_of(fault) == FaultClass::Defect) {
             if (auto weakness = weakness_of(lowered, garment, cloth, bodies, is_of_chest)) fault = std::move(*weakness);
         }
-        report.faults.push_back(std::move(fault));
+        slips.push_back({.fault = std::move(fault), .panel = static_cast<std::size_t>(openings[i].panels.front())});
     }
+    return slips;
 }
 
 // Panels that seams join are displaced together: where one is at its place, the others are as near to theirs as their
 // seams let them, and were placed loosely, as GarmentCode does with long skirts. A panel is at its place if it moved by
 // at most half of the height from the hips to the waist; a long skirt may have fallen with its bodice by more, and
 // still cover half of its heights. Panels round an arm are left out: they cannot leave it unless their openings miss
-// it.
-void validate_panels(const WornGarment& garment, const PanelVertices& panels, const BodyPair& bodies,
-                     DressReport& report) {
+// it; and those of what slips, which is told by a fault of its own.
+void validate_panels(const WornGarment& garment, const PanelVertices& panels, const std::vector<std::size_t>& parts,
+                     const SlippingParts& slipping, const BodyPair& bodies, DressReport& report) {
     const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
     if (!is_ascending(from) || !is_ascending(to)) return;
-    const std::vector<std::size_t> parts = garment_parts(garment, panels);
     std::vector<std::optional<PanelShift>> shifts(panels.size());
     std::vector<bool> is_at_place(panels.size(), false);  // per part
     for (std::size_t p = 0; p < panels.size(); ++p) {
-        if (panels[p].empty() || arm_of(panels[p], garment.panels.x, bodies.meant_for)) continue;
+        if (panels[p].empty() || slipping.contains(parts[p])) continue;
+        if (arm_of(panels[p], garment.panels.x, bodies.meant_for)) continue;
         shifts[p] = measure_shift(garment, panels[p], from, to);
         if (shifts[p]->is_at_place) is_at_place[parts[p]] = true;
     }
@@ -434,18 +451,23 @@ void validate_panels(const WornGarment& garment, const PanelVertices& panels, co
     }
 }
 
-// Cloth on the floor has fallen if it was placed above the knees; a hem that was placed lower is only long.
-void validate_floor(const WornGarment& garment, const BodyPair& bodies, DressReport& report) {
+// Cloth on the floor has fallen if it was placed above the knees; a hem that was placed lower is only long. What slips
+// is told by a fault of its own.
+void validate_floor(const WornGarment& garment, const PanelVertices& panels, const std::vector<std::size_t>& parts,
+                    const SlippingParts& slipping, const BodyPair& bodies, DressReport& report) {
     constexpr double kNear = 0.02;   // m, above the floor
     constexpr double kShare = 0.01;  // of the vertices
     const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
     if (!is_ascending(from) || !is_ascending(to)) return;
     const double knees = (to[0] + to[1]) / 2;  // half the height of the hips
     long lying = 0, fallen = 0;
-    for (std::size_t v = 0; v < garment.draped.size(); ++v) {
-        if (garment.draped[v].y() >= bodies.worn_by.height.low + kNear) continue;
-        ++lying;
-        if (carry_over(garment.panels.x[v].y(), from, to) > knees) ++fallen;
+    for (std::size_t p = 0; p < panels.size(); ++p) {
+        if (slipping.contains(parts[p])) continue;
+        for (const std::size_t v : panels[p]) {
+            if (garment.draped[v].y() >= bodies.worn_by.height.low + kNear) continue;
+            ++lying;
+            if (carry_over(garment.panels.x[v].y(), from, to) > knees) ++fallen;
+        }
     }
     const auto vertices = static_cast<double>(garment.draped.size());
     if (static_cast<double>(fallen) > kShare * vertices) {
@@ -464,21 +486,58 @@ void note_missing_limbs(const BodyLimbs& body, DressReport& report) {
 
 }  // namespace
 
-void validate_wearing(const Cloth& cloth, const GarmentMesh& sewn, const DesignedGarment& designed, const Body& wearer,
-                      DressReport& report) {
-    const WornGarment garment = compare_drape(cloth, sewn, designed.unsewn);
-    const BodyLimbs meant_for = find_limbs(*designed.body);
-    const BodyLimbs worn_by = designed.body == &wearer ? meant_for : find_limbs(wearer);
-    note_missing_limbs(worn_by, report);
-    if (worn_by.torso.empty() || meant_for.torso.empty()) return;
-    const PanelVertices panels = vertices_by_panel(garment.panels);
-    const BodyPair bodies{.meant_for = meant_for, .worn_by = worn_by, .wearer = wearer};
-    MeantOpenings meant{.openings = find_openings(garment.closed), .limbs = {}};
-    meant.limbs = find_passages(garment.closed, garment.closed.x, meant.openings, meant_for, {.ends_at_cloth = true});
-    validate_openings(garment, panels, meant, bodies, report);
-    validate_panels(garment, panels, bodies, report);
-    validate_upper_edges(cloth, garment, meant, bodies, report);
-    validate_floor(garment, bodies, report);
+struct WearingCheck::Known {
+    const GarmentMesh& sewn;
+    DesignedGarment designed;
+    const Body& wearer;
+    BodyLimbs meant_for = find_limbs(*designed.body);
+    BodyLimbs worn_by = designed.body == &wearer ? meant_for : find_limbs(wearer);
+    WornGarment placed{};
+    PanelVertices panels{};
+    MeantOpenings meant{};
+
+    bool has_torsos() const { return !worn_by.torso.empty() && !meant_for.torso.empty(); }
+    BodyPair bodies() const { return {.meant_for = meant_for, .worn_by = worn_by, .wearer = wearer}; }
+};
+
+WearingCheck::WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, const Body& wearer) {
+    SELVEDGE_ASSERT(designed.unsewn.triangles.size() == sewn.triangles.size());
+    const auto known = std::make_shared<Known>(Known{.sewn = sewn, .designed = std::move(designed), .wearer = wearer});
+    known_ = known;
+    if (!known->has_torsos()) return;
+    known->placed = undraped(std::move(known->designed.unsewn));
+    known->panels = vertices_by_panel(known->placed.panels);
+    const GarmentMesh& closed = known->placed.closed;
+    known->meant.openings = find_openings(closed);
+    known->meant.limbs =
+        find_passages(closed, closed.x, known->meant.openings, known->meant_for, {.ends_at_cloth = true});
+}
+
+std::optional<DressFault> WearingCheck::slip(const Cloth& cloth) const {
+    if (!known_->has_torsos()) return std::nullopt;
+    const WornGarment garment = compare_drape(cloth, known_->sewn, known_->placed);
+    for (Slip& slip : slips_of(cloth, garment, known_->meant, known_->bodies())) {
+        if (class_of(slip.fault) == FaultClass::DoesNotFit) return std::move(slip.fault);
+    }
+    return std::nullopt;
+}
+
+void WearingCheck::validate(const Cloth& cloth, DressReport& report) const {
+    note_missing_limbs(known_->worn_by, report);
+    if (!known_->has_torsos()) return;
+    const PanelVertices& panels = known_->panels;
+    const WornGarment garment = compare_drape(cloth, known_->sewn, known_->placed);
+    const BodyPair bodies = known_->bodies();
+    validate_openings(garment, panels, known_->meant, bodies, report);
+    const std::vector<Slip> slips = slips_of(cloth, garment, known_->meant, bodies);
+    const std::vector<std::size_t> parts = garment_parts(garment, panels);
+    SlippingParts slipping;
+    for (const Slip& slip : slips) {
+        if (class_of(slip.fault) == FaultClass::DoesNotFit) slipping.insert(parts[slip.panel]);
+    }
+    validate_panels(garment, panels, parts, slipping, bodies, report);
+    for (const Slip& slip : slips) report.faults.push_back(slip.fault);
+    validate_floor(garment, panels, parts, slipping, bodies, report);
 }
 
 }  // namespace selvedge::sim

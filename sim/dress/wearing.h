@@ -4,7 +4,8 @@
 // upper edge has slipped below the hips or the bust that should hold it. What was meant is read from the panels as they
 // stand, unsewn, round the body for which they were placed; so the body that wears the garment may have another size
 // and pose.
-#include <vector>
+#include <memory>
+#include <optional>
 
 #include "sim/body/body.h"
 #include "sim/cloth/cloth.h"
@@ -19,11 +20,25 @@ struct DesignedGarment {
     const Body* body = nullptr;  // for which it was placed
 };
 
-// Adds the faults "limb_missed", "displaced", "does_not_fit" (what is too large or too stretchy to hang where it was
-// placed) and "on_floor" to the report, and notes on what could not be checked.
-// `sewn` is the mesh from which the cloth was made. Pre: it has the triangles of the designed garment, in their order;
-// the cloth's positions are finite; the report has the faces inside the body.
-void validate_wearing(const Cloth& cloth, const GarmentMesh& sewn, const DesignedGarment& designed, const Body& wearer,
-                      DressReport& report);
+// What a garment and its bodies tell before it is draped, found once for all checks of its drape.
+class WearingCheck {
+ public:
+    // sewn: the mesh from which the cloth is made. Pre: it has the triangles of the designed garment, in their order; it
+    // and the bodies live as long.
+    WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, const Body& wearer);
+
+    // The fault of a waist or upper edge that lies below the hips or the bust because it is too large or too stretchy
+    // to hang where it was placed: nothing holds it there, so it slips on. Pre: the cloth's positions are finite.
+    std::optional<DressFault> slip(const Cloth& cloth) const;
+
+    // Adds the faults "limb_missed", "displaced", "does_not_fit" (what slips) and "on_floor" to the report, and notes on
+    // what could not be checked. What slips is not also displaced or on the floor. Pre: the cloth's positions are
+    // finite; the report has the faces inside the body.
+    void validate(const Cloth& cloth, DressReport& report) const;
+
+ private:
+    struct Known;
+    std::shared_ptr<const Known> known_;
+};
 
 }  // namespace selvedge::sim

@@ -107,10 +107,10 @@ TEST(DrapeRun, gives_up_a_garment_that_hangs_calmly) {
     EXPECT_FALSE(run.hangs_calmly());
     while (!run.hangs_calmly()) ASSERT_TRUE(run.advance(cloth, ball()));
     const double seconds = run.result().simulated_seconds;
-    run.give_up(cloth);
+    run.give_up(cloth, GiveUp::TooSmall);
     EXPECT_FALSE(run.hangs_calmly());
     while (run.advance(cloth, ball())) continue;
-    EXPECT_TRUE(run.result().was_given_up);
+    EXPECT_EQ(run.result().given_up, GiveUp::TooSmall);
     EXPECT_FALSE(run.result().settled);
     EXPECT_EQ(run.result().stopped_because, "too small");
     EXPECT_LE(run.result().simulated_seconds, seconds + 3 * DrapeOptions{}.finish_time + 0.1);
@@ -119,7 +119,7 @@ TEST(DrapeRun, gives_up_a_garment_that_hangs_calmly) {
 TEST(DrapeRun, gives_up_before_it_relaxes_what_fits_nowhere) {
     Cloth cloth = cloth_above_the_ball();
     DrapeRun run(cloth, {});
-    run.give_up(cloth);
+    run.give_up(cloth, GiveUp::TooSmall);
     EXPECT_EQ(run.phase(), DrapePhase::Finish);
     while (run.advance(cloth, ball())) continue;
     EXPECT_EQ(run.result().stopped_because, "too small");

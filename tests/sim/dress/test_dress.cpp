@@ -160,6 +160,15 @@ TEST(Dress, a_tshirt_of_three_levels_sits_on_the_mannequin_without_a_fault) {
     EXPECT_LE(dressed.report.mesh.base_triangles, 900);
 }
 
+TEST(Dress, a_skirt_that_is_too_large_is_not_waited_for_until_it_lies_on_the_floor) {
+    const DressReport report = dress(tube(0.6, 0.5, 0.5, 0.2), mannequin(), up_to_level(1)).report;
+    EXPECT_EQ(report.stopped_because, "slips down");
+    EXPECT_LT(report.simulated_seconds, 2);
+    ASSERT_EQ(report.faults.size(), 1U);
+    EXPECT_EQ(report.faults[0].kind, "does_not_fit");
+    EXPECT_NE(report.faults[0].place.find("too large above the hips by"), std::string::npos) << report.faults[0].place;
+}
+
 TEST(Dress, the_same_dressing_gives_the_same_bits_and_the_same_report_but_for_timing) {
     const Pattern pattern = shipped("two_squares");
     DressOptions options = up_to_level(1);

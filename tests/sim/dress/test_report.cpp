@@ -467,14 +467,17 @@ TEST_F(ValidateTube, is_called_too_small_for_what_it_was_when_it_was_sewn) {
     EXPECT_NEAR(std::ranges::find(report.faults, "does_not_fit", &DressFault::kind)->value, 0.1, 0.004);
 }
 
-TEST_F(ValidateTube, does_not_blame_the_drape_of_what_was_given_up_as_too_small) {
+TEST_F(ValidateTube, does_not_blame_the_drape_of_what_was_given_up) {
     DrapeResult given_up;
-    given_up.was_given_up = true;
+    given_up.given_up = GiveUp::TooSmall;
     const DressReport small = report_on(kGirth - 0.1, 0.2, given_up);
     EXPECT_EQ(count(small, "does_not_fit"), 1);
     EXPECT_EQ(count(small, "not_settled"), 0);
     EXPECT_EQ(count(report_on(kGirth - 0.1, 0.5, given_up), "overstretched"), 0) << "more than its tightness explains";
     EXPECT_EQ(count(report_on(kGirth + 0.1, 0, given_up), "not_settled"), 1) << "it was given up without a reason";
+    given_up.given_up = GiveUp::SlipsDown;
+    EXPECT_EQ(count(report_on(kGirth + 0.1, 0.5, given_up), "not_settled"), 0);
+    EXPECT_EQ(count(report_on(kGirth + 0.1, 0.5, given_up), "overstretched"), 0);
 }
 
 TEST_F(ValidateTube, does_not_call_a_garment_without_ease_too_small) {
