@@ -178,7 +178,7 @@ void DrapeRun::finish_frame(Cloth& cloth, const Collider& body) {
     run_steps(cloth, body, stepping);
     result_.step_ms.resize(usual_steps);  // the statistics cover steps of usual length only
     result_.rms_speed = speed;
-    constexpr double kWorthwhile = 0.1;   // of the excess: a frame that takes away less costs more than the projection
+    constexpr double kWorthwhile = 0.1;  // of the excess: a frame that takes away less costs more than the projection
     const double before = std::exchange(excess_, total_excess(cloth));
     lessens_ = excess_ > 0 && before - excess_ > kWorthwhile * before;
     if (finishes() || result_.bad_vertex) return;

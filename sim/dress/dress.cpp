@@ -74,8 +74,8 @@ void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phas
     }
 }
 
-// Runs the fall to its end, or until the garment slips down the body or was too small for it at two tests. What is known
-// to be too small is given up as soon as it hangs: the tighter it is, the less calmly.
+// Runs the fall to its end, or until the garment slips down the body or was too small for it at two tests. What is
+// known to be too small is given up at once, for it would only crumple; an outfit hangs first.
 void fall_or_give_up(Dressing& dressing, bool is_known, const WearingCheck& wearing, const Progress& progress) {
     constexpr double kBetweenTests = 0.5;  // s of simulated time, in which cloth that hangs calmly slides into place
     const bool is_one = garments_of(dressing.pattern()).size() == 1;  // others of an outfit are waited for
@@ -85,7 +85,7 @@ void fall_or_give_up(Dressing& dressing, bool is_known, const WearingCheck& wear
         dressing.advance();
         if (dressing.stage() != DressingStage::Fall) return;
         report(progress, "draping", dressing.fraction());
-        if (is_known && dressing.hangs()) {
+        if (is_known && (is_one || dressing.hangs())) {
             dressing.give_up(GiveUp::TooSmall);
         } else if (is_one && wearing.slip(*dressing.cloth())) {
             dressing.give_up(GiveUp::SlipsDown);
@@ -100,8 +100,8 @@ void fall_or_give_up(Dressing& dressing, bool is_known, const WearingCheck& wear
 
 // A garment that is too small is not waited for: it crumples and stretches without coming to rest. One that could not
 // be pulled over the body stays as it was sewn; an outfit hangs, for the sake of its other garments. Returns what of
-// the sewn garment fits nowhere. If the end shows that the verdict was wrong, it falls on. What slips down is not waited
-// for either.
+// the sewn garment fits nowhere. If the end shows that the verdict was wrong, it falls on. What slips down is not
+// waited for either.
 std::optional<TightLevel> relax_and_fall(Dressing& dressing, const WearingCheck& wearing, const Progress& progress) {
     std::optional<TightLevel> too_small;
     if (dressing.stage() == DressingStage::Relax) too_small = fits_nowhere(*dressing.cloth(), *dressing.body());
@@ -196,8 +196,8 @@ DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOp
     timer.done("draping");
 
     dressed.mesh = draw_mesh(cloth, dressing.sewn_mesh().panel_names);
-    inspect(dressed, dressing, own ? check_wearing(dressing, body) : dressed_on, own ? *own : dressing.collider(), result,
-            too_small);
+    inspect(dressed, dressing, own ? check_wearing(dressing, body) : dressed_on, own ? *own : dressing.collider(),
+            result, too_small);
     dressed.hierarchy = triangle_hierarchy(cloth);
     dressed.meshing = dressing.drape().meshing;
     timer.done("inspection");

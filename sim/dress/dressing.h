@@ -127,8 +127,8 @@ class Dressing {
     bool hangs() const { return drape_ && drape_->run->hangs(); }
     bool hangs_calmly() const { return drape_ && drape_->run->hangs_calmly(); }
     void give_up(GiveUp why) { drape_->run->give_up(drape_->cloth, why); }  // Pre: Relax or Fall, and see DrapeRun
-    void reactivate();                                       // a drape at rest falls on
-    double simulated_seconds() const;                        // since sewing began
+    void reactivate();                                                      // a drape at rest falls on
+    double simulated_seconds() const;                                       // since sewing began
 
     // Dragging and pinning of the cloth that hangs. Each returns whether anything has changed: false at other stages,
     // if nothing is dragged or pinned, or the goal is the same.

@@ -23,16 +23,16 @@ struct DesignedGarment {
 // What a garment and its bodies tell before it is draped, found once for all checks of its drape.
 class WearingCheck {
  public:
-    // sewn: the mesh from which the cloth is made. Pre: it has the triangles of the designed garment, in their order; it
-    // and the bodies live as long.
+    // sewn: the mesh from which the cloth is made. Pre: it has the triangles of the designed garment, in their order;
+    // it and the bodies live as long.
     WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, const Body& wearer);
 
     // The fault of a waist or upper edge that lies below the hips or the bust because it is too large or too stretchy
     // to hang where it was placed: nothing holds it there, so it slips on. Pre: the cloth's positions are finite.
     std::optional<DressFault> slip(const Cloth& cloth) const;
 
-    // Adds the faults "limb_missed", "displaced", "does_not_fit" (what slips) and "on_floor" to the report, and notes on
-    // what could not be checked. What slips is not also displaced or on the floor. Pre: the cloth's positions are
+    // Adds the faults "limb_missed", "displaced", "does_not_fit" (what slips) and "on_floor" to the report, and notes
+    // on what could not be checked. What slips is not also displaced or on the floor. Pre: the cloth's positions are
     // finite; the report has the faces inside the body.
     void validate(const Cloth& cloth, DressReport& report) const;
 
