@@ -7,6 +7,7 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -136,11 +137,16 @@ std::optional<PlanarMesh> start_mesh(const std::vector<Vec2d>& outline, const st
 PlanarMesh best_mesh(const Panel& panel, const std::vector<Vec2d>& outline, const TriangulateOptions& options) {
     const SizeField size(outline, options.target_edge);
     std::optional<PlanarMesh> best;
+    double least = std::numeric_limits<double>::infinity();  // penalty of `best`
     for (const GridPose& pose : kPoses) {
+        if (least == 0) break;
         auto mesh = start_mesh(outline, place_interior_points(outline, size, options.target_edge, pose));
         if (!mesh) continue;
         relax(*mesh, size, options.relaxations);
-        if (!best || angle_penalty(*mesh) < angle_penalty(*best)) best = std::move(mesh);
+        const double penalty = angle_penalty(*mesh);
+        if (best && penalty >= least) continue;
+        best = std::move(mesh);
+        least = penalty;
     }
     if (!best) refuse(panel, "the outline runs clockwise, or it crosses or pinches itself in a point");
     if (options.relaxations > 0) heal(*best, size);
@@ -584,13 +590,17 @@ double angle_penalty(const PlanarMesh& mesh) {
 
 void relax(PlanarMesh& mesh, const SizeField& size, int iterations) {
     PlanarMesh moving = mesh;  // the penalty may increase before it decreases
-    for (int i = 0; i < iterations; ++i) {
+    double least = angle_penalty(mesh);
+    for (int i = 0; i < iterations && least > 0; ++i) {
         auto moved = triangulate_anew(lloyd_points(moving, size), mesh.outline_count);
         if (!moved) break;
         moving = std::move(*moved);
-        if (angle_penalty(moving) < angle_penalty(mesh)) mesh = moving;
+        const double penalty = angle_penalty(moving);
+        if (penalty >= least) continue;
+        mesh = moving;
+        least = penalty;
     }
-    sharpen(mesh, size, iterations);
+    if (least > 0) sharpen(mesh, size, iterations);
 }
 
 void heal(PlanarMesh& mesh, const SizeField& size) {
