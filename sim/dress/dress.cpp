@@ -76,7 +76,9 @@ void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phas
 
 // Runs the fall to its end, or until the garment slips down the body or was too small for it at two tests. What is
 // known to be too small is given up at once, for it would only crumple; an outfit hangs first.
-void fall_or_give_up(Dressing& dressing, bool is_known, const WearingCheck& wearing, const Progress& progress) {
+// Pre: there is a check if it falls.
+void fall_or_give_up(Dressing& dressing, bool is_known, const std::optional<WearingCheck>& wearing,
+                     const Progress& progress) {
     constexpr double kBetweenTests = 0.5;  // s of simulated time, in which cloth that hangs calmly slides into place
     const bool is_one = garments_of(dressing.pattern()).size() == 1;  // others of an outfit are waited for
     double next_test = 0;                                             // s
@@ -87,7 +89,7 @@ void fall_or_give_up(Dressing& dressing, bool is_known, const WearingCheck& wear
         report(progress, "draping", dressing.fraction());
         if (is_known && (is_one || dressing.hangs())) {
             dressing.give_up(GiveUp::TooSmall);
-        } else if (is_one && wearing.slip(*dressing.cloth())) {
+        } else if (is_one && wearing->slip(*dressing.cloth())) {
             dressing.give_up(GiveUp::SlipsDown);
         } else if (dressing.hangs_calmly() && dressing.simulated_seconds() >= next_test) {
             next_test = dressing.simulated_seconds() + kBetweenTests;
@@ -102,7 +104,8 @@ void fall_or_give_up(Dressing& dressing, bool is_known, const WearingCheck& wear
 // be pulled over the body stays as it was sewn; an outfit hangs, for the sake of its other garments. Returns what of
 // the sewn garment fits nowhere. If the end shows that the verdict was wrong, it falls on. What slips down is not
 // waited for either.
-std::optional<TightLevel> relax_and_fall(Dressing& dressing, const WearingCheck& wearing, const Progress& progress) {
+std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional<WearingCheck>& wearing,
+                                         const Progress& progress) {
     std::optional<TightLevel> too_small;
     if (dressing.stage() == DressingStage::Relax) too_small = fits_nowhere(*dressing.cloth(), *dressing.body());
     const bool is_one = garments_of(dressing.pattern()).size() == 1;
@@ -118,18 +121,21 @@ std::optional<TightLevel> relax_and_fall(Dressing& dressing, const WearingCheck&
     return std::nullopt;
 }
 
-WearingCheck check_wearing(Dressing& dressing, const Body& wearer) {
-    return {dressing.sewn_mesh(), {.unsewn = dressing.designed(), .body = &dressing.designed_for()}, wearer};
+// None of cloth that is not finite: it may not have all panels.
+std::optional<WearingCheck> check_wearing(Dressing& dressing, const Body& wearer) {
+    if (dressing.result().bad_vertex) return std::nullopt;
+    return WearingCheck(dressing.sewn_mesh(), {.unsewn = dressing.designed(), .body = &dressing.designed_for()},
+                        wearer);
 }
 
 // Fills in the report's faults and fit. The collider and `wearing` have the wearer in the same pose.
-void inspect(DressedGarment& dressed, Dressing& dressing, const WearingCheck& wearing, const BodyCollider& collider,
-             const DrapeResult& result, const std::optional<TightLevel>& too_small) {
+void inspect(DressedGarment& dressed, Dressing& dressing, const std::optional<WearingCheck>& wearing,
+             const BodyCollider& collider, const DrapeResult& result, const std::optional<TightLevel>& too_small) {
     const Cloth& cloth = *dressed.cloth;
     validate(cloth, collider, dressing.anchored(), dressing.open_seams(), result, dressed.report,
              {.may_cross_itself = !dressing.options().self_collision}, too_small);
     if (result.bad_vertex) return;
-    wearing.validate(cloth, dressed.report);
+    wearing->validate(cloth, dressed.report);
     dressed.report.fit = measure_fit(dressed.mesh, collider.body());
 }
 
@@ -179,7 +185,7 @@ DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOp
     timer.done("sewing");
 
     selvedge::sim::report(progress, "draping", 0);
-    const WearingCheck dressed_on = check_wearing(dressing, *dressing.body());
+    const std::optional<WearingCheck> dressed_on = check_wearing(dressing, *dressing.body());
     std::optional<TightLevel> too_small = relax_and_fall(dressing, dressed_on, progress);
     selvedge::sim::report(progress, "draping", 1);
     Cloth& cloth = dressed.cloth.emplace(dressing.take_cloth());
