@@ -186,6 +186,7 @@ PaperLine grain_line(const Panel& panel, const PaperPiece& piece, const std::vec
         double merit = length;
         Eigen::AlignedBox2d box(from.cwiseMin(to), from.cwiseMax(to));
         if (box.intersects(label)) merit *= kOverLabel;
+        if (merit <= best * (1 + 1e-9)) continue;  // the other weights only lessen it
         double clear = std::numeric_limits<double>::infinity(), over = 0;
         constexpr int kSteps = 8;
         for (int k = 0; k <= kSteps; ++k) {
