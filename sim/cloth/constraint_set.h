@@ -10,6 +10,7 @@
 
 #include "sim/cloth/solver_blocks.h"
 #include "sim/core/assert.h"
+#include "sim/core/blocks.h"
 #include "sim/core/pool.h"
 
 namespace selvedge::sim {
@@ -172,8 +173,8 @@ class ConstraintSet {
         SELVEDGE_ASSERT(slot_of(t) == kNoBlockSlot);
         const std::uint32_t slot = coloring.insert(corners);
         if (coloring.block_count() > blocks.size()) {
-            blocks.push_back(dummy_block<Block>(dummy_vertex));
-            records.push_back(dummy_record<Record>());
+            append_block(blocks, dummy_block<Block>(dummy_vertex));
+            append_block(records, dummy_record<Record>());
         }
         dirty.mark_slot(slot);
         set(slot);

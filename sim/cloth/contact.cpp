@@ -10,6 +10,7 @@
 #include "sim/cloth/solver_blocks.h"
 #include "sim/cloth/standoff.h"
 #include "sim/collide/collider.h"
+#include "sim/core/blocks.h"
 
 namespace selvedge::sim {
 namespace {
@@ -183,7 +184,7 @@ class SampleLists {
     std::uint32_t put(std::uint32_t slot, const std::array<std::uint32_t, 3>& v, const std::array<float, 3>& shares,
                       float friction) {
         if (contacts_.coloring.block_count() > contacts_.samples.size()) {
-            contacts_.samples.push_back(dummy_samples(contacts_.coloring.is_in_turn(contacts_.samples.size())));
+            append_block(contacts_.samples, dummy_samples(contacts_.coloring.is_in_turn(contacts_.samples.size())));
             contacts_.next.resize(contacts_.samples.size() * kBlock, kNoBlockSlot);
         }
         SampleBlock& block = contacts_.samples[slot / kBlock];

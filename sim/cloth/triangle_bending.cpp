@@ -328,8 +328,10 @@ void make_bending(Cloth& cloth) {
     SolverState& solver = cloth.solver;
     const AdaptiveMesh& mesh = cloth.mesh;
     size_lists(solver, mesh);
+    FitScratch scratch;  // not kept as that of changes is: 376 bytes a triangle
+    scratch.fits.reserve(mesh.leaf_triangles().size());
     const auto make = [&](const auto& lists, const auto& triangles, const auto& id_of) {
-        Fits fits(cloth, lists.level, solver.lists.fits);
+        Fits fits(cloth, lists.level, scratch);
         const auto points_of = [&](const auto& item) { return points_about(mesh, id_of(item), lists.level).points; };
         lists.bend.make(triangles, solver.lists.vertices, id_of, points_of, [&](const auto& item, std::uint32_t slot) {
             lists.set(cloth, id_of(item), slot, points_of(item), fits);

@@ -33,7 +33,7 @@ void PairList::free_slot(std::size_t pair) {
 
 PairBlock& PairList::open_slot() {
     const std::size_t block = size_ / kBlock;
-    if (block == blocks_.size()) blocks_.emplace_back();
+    if (block == blocks_.size()) append_block(blocks_, {});
     if (size_ % kBlock == 0) {
         for (std::size_t i = 0; i < kBlock; ++i) free_slot(size_ + i);
     }
@@ -62,7 +62,7 @@ void PairList::remove(std::span<const std::size_t> pairs) {
 
 void SelfContactList::add(const SelfContactPlane& contact) {
     const std::size_t at = size_ % kBlock, index = size_++ / kBlock;
-    if (index == blocks_.size()) blocks_.emplace_back();
+    if (index == blocks_.size()) append_block(blocks_, {});
     SelfContactBlock& block = blocks_[index];
     if (at == 0) {
         block = {};
