@@ -8,6 +8,7 @@
 
 #include "sim/cloth/standoff.h"
 #include "sim/cloth/strain_projection.h"
+#include "sim/core/assert.h"
 
 namespace selvedge::sim {
 namespace {
@@ -63,12 +64,13 @@ void DrapeRun::reactivate(Cloth& cloth) {
 }
 
 void DrapeRun::give_up(Cloth& cloth, GiveUp why) {
+    SELVEDGE_ASSERT(phase_ == DrapePhase::Relax || phase_ == DrapePhase::Fall);
     result_.given_up = why;
     end_fall(cloth);
 }
 
 bool DrapeRun::hangs() const {
-    return phase_ == DrapePhase::Fall && lowered_ >= options_.lowering_time;
+    return falls() && lowered_ >= options_.lowering_time;
 }
 
 bool DrapeRun::hangs_calmly() const {
@@ -83,7 +85,7 @@ void DrapeRun::clear_times() {
 void DrapeRun::change_phase(Cloth& cloth) {
     if (result_.bad_vertex) return end(cloth);
     if (phase_ == DrapePhase::Relax && relaxed_ >= std::min(options_.relax_time, options_.max_seconds)) begin_fall();
-    const bool has_time = result_.simulated_seconds < options_.max_seconds - options_.finish_time;
+    const bool has_time = result_.simulated_seconds + options_.finish_time < options_.max_seconds - half_frame();
     if (phase_ == DrapePhase::Fall && (!has_time || at_rest_ >= options_.rest_time)) end_fall(cloth);
     if (phase_ == DrapePhase::Finish && !finishes()) end(cloth);
 }
@@ -98,8 +100,9 @@ void DrapeRun::begin_fall() {
 
 void DrapeRun::end_fall(Cloth& cloth) {
     result_.settled = at_rest_ >= options_.rest_time;
-    const bool has_time =
-        options_.finish_time > 0 && result_.simulated_seconds + options_.finish_time <= options_.max_seconds + 1e-6;
+    result_.fall_speed = result_.rms_speed;
+    const bool has_time = options_.finish_time > 0 &&
+                          result_.simulated_seconds + options_.finish_time <= options_.max_seconds + half_frame();
     if (!has_time) return end(cloth);
     phase_ = DrapePhase::Finish;
     phase_start_ = result_.simulated_seconds;
@@ -167,23 +170,25 @@ double DrapeRun::rest_weight() const {
 // Single triangles where much cloth meets, as under an arm, stay stretched by up to 20 % however long the fall lasts:
 // one solver iteration per sub-step cannot move what many other constraints hold. Finer sub-steps leave 10 %. They go
 // on while they lessen what is beyond the fabric's strain limit; what is then beyond it is projected. The cloth is
-// stiffer in finer sub-steps, which sets it in motion: nobody waits for that to end, and the speed told is the fall's.
+// stiffer in finer sub-steps, which sets it in motion: nobody waits for that to end.
 void DrapeRun::finish_frame(Cloth& cloth, const Collider& body) {
     StepOptions stepping{.gravity = options_.gravity, .extra_damping = kFinishDamping, .contact = finishing_contact()};
     stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // updates would set it in motion
     stepping.substeps *= static_cast<int>(std::lround(usual_substep_ / cloth.substep));
     update_contacts_between_frames(cloth, body, stepping);
     const std::size_t usual_steps = result_.step_ms.size();
-    const float speed = result_.rms_speed;
     run_steps(cloth, body, stepping);
     result_.step_ms.resize(usual_steps);  // the statistics cover steps of usual length only
-    result_.rms_speed = speed;
-    constexpr double kWorthwhile = 0.1;  // of the excess: a frame that takes away less costs more than the projection
+    constexpr double kWorthwhile = 0.1;   // of the excess: a frame that takes away less costs more than the projection
     const double before = std::exchange(excess_, total_excess(cloth));
-    lessens_ = excess_ > 0 && before - excess_ > kWorthwhile * before;
+    lessens_ = before - excess_ > kWorthwhile * before;
     if (finishes() || result_.bad_vertex) return;
     stepping.self_contact = options_.self_contact;
     project(cloth, body, stepping);
+}
+
+double DrapeRun::half_frame() const {
+    return static_cast<double>(usual_substep_) * StepOptions{}.substeps * options_.steps_per_adaptation / 2;
 }
 
 // Projects onto the strain limits and out of the body, until an exact test finds no face inside it.

@@ -24,7 +24,8 @@ struct DrapeOptions {
     double relax_time = 0.6;              // s without gravity and friction, at the start
     double coarse_time = 0.2;             // s of relax_time at level 0
     double lowering_time = 1;             // s after relax_time, if any, in which gravity grows to its full value
-    double finish_time = 0.2;             // s of max_seconds, kept for finer sub-steps at the end; 3 x at most
+    double finish_time = 0.2;             // s of max_seconds, kept for finer sub-steps at the end, to half a frame;
+                                          // they may take up to 3 x as long
     Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
     bool may_rest = false;                // whether steps skip a cloth at rest during the fall (sim/cloth/resting.h)
     AdaptClothOptions adapt{};
@@ -49,7 +50,8 @@ struct DrapeResult {
     std::optional<GiveUp> given_up{};  // by give_up()
     std::string stopped_because;
     std::optional<VertexId> bad_vertex;
-    float rms_speed = 0;  // m/s at the end of the fall
+    float rms_speed = 0;   // m/s, in the last frame
+    float fall_speed = 0;  // m/s, rms in the last frame before the finer sub-steps at the end, which set it in motion
     double simulated_seconds = 0;
     long splits = 0;
     long rejoins = 0;
@@ -80,8 +82,8 @@ class DrapeRun {
 
     // Goes on to the end of the fall. Pre: phase() is Relax or Fall.
     void give_up(Cloth& cloth, GiveUp why);
-    // Whether the fall has its full weight.
-    bool hangs() const;
+    bool falls() const { return phase_ == DrapePhase::Fall; }
+    bool hangs() const;         // falls with its full weight
     bool hangs_calmly() const;  // and speeds are low: what the cloth shows now, it will show later
 
     DrapePhase phase() const { return phase_; }
@@ -104,6 +106,7 @@ class DrapeRun {
     void end(Cloth& cloth);
     bool finishes() const;
     double rest_weight() const;
+    double half_frame() const;  // s
     void project(Cloth& cloth, const Collider& body, const StepOptions& stepping);
     void update_contacts_between_frames(Cloth& cloth, const Collider& body, const StepOptions& stepping);
     void adapt_once(Cloth& cloth, const Collider& body, const AdaptClothOptions& adapting);

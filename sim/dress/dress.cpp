@@ -75,24 +75,27 @@ void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phas
 }
 
 // Runs the fall to its end, or until the garment slips down the body or was too small for it at two tests. What is
-// known to be too small is given up at once, for it would only crumple; an outfit hangs first.
+// `known_too_small` is given up at once, for it would only crumple; an outfit hangs first.
 // Pre: there is a check if it falls.
-void fall_or_give_up(Dressing& dressing, bool is_known, const std::optional<WearingCheck>& wearing,
+void fall_or_give_up(Dressing& dressing, bool known_too_small, const std::optional<WearingCheck>& wearing,
                      const Progress& progress) {
     constexpr double kBetweenTests = 0.5;  // s of simulated time, in which cloth that hangs calmly slides into place
     const bool is_one = garments_of(dressing.pattern()).size() == 1;  // others of an outfit are waited for
-    double next_test = 0;                                             // s
+    double next_fit_test = 0, next_slip_test = 0;                     // s
     bool was_too_small = false;
     while (dressing.stage() == DressingStage::Fall) {
         dressing.advance();
-        if (dressing.stage() != DressingStage::Fall) return;
         report(progress, "draping", dressing.fraction());
-        if (is_known && (is_one || dressing.hangs())) {
+        if (!dressing.falls()) continue;  // finer sub-steps at the end
+        const double now = dressing.simulated_seconds();
+        const bool tests_slip = is_one && now >= next_slip_test;
+        if (tests_slip) next_slip_test = now + kBetweenTests;
+        if (known_too_small && (is_one || dressing.hangs())) {
             dressing.give_up(GiveUp::TooSmall);
-        } else if (is_one && wearing->slip(*dressing.cloth())) {
+        } else if (tests_slip && wearing->slip(*dressing.cloth())) {
             dressing.give_up(GiveUp::SlipsDown);
-        } else if (dressing.hangs_calmly() && dressing.simulated_seconds() >= next_test) {
-            next_test = dressing.simulated_seconds() + kBetweenTests;
+        } else if (dressing.hangs_calmly() && now >= next_fit_test) {
+            next_fit_test = now + kBetweenTests;
             const bool is_small = is_too_small(*dressing.cloth(), *dressing.body());
             if (is_small && was_too_small) dressing.give_up(GiveUp::TooSmall);
             was_too_small = is_small;
@@ -102,8 +105,8 @@ void fall_or_give_up(Dressing& dressing, bool is_known, const std::optional<Wear
 
 // A garment that is too small is not waited for: it crumples and stretches without coming to rest. One that could not
 // be pulled over the body stays as it was sewn; an outfit hangs, for the sake of its other garments. Returns what of
-// the sewn garment fits nowhere. If the end shows that the verdict was wrong, it falls on. What slips down is not
-// waited for either.
+// the sewn garment fits nowhere. What slips down is not waited for either. If the end shows that a verdict was wrong,
+// it falls on.
 std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional<WearingCheck>& wearing,
                                          const Progress& progress) {
     std::optional<TightLevel> too_small;
@@ -113,15 +116,18 @@ std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional
         dressing.give_up(GiveUp::TooSmall);
     finish_stage(dressing, DressingStage::Relax, "draping", progress);
     fall_or_give_up(dressing, too_small.has_value(), wearing, progress);
-    if (dressing.result().given_up != GiveUp::TooSmall || dressing.result().bad_vertex) return std::nullopt;
-    const bool shows_it = is_too_small(*dressing.cloth(), *dressing.body());
-    if (shows_it || (too_small && is_overstretched(*dressing.cloth()))) return too_small;
+    const Cloth& cloth = *dressing.cloth();
+    const std::optional<GiveUp> given_up = dressing.result().given_up;
+    if (!given_up || dressing.result().bad_vertex) return std::nullopt;
+    if (given_up == GiveUp::SlipsDown && wearing->slip(cloth)) return std::nullopt;
+    const bool shows_it = is_too_small(cloth, *dressing.body()) || (too_small && is_overstretched(cloth));
+    if (given_up == GiveUp::TooSmall && shows_it) return too_small;
     dressing.reactivate();
     finish_stage(dressing, DressingStage::Fall, "draping", progress);
     return std::nullopt;
 }
 
-// None of cloth that is not finite: it may not have all panels.
+// None for cloth that is not finite: nothing is checked of it.
 std::optional<WearingCheck> check_wearing(Dressing& dressing, const Body& wearer) {
     if (dressing.result().bad_vertex) return std::nullopt;
     return WearingCheck(dressing.sewn_mesh(), {.unsewn = dressing.designed(), .body = &dressing.designed_for()},
@@ -130,8 +136,10 @@ std::optional<WearingCheck> check_wearing(Dressing& dressing, const Body& wearer
 
 // Fills in the report's faults and fit. The collider and `wearing` have the wearer in the same pose.
 void inspect(DressedGarment& dressed, Dressing& dressing, const std::optional<WearingCheck>& wearing,
-             const BodyCollider& collider, const DrapeResult& result, const std::optional<TightLevel>& too_small) {
+             const BodyCollider& collider, DrapeResult result, const std::optional<TightLevel>& too_small) {
     const Cloth& cloth = *dressed.cloth;
+    // It may not slip in the body's own pose. Then nothing excuses that it is not at rest.
+    if (result.given_up == GiveUp::SlipsDown && wearing && !wearing->slip(cloth)) result.given_up.reset();
     validate(cloth, collider, dressing.anchored(), dressing.open_seams(), result, dressed.report,
              {.may_cross_itself = !dressing.options().self_collision}, too_small);
     if (result.bad_vertex) return;
@@ -185,16 +193,14 @@ DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOp
     timer.done("sewing");
 
     selvedge::sim::report(progress, "draping", 0);
-    const std::optional<WearingCheck> dressed_on = check_wearing(dressing, *dressing.body());
-    std::optional<TightLevel> too_small = relax_and_fall(dressing, dressed_on, progress);
+    const std::optional<WearingCheck> wearing = check_wearing(dressing, *dressing.body());
+    std::optional<TightLevel> too_small = relax_and_fall(dressing, wearing, progress);
     selvedge::sim::report(progress, "draping", 1);
     Cloth& cloth = dressed.cloth.emplace(dressing.take_cloth());
     DrapeResult result = dressing.result();
     const BodyCollider* const own = result.bad_vertex ? nullptr : wearer.own_collider();
     if (own != nullptr) {
-        const std::optional<GiveUp> given_up = result.given_up;
-        result = move_to_own_pose(cloth, body, wearer.pose(), *own, options, progress);
-        result.given_up = given_up;
+        result = move_to_own_pose(cloth, body, wearer.pose(), *own, options, result.given_up, progress);
         too_small.reset();  // it was found in the other pose
         report.notes.emplace_back("dressed with lowered arms, which then moved into the pose of the body");
     }
@@ -202,8 +208,8 @@ DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOp
     timer.done("draping");
 
     dressed.mesh = draw_mesh(cloth, dressing.sewn_mesh().panel_names);
-    inspect(dressed, dressing, own ? check_wearing(dressing, body) : dressed_on, own ? *own : dressing.collider(),
-            result, too_small);
+    inspect(dressed, dressing, own ? check_wearing(dressing, body) : wearing, own ? *own : dressing.collider(), result,
+            too_small);
     dressed.hierarchy = triangle_hierarchy(cloth);
     dressed.meshing = dressing.drape().meshing;
     timer.done("inspection");

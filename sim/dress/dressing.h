@@ -124,6 +124,7 @@ class Dressing {
     void clear_times() { drape_->run->clear_times(); }  // see DrapeRun
     // Takes the cloth away. Afterwards only what was dressed, and its result, may be asked. Pre: Done.
     Cloth take_cloth() { return std::move(drape_->cloth); }
+    bool falls() const { return drape_ && drape_->run->falls(); }
     bool hangs() const { return drape_ && drape_->run->hangs(); }
     bool hangs_calmly() const { return drape_ && drape_->run->hangs_calmly(); }
     void give_up(GiveUp why) { drape_->run->give_up(drape_->cloth, why); }  // Pre: Relax or Fall, and see DrapeRun

@@ -223,7 +223,7 @@ void validate_rest(const DrapeResult& draped, DressReport& report) {
             "its fall was ended early, because it is too small for the body; it is stretched by up to " +
             std::to_string(stretch) + " %");
     } else if (!draped.settled) {
-        add_fault(report, "not_settled", "whole garment, rms speed in m/s", draped.rms_speed);
+        add_fault(report, "not_settled", "whole garment, rms speed in m/s", draped.fall_speed);
     }
 }
 

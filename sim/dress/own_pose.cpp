@@ -17,7 +17,7 @@ bool needs_other_pose(const Body& body, const Pose& pose) {
 }
 
 DrapeResult move_to_own_pose(Cloth& cloth, const Body& body, const Pose& start, const BodyCollider& own,
-                             const DressOptions& options, const Progress& progress) {
+                             const DressOptions& options, std::optional<GiveUp> given_up, const Progress& progress) {
     constexpr double kReport = 0.1;  // s
     MovingFlesh flesh(body);
     const Pose rest = rest_pose(body);
@@ -40,6 +40,7 @@ DrapeResult move_to_own_pose(Cloth& cloth, const Body& body, const Pose& start, 
     draping.relax_time = draping.coarse_time = draping.lowering_time = 0;
     draping.adapt.visibility = visible;
     DrapeRun settling(cloth, draping);
+    if (given_up && settling.falls()) settling.give_up(cloth, *given_up);
     while (settling.advance(cloth, own)) report(progress, "settling", settling.fraction());
     return settling.result();
 }

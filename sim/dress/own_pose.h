@@ -1,5 +1,7 @@
 #pragma once
 // A garment that hangs on a body in the pose in which it was dressed, on its way into the body's own pose.
+#include <optional>
+
 #include "sim/body/body.h"
 #include "sim/body/pose.h"
 #include "sim/cloth/cloth.h"
@@ -15,9 +17,11 @@ inline constexpr double kToOwnPose = 1.5;  // s, that the body takes
 // Whether a body is dressed in another pose than its own.
 bool needs_other_pose(const Body& body, const Pose& pose);
 
-// Moves the body from the pose `start` into its rest pose with the cloth on it, and lets the cloth come to rest there.
-// own: collider of the body in its rest pose. Pre: the body has a skin, and the cloth hangs on it in that pose.
+// Moves the body from the pose `start` into its rest pose with the cloth on it, and lets the cloth come to rest there,
+// unless its drape was given up before. own: collider of the body in its rest pose. Pre: the body has a skin, and the
+// cloth hangs on it in that pose.
 DrapeResult move_to_own_pose(Cloth& cloth, const Body& body, const Pose& start, const BodyCollider& own,
-                             const DressOptions& options, const Progress& progress = {});
+                             const DressOptions& options, std::optional<GiveUp> given_up,
+                             const Progress& progress = {});
 
 }  // namespace selvedge::sim

@@ -178,6 +178,7 @@ struct BodyPair {
 struct MeantOpenings {
     std::vector<Opening> openings;
     LimbPassages limbs;
+    std::vector<bool> hang_from_shoulders;  // per opening: what it belongs to does, so it need not hold anything up
 };
 
 using PanelVertices = std::vector<std::vector<std::size_t>>;  // per panel, ascending
@@ -389,6 +390,25 @@ struct Slip {
 // Parts of the garment that slip, because they do not fit.
 using SlippingParts = std::set<std::size_t>;
 
+// Which openings belong to a part of the garment that hangs from the shoulders: one that the head or an arm leaves
+// otherwise than the rest of the two, by a neckline or an armhole. parts: of each panel.
+std::vector<bool> hang_from_shoulders(const MeantOpenings& meant, const std::vector<std::size_t>& parts) {
+    LimbSet above;
+    for (const LimbKind kind : {LimbKind::Head, LimbKind::LeftArm, LimbKind::RightArm}) above.set(index_of(kind));
+    above &= meant.limbs.known;
+    const auto part_of = [&](std::size_t i) {
+        return parts[static_cast<std::size_t>(meant.openings[i].panels.front())];
+    };
+    std::set<std::size_t> hanging;
+    for (std::size_t i = 0; i < meant.openings.size(); ++i) {
+        const LimbSet leaving = meant.limbs.through[i] & above;
+        if (leaving.any() && leaving != above) hanging.insert(part_of(i));
+    }
+    std::vector<bool> hang;
+    for (std::size_t i = 0; i < meant.openings.size(); ++i) hang.push_back(hanging.contains(part_of(i)));
+    return hang;
+}
+
 // An edge that goes round the trunk is held by what is wider below it: the bust or the hips. It has slipped if it was
 // placed above that and now lies below. It may do so by a waistband's width, because panels settle.
 // One that is as wide as the body where it was placed also slides down if the cloth is too stretchy for its weight.
@@ -401,7 +421,8 @@ std::vector<Slip> slips_of(const Cloth& cloth, const WornGarment& garment, const
     const std::vector<Opening>& openings = meant.openings;
     for (std::size_t i = 0; i < openings.size(); ++i) {
         const std::size_t limbs = meant.limbs.through[i].count(), others = meant.limbs.known.count() - limbs;
-        if (limbs < 2 || others < 2) continue;  // a neckline, an armhole, a cuff or a leg's hem
+        if (limbs < 2 || others < 2) continue;       // a neckline, an armhole, a cuff or a leg's hem
+        if (meant.hang_from_shoulders[i]) continue;  // a hem
         double placed = 0;
         for (const int v : openings[i].vertices)
             placed += carry_over(garment.closed.x[static_cast<std::size_t>(v)].y(), from, to);
@@ -426,7 +447,7 @@ std::vector<Slip> slips_of(const Cloth& cloth, const WornGarment& garment, const
 // seams let them, and were placed loosely, as GarmentCode does with long skirts. A panel is at its place if it moved by
 // at most half of the height from the hips to the waist; a long skirt may have fallen with its bodice by more, and
 // still cover half of its heights. Panels round an arm are left out: they cannot leave it unless their openings miss
-// it; and those of what slips, which is told by a fault of its own.
+// it; and those of what slips, which has a fault of its own.
 void validate_panels(const WornGarment& garment, const PanelVertices& panels, const std::vector<std::size_t>& parts,
                      const SlippingParts& slipping, const BodyPair& bodies, DressReport& report) {
     const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
@@ -452,7 +473,7 @@ void validate_panels(const WornGarment& garment, const PanelVertices& panels, co
 }
 
 // Cloth on the floor has fallen if it was placed above the knees; a hem that was placed lower is only long. What slips
-// is told by a fault of its own.
+// has a fault of its own.
 void validate_floor(const WornGarment& garment, const PanelVertices& panels, const std::vector<std::size_t>& parts,
                     const SlippingParts& slipping, const BodyPair& bodies, DressReport& report) {
     constexpr double kNear = 0.02;   // m, above the floor
@@ -494,6 +515,7 @@ struct WearingCheck::Known {
     BodyLimbs worn_by = designed.body == &wearer ? meant_for : find_limbs(wearer);
     WornGarment placed{};
     PanelVertices panels{};
+    std::vector<std::size_t> parts{};  // garment_parts()
     MeantOpenings meant{};
 
     bool has_torsos() const { return !worn_by.torso.empty() && !meant_for.torso.empty(); }
@@ -507,10 +529,12 @@ WearingCheck::WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, co
     if (!known->has_torsos()) return;
     known->placed = undraped(std::move(known->designed.unsewn));
     known->panels = vertices_by_panel(known->placed.panels);
+    known->parts = garment_parts(known->placed, known->panels);
     const GarmentMesh& closed = known->placed.closed;
     known->meant.openings = find_openings(closed);
     known->meant.limbs =
         find_passages(closed, closed.x, known->meant.openings, known->meant_for, {.ends_at_cloth = true});
+    known->meant.hang_from_shoulders = hang_from_shoulders(known->meant, known->parts);
 }
 
 std::optional<DressFault> WearingCheck::slip(const Cloth& cloth) const {
@@ -530,7 +554,7 @@ void WearingCheck::validate(const Cloth& cloth, DressReport& report) const {
     const BodyPair bodies = known_->bodies();
     validate_openings(garment, panels, known_->meant, bodies, report);
     const std::vector<Slip> slips = slips_of(cloth, garment, known_->meant, bodies);
-    const std::vector<std::size_t> parts = garment_parts(garment, panels);
+    const std::vector<std::size_t>& parts = known_->parts;
     SlippingParts slipping;
     for (const Slip& slip : slips) {
         if (class_of(slip.fault) == FaultClass::DoesNotFit) slipping.insert(parts[slip.panel]);

@@ -20,7 +20,7 @@ struct DesignedGarment {
     const Body* body = nullptr;  // for which it was placed
 };
 
-// What a garment and its bodies tell before it is draped, found once for all checks of its drape.
+// What is known of a garment and its bodies before it is draped is found once, for all checks of its drape.
 class WearingCheck {
  public:
     // sewn: the mesh from which the cloth is made. Pre: it has the triangles of the designed garment, in their order;
@@ -28,7 +28,8 @@ class WearingCheck {
     WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, const Body& wearer);
 
     // The fault of a waist or upper edge that lies below the hips or the bust because it is too large or too stretchy
-    // to hang where it was placed: nothing holds it there, so it slips on. Pre: the cloth's positions are finite.
+    // to hang where it was placed: nothing holds it there, so it slips on. None for what hangs from the shoulders. Pre:
+    // the cloth's positions are finite.
     std::optional<DressFault> slip(const Cloth& cloth) const;
 
     // Adds the faults "limb_missed", "displaced", "does_not_fit" (what slips) and "on_floor" to the report, and notes

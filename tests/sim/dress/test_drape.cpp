@@ -116,6 +116,15 @@ TEST(DrapeRun, gives_up_a_garment_that_hangs_calmly) {
     EXPECT_LE(run.result().simulated_seconds, seconds + 3 * DrapeOptions{}.finish_time + 0.1);
 }
 
+TEST(DrapeRun, has_its_last_phase_within_half_a_frame_of_any_time_limit) {
+    for (const double limit : {0.8, 0.81, 0.82, 0.83}) {
+        Cloth cloth = cloth_above_the_ball();
+        DrapeRun run(cloth, {.max_seconds = limit, .relax_time = 0.1, .coarse_time = 0});
+        while (run.phase() != DrapePhase::Finish) ASSERT_TRUE(run.advance(cloth, ball())) << limit;
+        EXPECT_NEAR(run.result().simulated_seconds + DrapeOptions{}.finish_time, limit, 0.0168);
+    }
+}
+
 TEST(DrapeRun, gives_up_before_it_relaxes_what_fits_nowhere) {
     Cloth cloth = cloth_above_the_ball();
     DrapeRun run(cloth, {});

@@ -272,7 +272,7 @@ TEST_F(Validate, counts_but_forgives_what_is_inside_by_less_than_half_a_millimet
 
 TEST_F(Validate, says_that_a_garment_did_not_settle) {
     draped_.settled = false;
-    draped_.rms_speed = 0.3F;
+    draped_.fall_speed = 0.3F;
     const DressReport report = look();
     const DressFault* fault = find(report, "not_settled");
     ASSERT_NE(fault, nullptr);

@@ -16,9 +16,11 @@
 #include "sim/collide/collider.h"
 #include "sim/collide/surface_bvh.h"
 #include "sim/mesh/sew.h"
+#include "sim/pattern/pattern_file.h"
 #include "sim/place/limbs.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
+#include "tests/support/checkout.h"
 #include "tests/support/mannequin.h"
 #include "tests/support/posed_body.h"
 
@@ -134,6 +136,15 @@ TEST(Wearing, finds_a_strapless_dress_whose_upper_edge_slipped_below_the_bust) {
     EXPECT_EQ(slipped.faults[0].kind, "displaced") << "72 cm long, less than the body is round";
     EXPECT_NEAR(slipped.faults[0].value, 0.07, 1e-3);
     EXPECT_EQ(slipped.faults[0].place, "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest");
+}
+
+TEST(Wearing, does_not_take_the_hem_of_a_shirt_for_a_waist) {
+    const double hips = find_limbs(mannequin()).torso[0].centre.y();
+    const auto longer = [&](const Vec3d& x) {  // by 8 cm at the hem, which was placed at the hips
+        return Vec3d(x - Vec3d(0, 0.08 * std::clamp((1.1 - x.y()) / (1.1 - hips), 0.0, 1.0), 0));
+    };
+    const Pattern shirt = load_pattern(source_folder() + "/patterns/tshirt.json").pattern;
+    EXPECT_EQ(list(report_on(shirt, longer, mannequin())), "");
 }
 
 // It weighs 4.9 N in both fabrics.
