@@ -309,6 +309,7 @@ int run(BatchArguments arguments) {
              [&](const batch::Job& job, const Path& folder) {
                  return dress_job(arguments, job, folder, {.store = store ? &*store : nullptr, .ready = &last_body});
              },
+         .has_other_inputs = [&](const sim::Json& report) { return keys.differ_from(report); },
          .progress = [&](const batch::BatchCounts& now) { progress.show(now); },
          .is_stopped = [&] { return stop.is_raised(); }});
     progress.finish();

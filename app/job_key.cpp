@@ -11,6 +11,8 @@
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/core/sha256.h"
+#include "sim/core/simd_level.h"
+#include "sim/dress/report.h"
 #include "sim/pattern/named_file.h"
 #include "sim/pattern/pattern.h"
 #include "sim/pattern/pattern_file.h"
@@ -56,6 +58,7 @@ JobKeys::JobKeys(JobOutputs outputs) : outputs_(std::move(outputs)), program_(si
 std::string JobKeys::operator()(const batch::Job& job) {
     sim::Json json = sim::Json::object();
     json["program"] = program_;
+    json["simd"] = sim::name_of(sim::simd_level());  // the levels round differently
     sim::Json& words = json["arguments"] = sim::Json::array();
     for (const std::string& word : dress_arguments(job)) words.push_back(word);
     json["picture"] = outputs_.has_pictures;
@@ -64,6 +67,17 @@ std::string JobKeys::operator()(const batch::Job& job) {
     sim::Json& inputs = json["inputs"] = sim::Json::array();
     for (const Path& file : inputs_of(job)) inputs.push_back(hash_of(file));
     return sim::sha256(write_json(json, -1));
+}
+
+bool JobKeys::differ_from(const sim::Json& report) const {
+    const sim::Json* inputs = report.find(sim::report_key::kInputs);
+    if (inputs == nullptr || !inputs->is_array()) return false;
+    return std::ranges::any_of(inputs->elements(), [&](const sim::Json& input) {
+        const sim::Json *file = input.find(sim::report_key::kFile), *hash = input.find(sim::report_key::kSha256);
+        if (file == nullptr || hash == nullptr) return false;
+        const auto known = hashes_.find(file->string());
+        return known != hashes_.end() && known->second != hash->string();
+    });
 }
 
 std::string JobKeys::hash_of(const Path& file) {

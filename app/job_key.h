@@ -1,12 +1,14 @@
 #pragma once
-// The keys of a batch's jobs: hashes of all that their results follow from. A job whose key is that of an earlier
-// result need not be done again.
+// The keys of a batch's jobs: hashes of what their results follow from: the program, its SIMD level, the options, the
+// outputs, and all files that are read. A job whose key is that of an earlier result need not be done again. Shared
+// libraries of the system, its fonts and its graphics are not in the keys.
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "batch/job.h"
+#include "sim/core/json.h"
 
 namespace selvedge::app {
 
@@ -24,9 +26,11 @@ class JobKeys {
 
     const std::string& program() const { return program_; }  // its hash
 
-    // Of the program, the options, the outputs, and the content of all files that the job reads. A file that cannot be
-    // read counts as such: the job reports it.
+    // A file that cannot be read counts as such: the job reports it.
     std::string operator()(const batch::Job& job);
+
+    // Whether a report names another content of a file than what a key was made of, which was then changed since.
+    bool differ_from(const sim::Json& report) const;
 
  private:
     std::string hash_of(const std::filesystem::path& file);

@@ -15,6 +15,7 @@
 #include "sim/core/file.h"
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
+#include "sim/dress/report.h"
 
 namespace selvedge::batch {
 namespace {
@@ -87,6 +88,24 @@ std::optional<JobRecord> read_record(const Path& output, const std::string& name
     } catch (const sim::InputError&) {
         return std::nullopt;
     }
+}
+
+std::optional<sim::Json> read_report(const Path& folder) {
+    constexpr std::size_t kMostBytes = std::size_t(64) << 20;
+    const Path file = folder / job_file::kReport;
+    if (!sim::file_exists(file)) return std::nullopt;
+    try {
+        sim::Json report = sim::parse_json(sim::read_file(file, kMostBytes), file.string());
+        if (outcome_in(report).empty()) return std::nullopt;
+        return report;
+    } catch (const sim::InputError&) {
+        return std::nullopt;
+    }
+}
+
+std::string outcome_in(const sim::Json& report) {
+    const sim::Json* outcome = report.is_object() ? report.find(sim::report_key::kOutcome) : nullptr;
+    return outcome == nullptr || !outcome->is_string() ? std::string() : outcome->string();
 }
 
 UnfinishedJob::UnfinishedJob(const Path& output, const std::string& name)

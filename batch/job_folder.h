@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "batch/file_lock.h"
+#include "sim/core/json.h"
 
 namespace selvedge::batch {
 
@@ -35,6 +36,10 @@ std::filesystem::path job_folder(const std::filesystem::path& output, const std:
 
 // The record of a finished job; nullopt if there is none, or if it is broken.
 std::optional<JobRecord> read_record(const std::filesystem::path& output, const std::string& name);
+
+// The report in a job's folder, and its outcome; nullopt if there is no readable one.
+std::optional<sim::Json> read_report(const std::filesystem::path& folder);
+std::string outcome_in(const sim::Json& report);  // empty if it names none
 
 // A folder in which a job is being done. Its name is its own, and it is locked, so that no other process takes it for
 // one that was left behind. Without finish(), the destructor deletes it.

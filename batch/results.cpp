@@ -20,8 +20,6 @@ using Path = std::filesystem::path;
 using sim::Json;
 namespace key = sim::report_key;
 
-constexpr std::size_t kMostBytes = std::size_t(64) << 20;
-
 Json json_of_options(const Job& job) {
     Json json = Json::object();
     for (const JobOption& option : job.options) json[option.name] = option.is_flag ? Json(true) : Json(option.value);
@@ -48,10 +46,8 @@ Json copy_of(const Json& report, std::string_view member) {
     return found == nullptr ? Json() : *found;
 }
 
-Json row_of(const Job& job, const JobRecord& record, const Path& output) {
+Json row_of(const Job& job, const JobRecord& record, const Json& report, const Path& output) {
     const Path folder = job_folder(output, job.name);
-    const Path file = folder / job_file::kReport;
-    const Json report = sim::parse_json(sim::read_file(file, kMostBytes), file.string());
     Json row = Json::object();
     row["job"] = job.name;
     row["garment"] = job.garment.string();
@@ -162,8 +158,9 @@ Results gather_results(const std::vector<Job>& jobs, const Path& output,
     Results results;
     for (const Job& job : jobs) {
         const std::optional<JobRecord> record = read_record(output, job.name);
-        if (record && record->key == key_of(job)) {
-            results.rows.push_back(row_of(job, *record, output));
+        const bool is_done = record && record->key == key_of(job);
+        if (const auto report = is_done ? read_report(job_folder(output, job.name)) : std::nullopt) {
+            results.rows.push_back(row_of(job, *record, *report, output));
         } else {
             results.missing.push_back(job.name);
         }

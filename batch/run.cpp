@@ -66,25 +66,6 @@ std::string failure_of(const WorkResult& result, const JobLimits& limits, const 
     return "its process ended with exit code " + std::to_string(result.code) + " and left no report of that";
 }
 
-std::string outcome_in(const sim::Json& report) {
-    const sim::Json* outcome = report.find(sim::report_key::kOutcome);
-    return outcome == nullptr || !outcome->is_string() ? std::string() : outcome->string();
-}
-
-// The report that a job wrote; none if there is no readable one.
-std::optional<sim::Json> report_in(const Path& folder) {
-    constexpr std::size_t kMostBytes = std::size_t(64) << 20;
-    const Path file = folder / job_file::kReport;
-    if (!sim::file_exists(file)) return std::nullopt;
-    try {
-        sim::Json report = sim::parse_json(sim::read_file(file, kMostBytes), file.string());
-        if (outcome_in(report).empty()) return std::nullopt;
-        return report;
-    } catch (const sim::InputError&) {
-        return std::nullopt;
-    }
-}
-
 // Whether the exit code says what the report does. It does not where a file could not be written after the report, and
 // there is no report of what went wrong before the garment was read.
 bool is_outcome(const sim::Json& report, int exit_code) {
@@ -153,7 +134,9 @@ class BatchRun {
             ++counts_.jobs;
             keys_[i] = work_.key(jobs_[i]);
             const std::optional<JobRecord> record = read_record(options_.output, jobs_[i].name);
-            if (record && record->key == keys_[i] && !record->has_failed && !options_.does_all_again) {
+            const bool is_done = record && record->key == keys_[i] && !record->has_failed &&
+                                 read_report(job_folder(options_.output, jobs_[i].name));
+            if (is_done && !options_.does_all_again) {
                 ++counts_.skipped;
                 count(counts_, *record);
             } else {
@@ -222,12 +205,14 @@ class BatchRun {
                          .cpu_s = result.cpu_s,
                          .peak_memory_mb = result.peak_memory_mb};
         std::optional<sim::Json> report;
-        if (result.end == WorkEnd::Exited) report = report_in(folder.path());
-        record.has_failed = !report || !is_outcome(*report, result.code);
+        if (result.end == WorkEnd::Exited) report = read_report(folder.path());
+        const bool has_outcome = report && is_outcome(*report, result.code);
+        record.has_failed = !has_outcome || work_.has_other_inputs(*report);
         if (record.has_failed) {
             record.exit_code = 2;
             write_failure(folder.path(), std::move(report),
-                          failure_of(result, options_.limits, folder.file(job_file::kLog)));
+                          has_outcome ? "one of its inputs was changed while the batch ran"
+                                      : failure_of(result, options_.limits, folder.file(job_file::kLog)));
         }
         folder.finish(record);
         return record;

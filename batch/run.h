@@ -9,6 +9,7 @@
 
 #include "batch/job.h"
 #include "batch/worker_pool.h"
+#include "sim/core/json.h"
 
 namespace selvedge::batch {
 
@@ -48,21 +49,24 @@ struct BatchCounts {
 
 // What the program does for a batch.
 struct BatchWork {
-    // The hash of all that the result follows from.
+    // The hash of what the result follows from.
     std::function<std::string(const Job&)> key;
     // Makes ready in this process what the job's process, which is a copy of it, would make too: its body. Called
     // before a job begins, once a garment was dressed on that body, so that nothing untried is done here.
     std::function<void(const Job&)> prepare;
     // Dresses, and writes into the folder; returns the exit code of dress. Runs in the child process.
     std::function<int(const Job&, const std::filesystem::path& folder)> dress;
+    // Whether a report names an input whose content is not that of which the key was made.
+    std::function<bool(const sim::Json& report)> has_other_inputs;
     std::function<void(const BatchCounts&)> progress;  // called several times a second
     std::function<bool()> is_stopped;                  // true: no other job begins; those that run go on to their end
 };
 
-// A job whose result does not follow from its inputs alone, such as one that crashed, took too long or could not write
-// a file, is reported as failed, and done again by the next run. Jobs on the same body follow each other. Pre: the jobs
-// have names (name_jobs()); this process has started no threads. Throws InputError if the output folder cannot be made,
-// if another process does the same shard in it, or if no process can be started for long.
+// A job whose result does not follow from its inputs alone, such as one that crashed, took too long, could not write
+// a file or read another input than its key says, is reported as failed, and done again by the next run. Jobs on the
+// same body follow each other. Pre: the jobs have names (name_jobs()); this process has started no threads. Throws
+// InputError if the output folder cannot be made, if another process does the same shard in it, or if no process can be
+// started for long.
 BatchCounts run_batch(const std::vector<Job>& jobs, const BatchOptions& options, const BatchWork& work);
 
 }  // namespace selvedge::batch

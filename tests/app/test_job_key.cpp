@@ -6,6 +6,9 @@
 #include <fstream>
 #include <string>
 
+#include "sim/core/json.h"
+#include "sim/core/sha256.h"
+#include "sim/core/simd_level.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/fabric_file.h"
 #include "tests/app/run_program.h"
@@ -34,6 +37,28 @@ class JobKey : public testing::Test {
                     .fabric = {},
                     .options = {}};
 };
+
+TEST_F(JobKey, follows_from_the_simd_level) {
+    const std::string before = key_of(job_);
+    if (sim::simd_level() == sim::SimdLevel::Plain) GTEST_SKIP() << "this processor has no other level";
+    const sim::SimdLimit plain(sim::SimdLevel::Plain);
+    EXPECT_NE(key_of(job_), before);
+}
+
+TEST_F(JobKey, differs_from_a_report_on_another_content_of_its_files) {
+    job_.garment = folder_ / "garment.json";
+    write("garment.json", "one");
+    JobKeys keys(JobOutputs{});
+    keys(job_);
+    const auto report_on = [&](const std::string& hash) {
+        return sim::parse_json(R"({"inputs": [{"role": "garment", "file": ")" + job_.garment.string() +
+                                   R"(", "sha256": ")" + hash + R"("}, {"file": "mannequin:", "sha256": "0"}]})",
+                               "report");
+    };
+    EXPECT_FALSE(keys.differ_from(report_on(sim::sha256("one"))));
+    EXPECT_TRUE(keys.differ_from(report_on(sim::sha256("two"))));
+    EXPECT_FALSE(keys.differ_from(sim::parse_json("{}", "report")));
+}
 
 TEST_F(JobKey, follows_from_the_picture_of_a_design) {
     write("print.png", "one");

@@ -67,6 +67,7 @@ BatchWork pretended_work() {
     return {.key = [](const Job& job) { return "key of " + job.garment.string(); },
             .prepare = [](const Job&) {},
             .dress = pretend,
+            .has_other_inputs = [](const sim::Json&) { return false; },
             .progress = [](const BatchCounts&) {},
             .is_stopped = [] { return false; }};
 }
@@ -220,6 +221,33 @@ TEST(Batch, goes_on_after_a_job_that_prints_much_or_whose_result_cannot_be_kept)
     EXPECT_EQ(results.missing, std::vector<std::string>{"job1002"});
     ASSERT_EQ(results.rows.size(), 3U);
     EXPECT_EQ(results.rows[1].find("problem")->string(), "selvedge: g1.json: no such file");
+}
+
+TEST(Batch, a_result_whose_report_is_lost_is_made_again) {
+    const sim::TemporaryFolder folder;
+    const std::vector<Job> jobs = numbered_jobs(3);
+    const BatchOptions options{.output = folder / "out"};
+    run_batch(jobs, options, pretended_work());
+    const std::string results = results_of(jobs, options.output);
+    std::filesystem::remove(job_folder(options.output, "job1000") / job_file::kReport);
+    std::ofstream(job_folder(options.output, "job1001") / job_file::kReport) << "{\"outc";
+    const Results left = gather_results(jobs, options.output, pretended_work().key);
+    EXPECT_EQ(left.missing, (std::vector<std::string>{"job1000", "job1001"}));
+    EXPECT_EQ(run_batch(jobs, options, pretended_work()).done, 2U);
+    EXPECT_EQ(results_of(jobs, options.output), results);
+}
+
+TEST(Batch, a_job_that_read_another_input_than_its_key_says_is_done_again) {
+    const sim::TemporaryFolder folder;
+    const std::vector<Job> jobs = numbered_jobs(3);
+    const BatchOptions options{.output = folder / "out"};
+    BatchWork work = pretended_work();
+    work.has_other_inputs = [](const sim::Json& report) { return report.find("garment")->string() == "g1"; };
+    EXPECT_EQ(run_batch(jobs, options, work).failed, 1U);
+    const Results results = gather_results(jobs, options.output, work.key);
+    ASSERT_EQ(results.rows.size(), 3U);
+    EXPECT_EQ(results.rows[1].find("problem")->string(), "one of its inputs was changed while the batch ran");
+    EXPECT_EQ(run_batch(jobs, options, pretended_work()).done, 1U);
 }
 
 TEST(Batch, results_of_other_inputs_are_missing) {
