@@ -47,7 +47,8 @@ def batch(
     for each line that the command writes of its progress, every few seconds and at the end, done from 0 to 1. An
     exception in it, or KeyboardInterrupt, ends the command and is raised; the same call later goes on from there.
     Raises InputError with the command's message if it refuses its input, or if a job left no result. Jobs with a fault,
-    or that failed, have rows.
+    or that failed, have rows. Ctrl+C raises KeyboardInterrupt, and another signal that stopped the command RuntimeError;
+    the same call then goes on from there.
     """
     command = [os.fspath(program()), "batch", os.fspath(manifest), "-o", os.fspath(output)]
     if jobs is not None:
@@ -66,6 +67,8 @@ def batch(
             raise
     if process.returncode == 130:
         raise KeyboardInterrupt
+    if process.returncode < 0 or process.returncode > 128:
+        raise RuntimeError(f"the command was stopped by a signal: it ended with {process.returncode}")
     if process.returncode not in (0, 1):
         raise InputError("", "", message.removeprefix("selvedge: ") or f"the command ended with {process.returncode}")
     results = pathlib.Path(output) / "results.jsonl"

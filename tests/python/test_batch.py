@@ -39,6 +39,8 @@ class Batch(InFolder):
         self.assertEqual(str(caught.exception), "m.json: no")
         with self.stand_in("exit 130"), self.assertRaises(KeyboardInterrupt):
             selvedge.batch("m.json", out)
+        with self.stand_in("exit 143"), self.assertRaises(RuntimeError):
+            selvedge.batch("m.json", out)
 
     def test_an_exception_in_the_progress_ends_the_command(self):
         with self.stand_in("while true; do echo '[-] 0 of 2' >&2; sleep 0.05; done"), self.assertRaises(KeyError):
