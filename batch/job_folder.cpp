@@ -91,11 +91,11 @@ std::optional<JobRecord> read_record(const Path& output, const std::string& name
 }
 
 std::optional<sim::Json> read_report(const Path& folder) {
-    constexpr std::size_t kMostBytes = std::size_t(64) << 20;
+    constexpr std::size_t kMostReportBytes = std::size_t(64) << 20;
     const Path file = folder / job_file::kReport;
     if (!sim::file_exists(file)) return std::nullopt;
     try {
-        sim::Json report = sim::parse_json(sim::read_file(file, kMostBytes), file.string());
+        sim::Json report = sim::parse_json(sim::read_file(file, kMostReportBytes), file.string());
         if (outcome_in(report).empty()) return std::nullopt;
         return report;
     } catch (const sim::InputError&) {

@@ -103,17 +103,20 @@ void fall_or_give_up(Dressing& dressing, bool known_too_small, const std::option
     }
 }
 
-// A garment that is too small is not waited for: it crumples and stretches without coming to rest. One that could not
-// be pulled over the body stays as it was sewn; an outfit hangs, for the sake of its other garments. Returns what of
-// the sewn garment fits nowhere. What slips down is not waited for either. If the end shows that a verdict was wrong,
-// it falls on.
+// A garment that is too small is not waited for: it crumples and stretches without coming to rest. Nor is one that
+// slips down: it would fall to the floor. One that could not be pulled over the body, or slipped while it was sewn,
+// stays as it was sewn; an outfit hangs, for the sake of its other garments. Returns what of the sewn garment fits
+// nowhere. If the end shows that a verdict was wrong, it falls on.
 std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional<WearingCheck>& wearing,
                                          const Progress& progress) {
     std::optional<TightLevel> too_small;
     if (dressing.stage() == DressingStage::Relax) too_small = fits_nowhere(*dressing.cloth(), *dressing.body());
     const bool is_one = garments_of(dressing.pattern()).size() == 1;
-    if (is_one && too_small && excess_stretch(*too_small) > FaultLimits{}.stretch_max)
+    if (is_one && too_small && excess_stretch(*too_small) > FaultLimits{}.stretch_max) {
         dressing.give_up(GiveUp::TooSmall);
+    } else if (is_one && dressing.stage() == DressingStage::Relax && wearing->slip(*dressing.cloth())) {
+        dressing.give_up(GiveUp::SlipsDown);
+    }
     finish_stage(dressing, DressingStage::Relax, "draping", progress);
     fall_or_give_up(dressing, too_small.has_value(), wearing, progress);
     const Cloth& cloth = *dressing.cloth();

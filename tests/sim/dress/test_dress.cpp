@@ -13,8 +13,10 @@
 #include <string_view>
 
 #include "sim/body/load_body.h"
+#include "sim/body/motion_file.h"
 #include "sim/collide/surface_bvh.h"
 #include "sim/core/error.h"
+#include "sim/dress/animation.h"
 #include "sim/dress/dressing.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/pattern/pattern_file.h"
@@ -167,6 +169,17 @@ TEST(Dress, a_skirt_that_is_too_large_is_not_waited_for_until_it_lies_on_the_flo
     ASSERT_EQ(report.faults.size(), 1U);
     EXPECT_EQ(report.faults[0].kind, "does_not_fit");
     EXPECT_NE(report.faults[0].place.find("too large above the hips by"), std::string::npos) << report.faults[0].place;
+}
+
+TEST(Dress, a_skirt_that_slips_is_not_waited_for_in_the_body_s_own_pose_either) {
+    const Body body = posed(mannequin(), find_pose("T", mannequin()));
+    const DressReport report = dress(tube(0.6, 0.5, 0.5, 0.2), body, up_to_level(0)).report;
+    EXPECT_EQ(report.stopped_because, "slips down");
+    EXPECT_LT(report.simulated_seconds, 1) << "since the arms are up";
+    EXPECT_TRUE(std::ranges::any_of(
+        report.notes, [](const std::string& note) { return note.find("lowered arms") != std::string::npos; }));
+    ASSERT_EQ(report.faults.size(), 1U);
+    EXPECT_EQ(report.faults[0].kind, "does_not_fit");
 }
 
 TEST(Dress, the_same_dressing_gives_the_same_bits_and_the_same_report_but_for_timing) {

@@ -90,6 +90,20 @@ std::string list_faults(const DressReport& report) {
     return text;
 }
 
+TEST(Dress, does_not_give_up_an_outfit_because_one_of_its_garments_slips) {
+    Pattern skirt = tube(0.6, 0.5, 0.5, 0.2), top = tube(0.36, 0.3, 0.95, 0.15);
+    skirt.name = "skirt";
+    top.name = "top";
+    skirt.body = top.body = "mannequin:sex=female";
+    put_over(skirt, top);
+    DressOptions options{.max_level = 0};
+    options.max_seconds = 2;
+    const DressReport report = dress(skirt, mannequin(), options).report;
+    EXPECT_EQ(report.stopped_because, "time limit");
+    EXPECT_NE(list_faults(report).find("does_not_fit: too large above the hips"), std::string::npos)
+        << list_faults(report);
+}
+
 TEST(GarmentSewing, closes_the_seams_of_the_outer_tube_outside_of_the_inner_one) {
     const Body body = post(0.1, 1.7);
     const BodyCollider collider(body, kCoarse);
