@@ -181,7 +181,7 @@ void DrapeRun::finish_frame(Cloth& cloth, const Collider& body) {
     result_.step_ms.resize(usual_steps);  // the statistics cover steps of usual length only
     constexpr double kWorthwhile = 0.1;   // of the excess: a frame that takes away less costs more than the projection
     const double before = std::exchange(excess_, total_excess(cloth));
-    lessens_ = before - excess_ > kWorthwhile * before;
+    lessens_ = excess_ > 0 && before - excess_ > kWorthwhile * before;  // nothing left: another frame cannot lessen it
     if (finishes() || result_.bad_vertex) return;
     stepping.self_contact = options_.self_contact;
     project(cloth, body, stepping);
