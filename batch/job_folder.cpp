@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "sim/core/error.h"
 #include "sim/core/file.h"
@@ -88,6 +89,14 @@ std::optional<JobRecord> read_record(const Path& output, const std::string& name
     } catch (const sim::InputError&) {
         return std::nullopt;
     }
+}
+
+std::optional<JobResult> read_result(const Path& output, const std::string& name, const std::string& key) {
+    std::optional<JobRecord> record = read_record(output, name);
+    if (!record || record->key != key) return std::nullopt;
+    std::optional<sim::Json> report = read_report(job_folder(output, name));
+    if (!report) return std::nullopt;
+    return JobResult{.record = std::move(*record), .report = std::move(*report)};
 }
 
 std::optional<sim::Json> read_report(const Path& folder) {

@@ -37,6 +37,15 @@ std::filesystem::path job_folder(const std::filesystem::path& output, const std:
 // The record of a finished job; nullopt if there is none, or if it is broken.
 std::optional<JobRecord> read_record(const std::filesystem::path& output, const std::string& name);
 
+// What a finished job left.
+struct JobResult {
+    JobRecord record;
+    sim::Json report;
+};
+// Nullopt if there is none with this key, or if its record or its report cannot be read.
+std::optional<JobResult> read_result(const std::filesystem::path& output, const std::string& name,
+                                     const std::string& key);
+
 // The report in a job's folder, and its outcome; nullopt if there is no readable one.
 std::optional<sim::Json> read_report(const std::filesystem::path& folder);
 std::string outcome_in(const sim::Json& report);  // empty if it names none

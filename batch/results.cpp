@@ -46,7 +46,7 @@ Json copy_of(const Json& report, std::string_view member) {
     return found == nullptr ? Json() : *found;
 }
 
-Json row_of(const Job& job, const JobRecord& record, const Json& report, const Path& output) {
+Json row_of(const Job& job, const JobResult& result, const Path& output) {
     const Path folder = job_folder(output, job.name);
     Json row = Json::object();
     row["job"] = job.name;
@@ -56,11 +56,11 @@ Json row_of(const Job& job, const JobRecord& record, const Json& report, const P
     row["body"] = job.body;
     row["fabric"] = job.fabric;
     row["job_options"] = json_of_options(job);
-    row["exit_code"] = record.exit_code;
+    row["exit_code"] = result.record.exit_code;
     for (const std::string_view member :
          {key::kSchema, key::kVersion, key::kOutcome, key::kProblem, key::kInputs, key::kOptions, key::kFaults,
           key::kFit, key::kNotes, key::kSimulatedSeconds, key::kMesh, key::kContact, key::kStretch})
-        row[member] = copy_of(report, member);
+        row[member] = copy_of(result.report, member);
     row["files"] = files_in(folder);
     row["replay"] = replay_command(job);
     return row;
@@ -157,10 +157,8 @@ Results gather_results(const std::vector<Job>& jobs, const Path& output,
                        const std::function<std::string(const Job&)>& key_of) {
     Results results;
     for (const Job& job : jobs) {
-        const std::optional<JobRecord> record = read_record(output, job.name);
-        const bool is_done = record && record->key == key_of(job);
-        if (const auto report = is_done ? read_report(job_folder(output, job.name)) : std::nullopt) {
-            results.rows.push_back(row_of(job, *record, *report, output));
+        if (const std::optional<JobResult> result = read_result(output, job.name, key_of(job))) {
+            results.rows.push_back(row_of(job, *result, output));
         } else {
             results.missing.push_back(job.name);
         }

@@ -133,12 +133,11 @@ class BatchRun {
         for (std::size_t i = options_.shard.index - 1; i < jobs_.size(); i += options_.shard.count) {
             ++counts_.jobs;
             keys_[i] = work_.key(jobs_[i]);
-            const std::optional<JobRecord> record = read_record(options_.output, jobs_[i].name);
-            const bool is_done = record && record->key == keys_[i] && !record->has_failed &&
-                                 read_report(job_folder(options_.output, jobs_[i].name));
-            if (is_done && !options_.does_all_again) {
+            std::optional<JobResult> earlier;
+            if (!options_.does_all_again) earlier = read_result(options_.output, jobs_[i].name, keys_[i]);
+            if (earlier && !earlier->record.has_failed) {
                 ++counts_.skipped;
-                count(counts_, *record);
+                count(counts_, earlier->record);
             } else {
                 todo_.push_back(i);
             }

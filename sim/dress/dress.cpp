@@ -74,14 +74,19 @@ void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phas
     }
 }
 
+// A garment that is not part of an outfit.
+bool is_single(const Dressing& dressing) {
+    return garments_of(dressing.pattern()).size() == 1;
+}
+
 // Runs the fall to its end, or until the garment slips down the body or was too small for it at two tests. What is
 // `known_too_small` is given up at once, for it would only crumple; an outfit hangs first.
 // Pre: there is a check if it falls.
 void fall_or_give_up(Dressing& dressing, bool known_too_small, const std::optional<WearingCheck>& wearing,
                      const Progress& progress) {
-    constexpr double kBetweenTests = 0.5;  // s of simulated time, in which cloth that hangs calmly slides into place
-    const bool is_one = garments_of(dressing.pattern()).size() == 1;  // others of an outfit are waited for
-    double next_fit_test = 0, next_slip_test = 0;                     // s
+    constexpr double kBetweenTests = 0.5;     // s of simulated time, in which cloth that hangs calmly slides into place
+    const bool is_one = is_single(dressing);  // others of an outfit are waited for
+    double next_fit_test = 0, next_slip_test = 0;  // s
     bool was_too_small = false;
     while (dressing.stage() == DressingStage::Fall) {
         dressing.advance();
@@ -92,7 +97,7 @@ void fall_or_give_up(Dressing& dressing, bool known_too_small, const std::option
         if (tests_slip) next_slip_test = now + kBetweenTests;
         if (known_too_small && (is_one || dressing.hangs())) {
             dressing.give_up(GiveUp::TooSmall);
-        } else if (tests_slip && wearing->slip(*dressing.cloth())) {
+        } else if (tests_slip && wearing->slips(*dressing.cloth())) {
             dressing.give_up(GiveUp::SlipsDown);
         } else if (dressing.hangs_calmly() && now >= next_fit_test) {
             next_fit_test = now + kBetweenTests;
@@ -111,10 +116,10 @@ std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional
                                          const Progress& progress) {
     std::optional<TightLevel> too_small;
     if (dressing.stage() == DressingStage::Relax) too_small = fits_nowhere(*dressing.cloth(), *dressing.body());
-    const bool is_one = garments_of(dressing.pattern()).size() == 1;
+    const bool is_one = is_single(dressing);
     if (is_one && too_small && excess_stretch(*too_small) > FaultLimits{}.stretch_max) {
         dressing.give_up(GiveUp::TooSmall);
-    } else if (is_one && dressing.stage() == DressingStage::Relax && wearing->slip(*dressing.cloth())) {
+    } else if (is_one && dressing.stage() == DressingStage::Relax && wearing->slips(*dressing.cloth())) {
         dressing.give_up(GiveUp::SlipsDown);
     }
     finish_stage(dressing, DressingStage::Relax, "draping", progress);
@@ -122,7 +127,7 @@ std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional
     const Cloth& cloth = *dressing.cloth();
     const std::optional<GiveUp> given_up = dressing.result().given_up;
     if (!given_up || dressing.result().bad_vertex) return std::nullopt;
-    if (given_up == GiveUp::SlipsDown && wearing->slip(cloth)) return std::nullopt;
+    if (given_up == GiveUp::SlipsDown && wearing->slips(cloth)) return std::nullopt;
     const bool shows_it = is_too_small(cloth, *dressing.body()) || (too_small && is_overstretched(cloth));
     if (given_up == GiveUp::TooSmall && shows_it) return too_small;
     dressing.reactivate();
@@ -139,10 +144,8 @@ std::optional<WearingCheck> check_wearing(Dressing& dressing, const Body& wearer
 
 // Fills in the report's faults and fit. The collider and `wearing` have the wearer in the same pose.
 void inspect(DressedGarment& dressed, Dressing& dressing, const std::optional<WearingCheck>& wearing,
-             const BodyCollider& collider, DrapeResult result, const std::optional<TightLevel>& too_small) {
+             const BodyCollider& collider, const DrapeResult& result, const std::optional<TightLevel>& too_small) {
     const Cloth& cloth = *dressed.cloth;
-    // It may not slip in the body's own pose. Then nothing excuses that it is not at rest.
-    if (result.given_up == GiveUp::SlipsDown && wearing && !wearing->slip(cloth)) result.given_up.reset();
     validate(cloth, collider, dressing.anchored(), dressing.open_seams(), result, dressed.report,
              {.may_cross_itself = !dressing.options().self_collision}, too_small);
     if (result.bad_vertex) return;
@@ -196,7 +199,7 @@ DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOp
     timer.done("sewing");
 
     selvedge::sim::report(progress, "draping", 0);
-    const std::optional<WearingCheck> wearing = check_wearing(dressing, *dressing.body());
+    std::optional<WearingCheck> wearing = check_wearing(dressing, *dressing.body());
     std::optional<TightLevel> too_small = relax_and_fall(dressing, wearing, progress);
     selvedge::sim::report(progress, "draping", 1);
     Cloth& cloth = dressed.cloth.emplace(dressing.take_cloth());
@@ -211,8 +214,12 @@ DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOp
     timer.done("draping");
 
     dressed.mesh = draw_mesh(cloth, dressing.sewn_mesh().panel_names);
-    inspect(dressed, dressing, own ? check_wearing(dressing, body) : wearing, own ? *own : dressing.collider(), result,
-            too_small);
+    if (own != nullptr && !result.bad_vertex) {
+        wearing = check_wearing(dressing, body);
+        // What slipped may not slip in this pose. Then nothing excuses that it is not at rest.
+        if (result.given_up == GiveUp::SlipsDown && !wearing->slips(cloth)) result.given_up.reset();
+    }
+    inspect(dressed, dressing, wearing, own ? *own : dressing.collider(), result, too_small);
     dressed.hierarchy = triangle_hierarchy(cloth);
     dressed.meshing = dressing.drape().meshing;
     timer.done("inspection");

@@ -387,11 +387,15 @@ struct Slip {
     std::size_t panel = 0;  // that has the edge
 };
 
+bool does_not_fit(const Slip& slip) {
+    return class_of(slip.fault) == FaultClass::DoesNotFit;
+}
+
 // Parts of the garment that slip, because they do not fit.
 using SlippingParts = std::set<std::size_t>;
 
-// Which openings belong to a part of the garment that hangs from the shoulders: one that the head or an arm leaves
-// otherwise than the rest of the two, by a neckline or an armhole. parts: of each panel.
+// Which openings belong to a part of the garment that hangs from the shoulders, because it has a neckline or an
+// armhole: an opening for some of head and arms, but not for all three. parts: of each panel.
 std::vector<bool> hang_from_shoulders(const MeantOpenings& meant, const std::vector<std::size_t>& parts) {
     LimbSet above;
     for (const LimbKind kind : {LimbKind::Head, LimbKind::LeftArm, LimbKind::RightArm}) above.set(index_of(kind));
@@ -537,13 +541,10 @@ WearingCheck::WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, co
     known->meant.hang_from_shoulders = hang_from_shoulders(known->meant, known->parts);
 }
 
-std::optional<DressFault> WearingCheck::slip(const Cloth& cloth) const {
-    if (!known_->has_torsos()) return std::nullopt;
+bool WearingCheck::slips(const Cloth& cloth) const {
+    if (!known_->has_torsos()) return false;
     const WornGarment garment = compare_drape(cloth, known_->sewn, known_->placed);
-    for (Slip& slip : slips_of(cloth, garment, known_->meant, known_->bodies())) {
-        if (class_of(slip.fault) == FaultClass::DoesNotFit) return std::move(slip.fault);
-    }
-    return std::nullopt;
+    return std::ranges::any_of(slips_of(cloth, garment, known_->meant, known_->bodies()), does_not_fit);
 }
 
 void WearingCheck::validate(const Cloth& cloth, DressReport& report) const {
@@ -557,7 +558,7 @@ void WearingCheck::validate(const Cloth& cloth, DressReport& report) const {
     const std::vector<std::size_t>& parts = known_->parts;
     SlippingParts slipping;
     for (const Slip& slip : slips) {
-        if (class_of(slip.fault) == FaultClass::DoesNotFit) slipping.insert(parts[slip.panel]);
+        if (does_not_fit(slip)) slipping.insert(parts[slip.panel]);
     }
     validate_panels(garment, panels, parts, slipping, bodies, report);
     for (const Slip& slip : slips) report.faults.push_back(slip.fault);

@@ -5,7 +5,6 @@
 // stand, unsewn, round the body for which they were placed; so the body that wears the garment may have another size
 // and pose.
 #include <memory>
-#include <optional>
 
 #include "sim/body/body.h"
 #include "sim/cloth/cloth.h"
@@ -27,10 +26,10 @@ class WearingCheck {
     // it and the bodies live as long.
     WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, const Body& wearer);
 
-    // The fault of a waist or upper edge that lies below the hips or the bust because it is too large or too stretchy
-    // to hang where it was placed: nothing holds it there, so it slips on. None for what hangs from the shoulders. Pre:
-    // the cloth's positions are finite.
-    std::optional<DressFault> slip(const Cloth& cloth) const;
+    // Whether a waist or upper edge lies below the hips or the bust because it is too large or too stretchy to hang
+    // where it was placed: nothing holds it there, so it slips on. False for what hangs from the shoulders. Pre: the
+    // cloth's positions are finite.
+    bool slips(const Cloth& cloth) const;
 
     // Adds the faults "limb_missed", "displaced", "does_not_fit" (what slips) and "on_floor" to the report, and notes
     // on what could not be checked. What slips is not also displaced or on the floor. Pre: the cloth's positions are

@@ -59,7 +59,7 @@ void run(std::string_view text) {
 }  // namespace
 }  // namespace selvedge::sim
 
-// Assimp 5.2 fills a buffer of 16 MB for each OBJ file. To ask the system for its pages each time took nine tenths of
+// Assimp 5.2 fills a buffer of 16 MB for each OBJ file. To ask the system for its pages each time took five sixths of
 // the time, so that buffer is kept. Everything else is still what the address sanitizer makes of malloc() and free().
 namespace {
 

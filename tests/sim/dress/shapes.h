@@ -1,11 +1,18 @@
 #pragma once
-// Small patterns shared by the tests of sim/dress.
+// Patterns shared by the tests of sim/dress: small ones, and those that ship.
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "sim/pattern/pattern.h"
+#include "sim/pattern/pattern_file.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::sim::test {
+
+inline Pattern shipped(const std::string& name) {
+    return load_pattern(std::filesystem::path(source_folder()) / "patterns" / (name + ".json")).pattern;
+}
 
 // Edges: 0 bottom, 1 right, 2 top, 3 left. The lower edge is at height y, the panel's centre at x = 0. A back panel is
 // mirrored, so that its right side faces -z.

@@ -22,16 +22,11 @@
 #include "sim/pattern/pattern_file.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
-#include "tests/support/checkout.h"
 #include "tests/support/mannequin.h"
 #include "tests/support/right_wrong.h"
 
 namespace selvedge::sim::test {
 namespace {
-
-Pattern shipped(const std::string& name) {
-    return load_pattern(std::filesystem::path(source_folder()) / "patterns" / (name + ".json")).pattern;
-}
 
 DressOptions up_to_level(int max_level) {
     DressOptions options;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -18,17 +17,11 @@
 #include "sim/dress/layer_order.h"
 #include "sim/mesh/sew.h"
 #include "sim/pattern/garments.h"
-#include "sim/pattern/pattern_file.h"
 #include "tests/sim/dress/shapes.h"
-#include "tests/support/checkout.h"
 #include "tests/support/mannequin.h"
 
 namespace selvedge::sim::test {
 namespace {
-
-Pattern shipped(const std::string& name) {
-    return load_pattern(std::filesystem::path(source_folder()) / "patterns" / (name + ".json")).pattern;
-}
 
 constexpr DistanceFieldOptions kCoarse{.cell = 0.006F, .band = 0.024F};
 

@@ -16,11 +16,9 @@
 #include "sim/collide/collider.h"
 #include "sim/collide/surface_bvh.h"
 #include "sim/mesh/sew.h"
-#include "sim/pattern/pattern_file.h"
 #include "sim/place/limbs.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
-#include "tests/support/checkout.h"
 #include "tests/support/mannequin.h"
 #include "tests/support/posed_body.h"
 
@@ -143,8 +141,7 @@ TEST(Wearing, does_not_take_the_hem_of_a_shirt_for_a_waist) {
     const auto longer = [&](const Vec3d& x) {  // by 8 cm at the hem, which was placed at the hips
         return Vec3d(x - Vec3d(0, 0.08 * std::clamp((1.1 - x.y()) / (1.1 - hips), 0.0, 1.0), 0));
     };
-    const Pattern shirt = load_pattern(source_folder() + "/patterns/tshirt.json").pattern;
-    EXPECT_EQ(list(report_on(shirt, longer, mannequin())), "");
+    EXPECT_EQ(list(report_on(shipped("tshirt"), longer, mannequin())), "");
 }
 
 // It weighs 4.9 N in both fabrics.
