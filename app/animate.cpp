@@ -279,7 +279,8 @@ bool ends_early(const sim::Clip& clip, const sim::AnimationOptions& animation) {
 int run(AnimateArguments arguments) {
     std::vector<std::string> notes;
     const sim::Pattern pattern = load_garments(arguments.garment, notes);
-    fill_in(arguments.garment, arguments.body, arguments.picture, pattern);
+    name_inputs(arguments.garment, arguments.body, arguments.picture, pattern);
+    fill_in(arguments.garment, arguments.picture, pattern);
     check_outputs(arguments);
     if (!arguments.film.empty()) {
         check_can_draw(arguments.picture);

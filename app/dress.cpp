@@ -161,10 +161,12 @@ int dress_and_write(DressArguments& arguments, sim::DressReport& refused, const 
     std::vector<std::string> notes;
     const sim::Pattern pattern = load_garments(arguments.garment, notes);
     refused.garment = pattern.name;
-    fill_in(arguments.garment, arguments.body, arguments.picture, pattern);
+    name_inputs(arguments.garment, arguments.body, arguments.picture, pattern);
     check_distinct(all_outputs(arguments), input_files(arguments.garment, arguments.body));
-    refused.options = arguments.garment.dress;
     refused.inputs = report_inputs(arguments.garment, arguments.body, *arguments.picture.pattern);
+    refused.options = arguments.garment.dress;
+    fill_in(arguments.garment, arguments.picture, pattern);
+    refused.options = arguments.garment.dress;
     if (draws(arguments)) {
         check_can_draw(arguments.picture);
         arguments.picture.legend_font = read_legend_font();

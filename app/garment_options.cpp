@@ -154,17 +154,20 @@ sim::Pattern shown_pattern(sim::Pattern pattern, const GarmentOptions& options, 
 
 }  // namespace
 
-void fill_in(GarmentOptions& options, BodyOptions& body, PictureOptions& picture, const sim::Pattern& pattern) {
-    if (!options.fabric.empty()) options.dress.fabric = sim::find_fabric(options.fabric);
+void name_inputs(GarmentOptions& options, BodyOptions& body, PictureOptions& picture, const sim::Pattern& pattern) {
     picture.pattern = std::make_shared<const sim::Pattern>(shown_pattern(pattern, options, picture));
-    picture.looks = std::make_shared<render::ClothLooks>(render::ClothLooks::Unknown::Fail);
-    picture.looks->read(*picture.pattern);
     const std::vector<std::string> named = named_files(*picture.pattern);
     options.named.assign(named.begin(), named.end());
+    if (body.source.empty()) body.source = pattern.body.empty() ? "mannequin:sex=female" : pattern.body;
+}
+
+void fill_in(GarmentOptions& options, PictureOptions& picture, const sim::Pattern& pattern) {
+    if (!options.fabric.empty()) options.dress.fabric = sim::find_fabric(options.fabric);
+    picture.looks = std::make_shared<render::ClothLooks>(render::ClothLooks::Unknown::Fail);
+    picture.looks->read(*picture.pattern);
     if (!picture.sett && !picture.sett_size) picture.sett_size = pattern.sett_size;
     if (!picture.sett && !pattern.tartan.empty()) picture.sett = sim::find_tartan(pattern.tartan);
     if (!picture.sett_position) picture.sett_position = pattern.sett_position;
-    if (body.source.empty()) body.source = pattern.body.empty() ? "mannequin:sex=female" : pattern.body;
     if (options.coarsens_back_faces) options.dress.seen_from = seen_from(picture);
     picture.material = render::material_of(sim::find_fabric(options.fabric.empty() ? pattern.fabric : options.fabric));
 }

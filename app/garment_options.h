@@ -27,7 +27,7 @@ struct GarmentOptions {
     std::optional<int> threads;        // none: one per CPU core
     bool coarsens_back_faces = false;  // of the mesh, as the picture sees it
     bool is_quiet = false;
-    std::vector<std::filesystem::path> named{};  // files that the garments and options name; set by fill_in()
+    std::vector<std::filesystem::path> named{};  // files that the garments and options name; set by name_inputs()
 };
 
 template <class T>
@@ -72,13 +72,18 @@ sim::Pattern worn_together(sim::Pattern pattern, std::span<const sim::Pattern> o
 // The same, from their files. Throws InputError, for what dress_faults() finds too.
 sim::Pattern load_garments(const GarmentOptions& options, std::vector<std::string>& notes);
 
-// The files that are read: the garment and those over it, and the body's, if it is a file; after fill_in() all others
-// too, such as fabrics and pictures.
+// The files that are read: the garment and those over it, and the body's, if it is a file; after name_inputs() all
+// others too, such as fabrics and pictures.
 std::vector<std::filesystem::path> input_files(const GarmentOptions& options, const BodyOptions& body);
 
-// Takes values that the command line does not set from the pattern: fabric, body, and how the cloth is drawn. Tells the
-// dressing from where the picture sees the cloth, if back faces are to be coarse.
-void fill_in(GarmentOptions& options, BodyOptions& body, PictureOptions& picture, const sim::Pattern& pattern);
+// Takes from the pattern what the command line does not name: the body, and the fabrics and designs of the panels. None
+// of their files is read.
+void name_inputs(GarmentOptions& options, BodyOptions& body, PictureOptions& picture, const sim::Pattern& pattern);
+
+// Reads fabrics and designs, and takes from the pattern how the cloth is drawn where the command line does not say.
+// Tells the dressing from where the picture sees the cloth, if back faces are to be coarse. Pre: name_inputs(). Throws
+// InputError.
+void fill_in(GarmentOptions& options, PictureOptions& picture, const sim::Pattern& pattern);
 
 // One line each, to standard output.
 void print_faults(const sim::DressReport& report);

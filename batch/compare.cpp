@@ -15,15 +15,6 @@ namespace {
 
 using Path = std::filesystem::path;
 
-constexpr std::size_t kMostBytes = std::size_t(64) << 20;
-
-std::optional<std::string> outcome_in(const Path& folder) {
-    const Path file = folder / job_file::kReport;
-    if (!sim::file_exists(file)) return std::nullopt;
-    const sim::Json report = sim::parse_json(sim::read_file(file, kMostBytes), file.string());
-    return sim::JsonView(report, file.string()).at(sim::report_key::kOutcome).string();
-}
-
 void compare_pictures(const Path& now, const Path& before, const Path& differences, JobChange& change) {
     if (!sim::file_exists(now) || !sim::file_exists(before)) return;
     const render::Image new_picture = render::read_png(now), old_picture = render::read_png(before);
@@ -59,10 +50,10 @@ std::vector<JobChange> compare_runs(const std::vector<sim::Json>& rows, const Pa
         JobChange& change = changes.emplace_back();
         change.job = row.find("job")->string();
         const Path folder = job_folder(before, change.job);
-        const std::optional<std::string> outcome = outcome_in(folder);
-        change.is_new = !outcome;
-        change.outcome_before = outcome.value_or("");
-        change.has_new_outcome = outcome && *outcome != row.find(sim::report_key::kOutcome)->string();
+        const std::optional<sim::Json> report = read_report(folder);
+        change.is_new = !report;
+        if (report) change.outcome_before = outcome_in(*report);
+        change.has_new_outcome = report && change.outcome_before != outcome_in(row);
         compare_pictures(job_folder(output, change.job) / job_file::kPicture, folder / job_file::kPicture,
                          output / "differences", change);
         if (progress) progress(static_cast<double>(changes.size()) / static_cast<double>(rows.size()));

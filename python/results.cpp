@@ -72,7 +72,8 @@ sim::DressOptions dress_options(const DressArguments& arguments) {
 app::PictureOptions picture_of(const Result& result, app::PictureOptions picture) {
     app::GarmentOptions garment = result.garment;
     app::BodyOptions body{.source = "the result's", .load = {}};
-    fill_in(garment, body, picture, result.pattern);
+    name_inputs(garment, body, picture, result.pattern);
+    fill_in(garment, picture, result.pattern);
     return picture;
 }
 

@@ -151,6 +151,20 @@ TEST_F(DressCommand, what_is_refused_has_a_report_too_in_place_of_an_old_one) {
     EXPECT_TRUE(report.find("faults")->elements().empty());
 }
 
+TEST(RefusedReport, names_the_inputs_of_a_garment_whose_fabric_is_refused) {
+    const ScratchFolder folder;
+    std::ofstream(folder / "no_fabric.json") << "{}";
+    EXPECT_EQ(run_selvedge("dress " + shipped("two_squares.json") + " --fabric '" + folder / "no_fabric.json" +
+                           "' --report '" + folder / "report.json" + "'")
+                  .exit_code,
+              2);
+    const sim::Json report = sim::read_json(folder / "report.json");
+    EXPECT_EQ(report.find("outcome")->string(), "refused");
+    std::vector<std::string> roles;
+    for (const sim::Json& input : report.find("inputs")->elements()) roles.push_back(input.find("role")->string());
+    EXPECT_EQ(roles, (std::vector<std::string>{"garment", "body", "fabric"}));
+}
+
 TEST(RefusedReport, replaces_an_older_one_but_no_other_file) {
     const ScratchFolder folder;
     const std::string report = folder / "report.json", garment = folder / "garment.json";

@@ -97,6 +97,14 @@ TEST(CompareRuns, finds_new_jobs_new_outcomes_and_new_pictures) {
     EXPECT_THROW(compare_runs(results.rows, folder / "out", folder / "out"), sim::InputError);
 }
 
+TEST(CompareRuns, a_job_whose_earlier_report_is_broken_is_new) {
+    const sim::TemporaryFolder folder;
+    for (const char* run : {"old", "out"}) finish(folder / run, {.name = "job"});
+    sim::write_file_atomically(job_folder(folder / "old", "job") / job_file::kReport, "{\"outcome\": ");
+    const Results results = gather_results({job_called("job")}, folder / "out", key_of);
+    EXPECT_TRUE(compare_runs(results.rows, folder / "out", folder / "old").front().is_new);
+}
+
 TEST(Thumbnail, is_the_mean_of_what_it_covers) {
     render::Image image(4, 2, {0, 0, 0, 255});
     image.at(0, 0) = {200, 0, 0, 255};
