@@ -89,21 +89,20 @@ Neighbourhood neighbourhood(const Cloth& cloth, TriangleId t, Level level) {
     return found;
 }
 
-// The fits of triangles and of their neighbours, each computed once.
+// The fits of triangles and of their neighbours. They are kept while there are few, for they are large: triangles that
+// follow each other mostly lie beside each other.
 class Fits {
  public:
     Fits(const Cloth& cloth, Level level, FitScratch& scratch) : cloth_(cloth), level_(level), scratch_(scratch) {
         scratch_.index_of.resize(cloth.mesh.triangles().capacity(), kNoBlockSlot);
     }
-    ~Fits() {
-        for (const TriangleId t : scratch_.made) scratch_.index_of[t.value] = kNoBlockSlot;
-        scratch_.made.clear();
-        scratch_.fits.clear();
-    }
+    ~Fits() { forget(); }
     Fits(const Fits&) = delete;
     Fits& operator=(const Fits&) = delete;
 
     Mat3d curvature_map(const Neighbourhood& own, TriangleId t) {
+        constexpr std::size_t kMostKept = 4096;  // 1.5 MB
+        if (scratch_.fits.size() >= kMostKept) forget();
         const std::uint32_t here = index_of(t);
         std::array<std::uint32_t, 3> places{};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -126,6 +125,11 @@ class Fits {
             scratch_.fits.push_back(fit_curvature(neighbourhood(cloth_, t, level_).rest));
         }
         return place;
+    }
+    void forget() {
+        for (const TriangleId t : scratch_.made) scratch_.index_of[t.value] = kNoBlockSlot;
+        scratch_.made.clear();
+        scratch_.fits.clear();
     }
     const Cloth& cloth_;
     Level level_;
@@ -328,8 +332,7 @@ void make_bending(Cloth& cloth) {
     SolverState& solver = cloth.solver;
     const AdaptiveMesh& mesh = cloth.mesh;
     size_lists(solver, mesh);
-    FitScratch scratch;  // not kept as that of changes is: 376 bytes a triangle
-    scratch.fits.reserve(mesh.leaf_triangles().size());
+    FitScratch& scratch = solver.lists.fits;
     const auto make = [&](const auto& lists, const auto& triangles, const auto& id_of) {
         Fits fits(cloth, lists.level, scratch);
         const auto points_of = [&](const auto& item) { return points_about(mesh, id_of(item), lists.level).points; };
