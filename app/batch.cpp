@@ -32,10 +32,12 @@
 #include "sim/body/passing_error.h"
 #include "sim/core/content_store.h"
 #include "sim/core/error.h"
+#include "sim/core/file.h"
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/core/printable.h"
 #include "sim/core/trimmed.h"
+#include "sim/dress/report.h"
 
 namespace selvedge::app {
 namespace {
@@ -128,23 +130,33 @@ std::vector<batch::Job> jobs_of(const BatchArguments& arguments) {
     return jobs;
 }
 
-// As the command dress reads them. Throws InputError that names the job.
-DressArguments parse_dress(const batch::Job& job) {
-    try {
-        return read_dress_options(dress_arguments(job));
-    } catch (const sim::InputError& error) {
-        throw sim::InputError(job.origin, "job '" + job.name + "'", error.what());
-    }
-}
-
-// Finds wrong options before the work begins. Jobs differ mostly in their garments, which have no options.
+// Finds wrong options before the work begins. Jobs differ mostly in their garments and bodies; what is wrong there
+// refuses these jobs only. Throws InputError that names the job.
 void check_options(const std::vector<batch::Job>& jobs) {
     std::set<std::string> seen;
-    for (const batch::Job& job : jobs) {
+    for (batch::Job job : jobs) {
+        job.body.clear();
         std::string text;
         const std::vector<std::string> words = dress_arguments(job);
         for (std::size_t i = 1; i < words.size(); ++i) text += words[i] + '\0';
-        if (seen.insert(text).second) parse_dress(job);
+        if (!seen.insert(text).second) continue;
+        try {
+            read_dress_options(words);
+        } catch (const sim::InputError& error) {
+            throw sim::InputError(job.origin, "job '" + job.name + "'", error.what());
+        }
+    }
+}
+
+// As the command dress reads them. Measurements that make no body refuse the job: `folder` has its report then.
+DressArguments parse_dress(const batch::Job& job, const Path& folder) {
+    try {
+        return read_dress_options(dress_arguments(job));
+    } catch (const sim::InputError& error) {
+        sim::DressReport refused;
+        refused.problem = error.what();
+        sim::write_file_atomically(folder / batch::job_file::kReport, write_json(json_without_times(refused)));
+        throw;
     }
 }
 
@@ -160,7 +172,7 @@ int run_dress_once(const DressArguments& dress, const KnownBodies& known) {
 }
 
 int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path& folder, const KnownBodies& known) {
-    DressArguments dress = parse_dress(job);
+    DressArguments dress = parse_dress(job, folder);
     dress.garment.threads = 1;
     dress.garment.is_quiet = true;
     dress.report_file = folder / batch::job_file::kReport;
@@ -177,8 +189,11 @@ int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path
 
 // What garments name themselves is not known here.
 void prepare_body(const batch::Job& job, LastBody& last_body) {
-    const BodyOptions body = parse_dress(job).body;
-    if (!body.source.empty()) last_body.prepare(body);
+    try {
+        const BodyOptions body = read_dress_options(dress_arguments(job)).body;
+        if (!body.source.empty()) last_body.prepare(body);
+    } catch (const sim::InputError&) {  // its jobs are refused
+    }
 }
 
 // None if nobody asked for one and the user's cannot be made.

@@ -82,6 +82,20 @@ TEST(BatchCommand, compares_with_an_earlier_run) {
     EXPECT_TRUE(std::filesystem::exists(folder / "new/differences/good.png"));
 }
 
+TEST(BatchCommand, a_body_that_cannot_be_made_refuses_its_jobs_only) {
+    const ScratchFolder folder;
+    std::ofstream(folder / "bodies.txt") << "mannequin:bust=7\nmannequin:resolution=1\n";
+    const ProgramResult run =
+        run_selvedge("batch --patterns " + shipped("vest.json") + " --bodies '" + folder / "bodies.txt" +
+                     "' --set max-level=0 --no-pictures --no-cache -o '" + folder / "out" + "'");
+    EXPECT_EQ(run.exit_code, 1) << run.err;
+    EXPECT_NE(run.out.find("2 of 2 jobs done: 1 dressed, 0 do not fit, 0 with a defect, 1 refused, 0 failed"),
+              std::string::npos)
+        << run.out;
+    const sim::Json report = sim::read_json(folder / "out/jobs/vest_mannequin-bust-7/report.json");
+    EXPECT_NE(report.find("problem")->string().find("bust"), std::string::npos) << report.find("problem")->string();
+}
+
 TEST(BatchCommand, refuses_what_is_wrong_before_it_begins) {
     const ScratchFolder folder;
     const auto refusal = [&](const std::string& arguments) {
