@@ -311,8 +311,8 @@ std::vector<std::size_t> garment_parts(const WornGarment& garment, const PanelVe
 
 // An edge that slipped: "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest". If it is at
 // least 1 cm longer than the body is round where it was placed, it says so: "too large above the chest by 14 cm: ...".
-DressFault slip_of(const Opening& edge, const GarmentMesh& mesh, double moved, const std::string& held_by,
-                   double girth) {
+DressFault fault_of_slip(const Opening& edge, const GarmentMesh& mesh, double moved, const std::string& held_by,
+                         double girth) {
     const auto centimetres = [](double x) { return std::to_string(std::lround(100 * x)) + " cm"; };
     const std::string lies = "the " + std::string(held_by == "chest" ? "upper edge" : "waist") + " of '" +
                              mesh.panel_names[static_cast<std::size_t>(edge.panels.front())] + "' lies " +
@@ -416,8 +416,8 @@ std::vector<bool> hang_from_shoulders(const MeantOpenings& meant, const std::vec
 // An edge that goes round the trunk is held by what is wider below it: the bust or the hips. It has slipped if it was
 // placed above that and now lies below. It may do so by a waistband's width, because panels settle.
 // One that is as wide as the body where it was placed also slides down if the cloth is too stretchy for its weight.
-std::vector<Slip> slips_of(const Cloth& cloth, const WornGarment& garment, const MeantOpenings& meant,
-                           const BodyPair& bodies) {
+std::vector<Slip> find_slips(const Cloth& cloth, const WornGarment& garment, const MeantOpenings& meant,
+                             const BodyPair& bodies) {
     std::vector<Slip> slips;
     const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
     if (!is_ascending(from) || !is_ascending(to)) return slips;
@@ -437,8 +437,8 @@ std::vector<Slip> slips_of(const Cloth& cloth, const WornGarment& garment, const
                                   .draped = centre_of(openings[i], garment.closed_draped).y(),
                                   .held_at = is_of_chest ? chest : hips};
         if (placed < lowered.held_at || lowered.draped > lowered.held_at || lowered.moved() < kWaistbandWidth) continue;
-        DressFault fault = slip_of(openings[i], garment.panels, lowered.moved(), is_of_chest ? "chest" : "hips",
-                                   girth_at(bodies, placed));
+        DressFault fault = fault_of_slip(openings[i], garment.panels, lowered.moved(), is_of_chest ? "chest" : "hips",
+                                         girth_at(bodies, placed));
         if (class_of(fault) == FaultClass::Defect) {
             if (auto weakness = weakness_of(lowered, garment, cloth, bodies, is_of_chest)) fault = std::move(*weakness);
         }
@@ -544,7 +544,7 @@ WearingCheck::WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, co
 bool WearingCheck::slips(const Cloth& cloth) const {
     if (!known_->has_torsos()) return false;
     const WornGarment garment = compare_drape(cloth, known_->sewn, known_->placed);
-    return std::ranges::any_of(slips_of(cloth, garment, known_->meant, known_->bodies()), does_not_fit);
+    return std::ranges::any_of(find_slips(cloth, garment, known_->meant, known_->bodies()), does_not_fit);
 }
 
 void WearingCheck::validate(const Cloth& cloth, DressReport& report) const {
@@ -554,7 +554,7 @@ void WearingCheck::validate(const Cloth& cloth, DressReport& report) const {
     const WornGarment garment = compare_drape(cloth, known_->sewn, known_->placed);
     const BodyPair bodies = known_->bodies();
     validate_openings(garment, panels, known_->meant, bodies, report);
-    const std::vector<Slip> slips = slips_of(cloth, garment, known_->meant, bodies);
+    const std::vector<Slip> slips = find_slips(cloth, garment, known_->meant, bodies);
     const std::vector<std::size_t>& parts = known_->parts;
     SlippingParts slipping;
     for (const Slip& slip : slips) {
