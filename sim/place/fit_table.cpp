@@ -142,17 +142,15 @@ bool is_covered(const DrawMesh& garment, const MeasuredPart& part) {
     return std::ranges::any_of(cut_garment(garment, part.plane), is_round_it);
 }
 
-// Where the trunk is narrowest; of a garment that hangs lower, as a skirt does, at its upper edge, if that is above the
-// hips.
-std::optional<MeasuredPart> waist_of(const DrawMesh& garment, const Body& body, const Range& range, double stature) {
-    std::optional<MeasuredPart> narrowest = trunk_at(body, range.high, stature);
-    if (!narrowest || is_covered(garment, *narrowest)) return narrowest;
-    for (int i = 1; i <= kLevels; ++i) {
-        std::optional<MeasuredPart> lower =
+// Of the uppermost level in this range at which the garment goes round the trunk.
+std::optional<double> uppermost_girth(const DrawMesh& garment, const Body& body, const Range& range, double stature) {
+    for (int i = 0; i <= kLevels; ++i) {
+        const std::optional<MeasuredPart> trunk =
             trunk_at(body, range.high - (range.high - range.low) * i / kLevels, stature);
-        if (lower && girth_round(garment, *lower)) return lower;
+        if (!trunk) continue;
+        if (const std::optional<double> girth = girth_round(garment, *trunk)) return girth;
     }
-    return narrowest;
+    return std::nullopt;
 }
 
 FitRow row_of(std::string_view measure, const std::optional<MeasuredPart>& part, const DrawMesh& garment) {
@@ -170,13 +168,21 @@ std::vector<FitRow> measure_fit(const DrawMesh& garment, const Body& body) {
     const double height = stature.height();
     const TorsoHeights torso = torso_heights(body, stature);
     const BodyLimbs limbs = find_limbs(body);
-    std::vector<FitRow> rows;
-    const auto add = [&](std::string_view measure, const std::optional<MeasuredPart>& part) {
-        rows.push_back(row_of(measure, part, garment));
-    };
-    add("bust", widest_of_trunk(body, bust_range(stature, find_landmarks(body).armpit), height));
+    const std::optional<MeasuredPart> bust =
+        widest_of_trunk(body, bust_range(stature, find_landmarks(body).armpit), height);
+    const std::optional<MeasuredPart> waist = trunk_at(body, torso.waist, height);
     const Range hips = hip_range(stature);
-    add("waist", waist_of(garment, body, {std::min(hips.high, torso.waist), torso.waist}, height));
+    std::vector<FitRow> rows;
+    const auto add = [&](std::string_view measure, const std::optional<MeasuredPart>& part) -> FitRow& {
+        return rows.emplace_back(row_of(measure, part, garment));
+    };
+    FitRow& bust_row = add("bust", bust);
+    if (bust && !bust_row.garment_girth)
+        bust_row.garment_girth = uppermost_girth(garment, body, {torso.waist, bust->plane.point.y()}, height);
+    FitRow& waist_row = add("waist", waist);
+    if (waist && !is_covered(garment, *waist))
+        waist_row.garment_girth =
+            uppermost_girth(garment, body, {std::min(hips.high, torso.waist), torso.waist}, height);
     add("hip", widest_of_trunk(body, hips, height));
     add("neck", narrowest_of_neck(body, limbs[LimbKind::Head]));
     add("left_sleeve", limb_at(body, limbs[LimbKind::LeftArm], kSleevePosition));

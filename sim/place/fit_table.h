@@ -25,10 +25,11 @@ struct FitRow {
 };
 
 // Rows, always these in this order: bust, waist and hip (level; where the trunk is widest, narrowest and widest; none
-// goes round the arms too, so that a cape has no bust; the waist of a garment that hangs lower, as a skirt, is at its
-// upper edge, if that is above the hips), neck (square to it, where it is narrowest), left_sleeve and
+// goes round the arms too, so that a cape has no bust), neck (square to it, where it is narrowest), left_sleeve and
 // right_sleeve (square to the upper arm, in its middle), left_thigh and right_thigh (square to the thigh, a quarter of
-// the way down to the knee; a skirt, which goes round both, has none). Pre: as for tight_levels().
+// the way down to the knee; a skirt, which goes round both, has none). A garment that does not go round the bust alone
+// is measured where it does so next below, as tailors measure a chest under the armholes; one that begins below the
+// waist, as a skirt, at its upper edge, if that is above the hips. Pre: as for tight_levels().
 std::vector<FitRow> measure_fit(const DrawMesh& garment, const Body& body);
 
 }  // namespace selvedge::sim

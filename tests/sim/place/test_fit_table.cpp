@@ -97,9 +97,20 @@ TEST(FitTable, the_waist_of_a_skirt_that_hangs_lower_is_at_its_upper_edge) {
     const FitRow lower = row(measure_fit(skirt, body), "waist");
     ASSERT_TRUE(lower.garment_girth.has_value());
     EXPECT_NEAR(*lower.garment_girth, 0.9, 1e-6);
-    EXPECT_GT(*lower.body_girth, *row(measure_fit({}, body), "waist").body_girth);
+    EXPECT_EQ(*lower.body_girth, *row(measure_fit({}, body), "waist").body_girth) << "a body has one waist";
     const DrawMesh stocking = tube({Vec3d(0, 0.1, 0), Vec3d(0, 0.5 * height, 0), 0.25, 0.9});
     EXPECT_FALSE(row(measure_fit(stocking, body), "waist").garment_girth.has_value());
+}
+
+TEST(FitTable, the_chest_of_a_garment_is_under_its_armholes) {
+    const Body& body = mannequin();
+    const double waist = torso_heights(body, find_stature(body)).waist;
+    const DrawMesh under_the_bust = tube({Vec3d(0, waist - 0.2, 0), Vec3d(0, waist + 0.06, 0), 0.22, 0.98});
+    const FitRow bust = row(measure_fit(under_the_bust, body), "bust");
+    EXPECT_EQ(*bust.body_girth, *row(measure_fit({}, body), "bust").body_girth);
+    EXPECT_NEAR(bust.garment_girth.value(), 0.98, 1e-6);
+    const DrawMesh below_the_waist = tube({Vec3d(0, waist - 0.3, 0), Vec3d(0, waist - 0.05, 0), 0.22, 0.98});
+    EXPECT_FALSE(row(measure_fit(below_the_waist, body), "bust").garment_girth.has_value());
 }
 
 TEST(FitTable, a_cape_round_the_arms_has_no_girth_of_the_trunk) {
