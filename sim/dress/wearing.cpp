@@ -309,21 +309,6 @@ std::vector<std::size_t> garment_parts(const WornGarment& garment, const PanelVe
     return first;
 }
 
-// An edge that slipped: "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest". If it is at
-// least 1 cm longer than the body is round where it was placed, it says so: "too large above the chest by 14 cm: ...".
-DressFault fault_of_slip(const Opening& edge, const GarmentMesh& mesh, double moved, const std::string& held_by,
-                         double girth) {
-    const auto centimetres = [](double x) { return std::to_string(std::lround(100 * x)) + " cm"; };
-    const std::string lies = "the " + std::string(held_by == "chest" ? "upper edge" : "waist") + " of '" +
-                             mesh.panel_names[static_cast<std::size_t>(edge.panels.front())] + "' lies " +
-                             centimetres(moved) + " lower than it was placed, below the " + held_by;
-    constexpr double kLeast = 0.01;  // m
-    if (girth <= 0 || edge.length < girth + kLeast) return {.kind = "displaced", .place = lies, .value = moved};
-    return {.kind = "does_not_fit",
-            .place = "too large above the " + held_by + " by " + centimetres(edge.length - girth) + ": " + lies,
-            .value = edge.length - girth};
-}
-
 // The girth of the wearer's trunk at this height, m.
 double girth_at(const BodyPair& bodies, double y) {
     const Plane plane{.point = Vec3d(0, y, 0)};
@@ -339,15 +324,42 @@ struct LoweredEdge {
     double placed = 0;
     double draped = 0;
     double held_at = 0;  // height of the hips or the chest, which should hold it
+    bool is_of_chest = false;
 
     double moved() const { return placed - draped; }
+    bool has_slipped() const { return draped <= held_at; }
+    const char* holder() const { return is_of_chest ? "chest" : "hips"; }
 };
+
+std::string in_centimetres(double x) {
+    return std::to_string(std::lround(100 * x)) + " cm";
+}
+
+// "the upper edge of 'front' lies 7 cm lower than it was placed".
+std::string describe(const LoweredEdge& lowered, const GarmentMesh& mesh) {
+    return "the " + std::string(lowered.is_of_chest ? "upper edge" : "waist") + " of '" +
+           mesh.panel_names[static_cast<std::size_t>(lowered.edge->panels.front())] + "' lies " +
+           in_centimetres(lowered.moved()) + " lower than it was placed";
+}
+
+// An edge that slipped: "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest". If it is at
+// least 1 cm longer than the body is round where it was placed, it says so: "too large above the chest by 14 cm: ...".
+DressFault fault_of_slip(const LoweredEdge& lowered, const GarmentMesh& mesh, double girth) {
+    const std::string lies = describe(lowered, mesh) + ", below the " + lowered.holder();
+    constexpr double kLeast = 0.01;  // m
+    const double excess = lowered.edge->length - girth;
+    if (girth <= 0 || excess < kLeast) return {.kind = "displaced", .place = lies, .value = lowered.moved()};
+    return {
+        .kind = "does_not_fit",
+        .place = "too large above the " + std::string(lowered.holder()) + " by " + in_centimetres(excess) + ": " + lies,
+        .value = excess};
+}
 
 // "too stretchy above the hips: stretched to the fabric's limit, the cloth below the waist of 'wb_front' carries at
 // most 1.2 of the garment's 3.0 N, and it lies 68 cm lower than it was placed". None if its hoop tension and friction
 // can carry the garment anywhere between where the edge was placed and what should hold it.
 std::optional<DressFault> weakness_of(const LoweredEdge& lowered, const WornGarment& garment, const Cloth& cloth,
-                                      const BodyPair& bodies, bool is_of_chest) {
+                                      const BodyPair& bodies) {
     constexpr double kStep = 0.02;  // m
     const std::vector<Fabric>& fabrics = cloth.material.fabrics;
     std::map<long, double> girths;  // at multiples of kStep, because sections are slow
@@ -372,11 +384,11 @@ std::optional<DressFault> weakness_of(const LoweredEdge& lowered, const WornGarm
     std::snprintf(text, sizeof text, "%.1f of the garment's %.1f N", carried, weight);
     const auto panel = static_cast<std::size_t>(lowered.edge->panels.front());
     return DressFault{.kind = "does_not_fit",
-                      .place = "too stretchy above the " + std::string(is_of_chest ? "chest" : "hips") +
+                      .place = "too stretchy above the " + std::string(lowered.holder()) +
                                ": stretched to the fabric's limit, the cloth below the " +
-                               (is_of_chest ? "upper edge" : "waist") + " of '" + garment.panels.panel_names[panel] +
-                               "' carries at most " + text + ", and it lies " +
-                               std::to_string(std::lround(100 * lowered.moved())) + " cm lower than it was placed",
+                               (lowered.is_of_chest ? "upper edge" : "waist") + " of '" +
+                               garment.panels.panel_names[panel] + "' carries at most " + text + ", and it lies " +
+                               in_centimetres(lowered.moved()) + " lower than it was placed",
                       .value = weight - carried,
                       .unit = "N"};
 }
@@ -413,14 +425,12 @@ std::vector<bool> hang_from_shoulders(const MeantOpenings& meant, const std::vec
     return hang;
 }
 
-// An edge that goes round the trunk is held by what is wider below it: the bust or the hips. It has slipped if it was
-// placed above that and now lies below. It may do so by a waistband's width, because panels settle.
-// One that is as wide as the body where it was placed also slides down if the cloth is too stretchy for its weight.
-std::vector<Slip> find_slips(const Cloth& cloth, const WornGarment& garment, const MeantOpenings& meant,
-                             const BodyPair& bodies) {
-    std::vector<Slip> slips;
+// Edges that go round the trunk, and lie lower than they were placed by a waistband's width, because panels settle by
+// as much: the waists and upper edges of what does not hang from the shoulders.
+std::vector<LoweredEdge> lowered_edges(const WornGarment& garment, const MeantOpenings& meant, const BodyPair& bodies) {
+    std::vector<LoweredEdge> edges;
     const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
-    if (!is_ascending(from) || !is_ascending(to)) return slips;
+    if (!is_ascending(from) || !is_ascending(to)) return edges;
     const double hips = to[1], chest = to[3];
     const std::vector<Opening>& openings = meant.openings;
     for (std::size_t i = 0; i < openings.size(); ++i) {
@@ -431,20 +441,39 @@ std::vector<Slip> find_slips(const Cloth& cloth, const WornGarment& garment, con
         for (const int v : openings[i].vertices)
             placed += carry_over(garment.closed.x[static_cast<std::size_t>(v)].y(), from, to);
         placed /= static_cast<double>(openings[i].vertices.size());
-        const bool is_of_chest = placed > chest;
         const LoweredEdge lowered{.edge = &openings[i],
                                   .placed = placed,
                                   .draped = centre_of(openings[i], garment.closed_draped).y(),
-                                  .held_at = is_of_chest ? chest : hips};
-        if (placed < lowered.held_at || lowered.draped > lowered.held_at || lowered.moved() < kWaistbandWidth) continue;
-        DressFault fault = fault_of_slip(openings[i], garment.panels, lowered.moved(), is_of_chest ? "chest" : "hips",
-                                         girth_at(bodies, placed));
+                                  .held_at = placed > chest ? chest : hips,
+                                  .is_of_chest = placed > chest};
+        if (placed >= lowered.held_at && lowered.moved() >= kWaistbandWidth) edges.push_back(lowered);
+    }
+    return edges;
+}
+
+// What is wider below it, the bust or the hips, holds an edge that goes round the trunk. It has slipped if it was
+// placed above that and now lies below. One that is as wide as the body where it was placed also slides down if the
+// cloth is too stretchy for its weight.
+std::vector<Slip> find_slips(const Cloth& cloth, const WornGarment& garment, const MeantOpenings& meant,
+                             const BodyPair& bodies) {
+    std::vector<Slip> slips;
+    for (const LoweredEdge& lowered : lowered_edges(garment, meant, bodies)) {
+        if (!lowered.has_slipped()) continue;
+        DressFault fault = fault_of_slip(lowered, garment.panels, girth_at(bodies, lowered.placed));
         if (class_of(fault) == FaultClass::Defect) {
-            if (auto weakness = weakness_of(lowered, garment, cloth, bodies, is_of_chest)) fault = std::move(*weakness);
+            if (auto weakness = weakness_of(lowered, garment, cloth, bodies)) fault = std::move(*weakness);
         }
-        slips.push_back({.fault = std::move(fault), .panel = static_cast<std::size_t>(openings[i].panels.front())});
+        slips.push_back({.fault = std::move(fault), .panel = static_cast<std::size_t>(lowered.edge->panels.front())});
     }
     return slips;
+}
+
+// "the waist of 'front' lies 15 cm lower than it was placed": a skirt that is too wide for the waist hangs on the hips.
+void note_lowered_edges(const WornGarment& garment, const MeantOpenings& meant, const BodyPair& bodies,
+                        DressReport& report) {
+    for (const LoweredEdge& lowered : lowered_edges(garment, meant, bodies)) {
+        if (!lowered.has_slipped()) report.notes.push_back(describe(lowered, garment.panels));
+    }
 }
 
 // Panels that seams join are displaced together: where one is at its place, the others are as near to theirs as their
@@ -555,6 +584,7 @@ void WearingCheck::validate(const Cloth& cloth, DressReport& report) const {
     const BodyPair bodies = known_->bodies();
     validate_openings(garment, panels, known_->meant, bodies, report);
     const std::vector<Slip> slips = find_slips(cloth, garment, known_->meant, bodies);
+    note_lowered_edges(garment, known_->meant, bodies, report);
     const std::vector<std::size_t>& parts = known_->parts;
     SlippingParts slipping;
     for (const Slip& slip : slips) {
