@@ -6,6 +6,8 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "sim/adaptive/check.h"
 #include "sim/cloth/contact_surface.h"
@@ -179,17 +181,32 @@ bool is_within_limit(const TightLevel& level) {
     return shortfall(level) == 0 || level.limit_girth >= level.body_girth;
 }
 
+// The limb that a point is nearest to, or the torso.
+using BodyPart = std::optional<LimbKind>;
+
+BodyPart part_at(const BodyLimbs& limbs, const Vec3d& x) {
+    const auto position = nearest_on_limbs(limbs, x);
+    return position ? position->limb : std::nullopt;
+}
+
+// What the garment is too small for.
+struct SmallFor {
+    std::optional<BodyLimbs> limbs;  // of the body; none if it is too small for nothing
+    std::set<BodyPart> parts;
+
+    bool holds(const Vec3d& x) const { return limbs && parts.contains(part_at(*limbs, x)); }
+};
+
 // What stretches no more than its fabric does is noted; beyond, the garment does not fit. One fault for each limb and
 // for the torso, where they are tightest. sewn: the too_small of validate().
-void validate_fit(const std::vector<TightLevel>& tight, const std::optional<TightLevel>& sewn, const Body& body,
-                  DressReport& report) {
+SmallFor validate_fit(const std::vector<TightLevel>& tight, const std::optional<TightLevel>& sewn, const Body& body,
+                      DressReport& report) {
     std::vector<TightLevel> noted;
-    std::map<int, const TightLevel*> too_small;
+    std::map<BodyPart, const TightLevel*> too_small;
     std::optional<BodyLimbs> limbs;
     const auto worst_there = [&](const TightLevel& level) -> const TightLevel*& {
         if (!limbs) limbs = find_limbs(body);
-        const auto position = nearest_on_limbs(*limbs, (level.low + level.high) / 2);
-        return too_small[position && position->limb ? static_cast<int>(*position->limb) : -1];
+        return too_small[part_at(*limbs, (level.low + level.high) / 2)];
     };
     for (const TightLevel& level : tight) {
         if (shortfall(level) == 0) continue;
@@ -202,10 +219,14 @@ void validate_fit(const std::vector<TightLevel>& tight, const std::optional<Tigh
     }
     if (!noted.empty()) report.notes.push_back(describe_tight(noted));
     if (sewn && too_small.empty()) worst_there(*sewn) = &*sewn;
-    for (const auto& [limb, level] : too_small) {
-        const std::string part = place_on_body(*limbs, (level->low + level->high) / 2);
-        add_fault(report, "does_not_fit", describe_too_small(*level, part), shortfall(*level));
+    SmallFor small;
+    for (const auto& [part, level] : too_small) {
+        const std::string place = place_on_body(*limbs, (level->low + level->high) / 2);
+        add_fault(report, "does_not_fit", describe_too_small(*level, place), shortfall(*level));
+        small.parts.insert(part);
     }
+    small.limbs = std::move(limbs);
+    return small;
 }
 
 // Pre: the report has the faults of fit.
@@ -245,17 +266,34 @@ std::vector<TriangleStrain> unexplained_of(const std::vector<TriangleStrain>& st
     return unexplained;
 }
 
+bool is_fault(const StretchStatistics& unexplained, const FaultLimits& limits) {
+    return unexplained.warp_weft_p99 > limits.stretch_p99 || unexplained.warp_weft_max > limits.stretch_max;
+}
+
 // Stretch that is not explained is a fault, unless the garment was given up: then it is stretched because it is too
-// small, or because it slips.
+// small, or because it slips. Where it is too small for a part of the body, no drape can hold the strain limit there:
+// this is a note beside the fault of fit.
 void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const DrapeResult& draped,
                       const FaultLimits& limits, const std::optional<TightLevel>& too_small, DressReport& report) {
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
     if (strains.empty()) return;
     report.stretch = stretch_statistics(strains);
     const std::vector<TightLevel> tight = tight_levels(draw_mesh(cloth, {}), body, fit_options(cloth));
-    validate_fit(tight, too_small, body, report);
+    const SmallFor small = validate_fit(tight, too_small, body, report);
     if (draped.given_up == GiveUp::SlipsDown || is_given_up_as_too_small(draped, report)) return;
-    const std::vector<TriangleStrain> unexplained = unexplained_of(strains, cloth, tight);
+    std::vector<TriangleStrain> unexplained = unexplained_of(strains, cloth, tight);
+    if (!small.parts.empty() && is_fault(stretch_statistics(unexplained), limits)) {
+        float most = 0;
+        for (std::size_t i = 0; i < unexplained.size(); ++i) {
+            if (larger_of(unexplained[i]) <= 0 || !small.holds(middle_of(cloth, cloth.mesh.leaf_triangles()[i])))
+                continue;
+            unexplained[i] = {};
+            most = std::max(most, larger_of(strains[i]));
+        }
+        if (most > 0)
+            report.notes.push_back("stretched by up to " + std::to_string(std::lround(100 * most)) +
+                                   " % where it is too small");
+    }
     const auto worst =
         static_cast<std::size_t>(std::ranges::max_element(unexplained, {}, larger_of) - unexplained.begin());
     const StretchStatistics statistics = stretch_statistics(unexplained);
