@@ -34,6 +34,12 @@ int finishing_substeps(float shortest_edge) {
 
 }  // namespace
 
+std::string DrapeResult::stopped_because() const {
+    if (bad_vertex) return "bad number";
+    if (given_up) return *given_up == GiveUp::TooSmall ? "too small" : "slips down";
+    return settled ? "settled" : "time limit";
+}
+
 DrapeRun::DrapeRun(Cloth& cloth, const DrapeOptions& options) : options_(options), usual_substep_(cloth.substep) {
     refresh_contacts(cloth, options_.contact);
     free_standoffs(cloth, standoffs(0));
@@ -115,9 +121,6 @@ void DrapeRun::end_fall(Cloth& cloth) {
 void DrapeRun::end(Cloth& cloth) {
     phase_ = DrapePhase::Done;
     if (cloth.substep != usual_substep_) set_substep(cloth, usual_substep_);
-    result_.stopped_because = result_.settled ? "settled" : "time limit";
-    if (result_.given_up) result_.stopped_because = *result_.given_up == GiveUp::TooSmall ? "too small" : "slips down";
-    if (result_.bad_vertex) result_.stopped_because = "bad number";
 }
 
 // Without gravity and friction, seam tension relaxes and cloth that crumpled during sewing slides flat.

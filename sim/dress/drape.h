@@ -48,7 +48,6 @@ enum class GiveUp {
 struct DrapeResult {
     bool settled = false;
     std::optional<GiveUp> given_up{};  // by give_up()
-    std::string stopped_because;
     std::optional<VertexId> bad_vertex;
     float rms_speed = 0;   // m/s, in the last frame
     float fall_speed = 0;  // m/s, rms in the last frame before the finer sub-steps at the end, which set it in motion
@@ -58,6 +57,9 @@ struct DrapeResult {
     long transitions = 0;
     std::vector<double> adaptation_ms;  // wall time, one per adaptation
     std::vector<double> step_ms;        // wall time, one per step; without those of the final phase
+
+    // "settled", "too small", "slips down", "time limit" or "bad number".
+    std::string stopped_because() const;
 };
 
 enum class DrapePhase {

@@ -48,7 +48,7 @@ double peak_memory_mb() {
 
 void record_drape(DressReport& report, const DrapeResult& result) {
     report.settled = result.settled;
-    report.stopped_because = result.stopped_because;
+    report.stopped_because = result.stopped_because();
     report.simulated_seconds = result.simulated_seconds;
     report.mesh.splits = result.splits;
     report.mesh.rejoins = result.rejoins;
@@ -84,8 +84,9 @@ bool is_single(const Dressing& dressing) {
 // Pre: there is a check if it falls.
 void fall_or_give_up(Dressing& dressing, bool known_too_small, const std::optional<WearingCheck>& wearing,
                      const Progress& progress) {
-    constexpr double kBetweenTests = 0.5;     // s of simulated time, in which cloth that hangs calmly slides into place
-    const bool is_one = is_single(dressing);  // others of an outfit are waited for
+    // s of simulated time, in which cloth that hangs calmly slides into place, and what slips does not get far
+    constexpr double kBetweenTests = 0.5;
+    const bool is_one = is_single(dressing);       // others of an outfit are waited for
     double next_fit_test = 0, next_slip_test = 0;  // s
     bool was_too_small = false;
     while (dressing.stage() == DressingStage::Fall) {
@@ -208,17 +209,16 @@ DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOp
     if (own != nullptr) {
         result = move_to_own_pose(cloth, body, wearer.pose(), *own, options, result.given_up, progress);
         too_small.reset();  // it was found in the other pose
+        wearing = check_wearing(dressing, body);
+        // What slipped may not slip in this pose. Then nothing excuses that it is not at rest.
+        const bool slipped = result.given_up == GiveUp::SlipsDown && !result.bad_vertex;
+        if (slipped && !wearing->slips(cloth)) result.given_up.reset();
         report.notes.emplace_back("dressed with lowered arms, which then moved into the pose of the body");
     }
     record_drape(report, result);
     timer.done("draping");
 
     dressed.mesh = draw_mesh(cloth, dressing.sewn_mesh().panel_names);
-    if (own != nullptr && !result.bad_vertex) {
-        wearing = check_wearing(dressing, body);
-        // What slipped may not slip in this pose. Then nothing excuses that it is not at rest.
-        if (result.given_up == GiveUp::SlipsDown && !wearing->slips(cloth)) result.given_up.reset();
-    }
     inspect(dressed, dressing, wearing, own ? *own : dressing.collider(), result, too_small);
     dressed.hierarchy = triangle_hierarchy(cloth);
     dressed.meshing = dressing.drape().meshing;

@@ -41,8 +41,11 @@ DrapeResult move_to_own_pose(Cloth& cloth, const Body& body, const Pose& start, 
     draping.adapt.visibility = visible;
     DrapeRun settling(cloth, draping);
     if (given_up && settling.falls()) settling.give_up(cloth, *given_up);
-    while (settling.advance(cloth, own)) report(progress, "settling", settling.fraction());
-    return settling.result();
+    while (settling.phase() != DrapePhase::Done && settling.advance(cloth, own))
+        report(progress, "settling", settling.fraction());
+    DrapeResult result = settling.result();
+    result.given_up = given_up;  // also if there was no time for it
+    return result;
 }
 
 }  // namespace selvedge::sim

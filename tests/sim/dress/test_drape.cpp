@@ -112,7 +112,7 @@ TEST(DrapeRun, gives_up_a_garment_that_hangs_calmly) {
     while (run.advance(cloth, ball())) continue;
     EXPECT_EQ(run.result().given_up, GiveUp::TooSmall);
     EXPECT_FALSE(run.result().settled);
-    EXPECT_EQ(run.result().stopped_because, "too small");
+    EXPECT_EQ(run.result().stopped_because(), "too small");
     EXPECT_LE(run.result().simulated_seconds, seconds + 3 * DrapeOptions{}.finish_time + 0.1);
 }
 
@@ -131,7 +131,7 @@ TEST(DrapeRun, gives_up_before_it_relaxes_what_fits_nowhere) {
     run.give_up(cloth, GiveUp::TooSmall);
     EXPECT_EQ(run.phase(), DrapePhase::Finish);
     while (run.advance(cloth, ball())) continue;
-    EXPECT_EQ(run.result().stopped_because, "too small");
+    EXPECT_EQ(run.result().stopped_because(), "too small");
     EXPECT_LE(run.result().simulated_seconds, 3 * DrapeOptions{}.finish_time + 0.1);
 }
 

@@ -165,10 +165,7 @@ TEST(Report, survives_places_that_need_escaping) {
 // A sewn cotton tube, 0.4 m wide and flat: front and back are 0.3 m apart, with a ball between them.
 class Validate : public testing::Test {
  protected:
-    Validate() {
-        draped_.settled = true;
-        draped_.stopped_because = "settled";
-    }
+    Validate() { draped_.settled = true; }
 
     DressReport look() const {
         DressReport report;
@@ -441,6 +438,17 @@ TEST_F(ValidateTube, says_by_how_much_and_where_a_garment_is_too_small) {
     EXPECT_NE(fault.place.find("too small at the "), std::string::npos) << fault.place;
     EXPECT_NE(fault.place.find(" m) by 10."), std::string::npos) << fault.place;
     EXPECT_EQ(count(report, "overstretched"), 0) << "0.1 m of 0.6 m explain 17 %";
+}
+
+TEST_F(ValidateTube, blames_the_size_for_what_is_stretched_where_it_is_too_small) {
+    const DressReport small = report_on(kGirth - 0.1, 0.5);
+    EXPECT_EQ(count(small, "does_not_fit"), 1);
+    EXPECT_EQ(count(small, "overstretched"), 0) << "50 %, of which tightness explains 17";
+    EXPECT_EQ(outcome_of(small), Outcome::DoesNotFit);
+    EXPECT_TRUE(std::ranges::any_of(small.notes, [](const std::string& note) {
+        return note.starts_with("stretched by up to ") && note.ends_with(" % where it is too small");
+    }));
+    EXPECT_EQ(outcome_of(report_on(kGirth + 0.1, 0.5)), Outcome::Defect) << "nothing is too small there";
 }
 
 TEST_F(ValidateTube, knows_what_no_drape_makes_fit) {
