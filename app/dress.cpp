@@ -28,6 +28,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/parallel.h"
+#include "sim/core/passing_error.h"
 #include "sim/core/printable.h"
 #include "sim/dress/anchor.h"
 #include "sim/dress/report.h"
@@ -219,12 +220,14 @@ void add_output_options(CLI::App& command, DressArguments& arguments) {
 
 }  // namespace
 
-// What is refused has a report too: one of an earlier run would lie.
+// What is refused has a report too: one of an earlier run would lie. What may pass is not refused.
 int run_dress(DressArguments arguments, const KnownBodies& known) {
     check_outputs(arguments);
     sim::DressReport refused;
     try {
         return dress_and_write(arguments, refused, known);
+    } catch (const sim::PassingError&) {
+        throw;
     } catch (const sim::InputError& error) {
         if (!arguments.report_file.empty()) {
             check_distinct({arguments.report_file}, input_files(arguments.garment, arguments.body));

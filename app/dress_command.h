@@ -42,7 +42,7 @@ struct KnownBodies {
 };
 
 // Dresses, writes and prints; returns the exit code. Throws InputError for wrong input, which it has then written into
-// the report.
+// the report, and PassingError without one.
 int run_dress(DressArguments arguments, const KnownBodies& known = {});
 
 }  // namespace selvedge::app

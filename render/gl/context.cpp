@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/core/assert.h"
-#include "sim/core/error.h"
+#include "sim/core/passing_error.h"
 
 #define EGL_NO_X11
 #include <EGL/egl.h>
@@ -223,7 +223,7 @@ std::unique_ptr<GlContext> make_context(std::optional<ContextKind> maker) {
             reasons += (reasons.empty() ? "" : "; ") + std::string(name(candidate)) + ": " + error.what();
         }
     }
-    throw sim::InputError("", "OpenGL", "no way to draw without a window (" + reasons + ")");
+    throw sim::PassingError("", "OpenGL", "no way to draw without a window (" + reasons + ")");
 }
 
 }  // namespace selvedge::render

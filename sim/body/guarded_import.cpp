@@ -24,13 +24,13 @@
 #include "sim/body/body_bytes.h"
 #include "sim/body/bvh_text.h"
 #include "sim/body/gltf_skins.h"
-#include "sim/body/passing_error.h"
 #include "sim/body/system_call_filter.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/file_extension.h"
 #include "sim/core/file_path.h"
 #include "sim/core/flat_bytes.h"
+#include "sim/core/passing_error.h"
 #include "sim/core/process_memory.h"
 
 namespace selvedge::sim {
@@ -145,6 +145,8 @@ ImportAnswer run_guarded(const std::filesystem::path& path, const std::string& i
     }
     std::optional<ImportAnswer> answer = from_bytes(result.answer);
     if (!answer) return fail("the reader returned invalid data");
+    if (answer->failure == std::bad_alloc().what())
+        throw PassingError(path.string(), "", "its reader needs more memory than it may have");
     return std::move(*answer);
 }
 

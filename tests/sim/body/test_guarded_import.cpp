@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "sim/body/guarded_import.h"
-#include "sim/body/passing_error.h"
 #include "sim/core/parallel.h"
+#include "sim/core/passing_error.h"
 #include "tests/support/temporary_folder.h"
 
 namespace selvedge::sim {
