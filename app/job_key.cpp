@@ -1,14 +1,12 @@
 #include "app/job_key.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cstddef>
 #include <iterator>
 #include <utility>
 
+#include "app/body_buffers.h"
+#include "batch/job_folder.h"
 #include "sim/core/error.h"
-#include "sim/core/file_extension.h"
-#include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/core/sha256.h"
 #include "sim/core/simd_level.h"
@@ -22,33 +20,9 @@ namespace {
 
 using Path = std::filesystem::path;
 
-// "my body.bin" of "my%20body.bin".
-std::string percent_decoded(const std::string& text) {
-    std::string decoded;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        unsigned char byte = 0;
-        const char* const digits = text.data() + i + 1;
-        const bool is_code =
-            text[i] == '%' && i + 2 < text.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2;
-        decoded += is_code ? static_cast<char>(byte) : text[i];
-        if (is_code) i += 2;
-    }
-    return decoded;
-}
-
-// The files beside a .gltf that hold its numbers, by both spellings that its reader may take.
-std::vector<Path> buffers_beside(const Path& gltf) {
-    std::vector<Path> files;
-    const sim::Json json = sim::read_json(gltf);
-    const sim::Json* buffers = json.find("buffers");
-    if (buffers == nullptr || !buffers->is_array()) return files;
-    for (const sim::Json& buffer : buffers->elements()) {
-        const sim::Json* uri = buffer.find("uri");
-        if (uri == nullptr || !uri->is_string() || uri->string().starts_with("data:")) continue;
-        files.push_back(sim::folder_of(gltf) / uri->string());
-        files.push_back(sim::folder_of(gltf) / percent_decoded(uri->string()));
-    }
-    return files;
+// Levels of one name give the same bits (sim/core/simd_level.h).
+const char* arithmetic_of(sim::SimdLevel level) {
+    return level == sim::SimdLevel::Plain ? "plain" : "fused";
 }
 
 }  // namespace
@@ -58,7 +32,7 @@ JobKeys::JobKeys(JobOutputs outputs) : outputs_(std::move(outputs)), program_(si
 std::string JobKeys::operator()(const batch::Job& job) {
     sim::Json json = sim::Json::object();
     json["program"] = program_;
-    json["simd"] = sim::name_of(sim::simd_level());  // the levels round differently
+    json["arithmetic"] = arithmetic_of(sim::simd_level());
     sim::Json& words = json["arguments"] = sim::Json::array();
     for (const std::string& word : dress_arguments(job)) words.push_back(word);
     json["picture"] = outputs_.has_pictures;
@@ -69,7 +43,10 @@ std::string JobKeys::operator()(const batch::Job& job) {
     return sim::sha256(write_json(json, -1));
 }
 
-bool JobKeys::differ_from(const sim::Json& report) const {
+// A refusal may come before the inputs were named in the report.
+bool JobKeys::have_changed(const batch::Job& job, const sim::Json& report) {
+    const bool is_refused = batch::outcome_in(report) == name_of(sim::Outcome::Refused);
+    if (is_refused && afresh()(job) != (*this)(job)) return true;
     const sim::Json* inputs = report.find(sim::report_key::kInputs);
     if (inputs == nullptr || !inputs->is_array()) return false;
     return std::ranges::any_of(inputs->elements(), [&](const sim::Json& input) {
@@ -78,6 +55,15 @@ bool JobKeys::differ_from(const sim::Json& report) const {
         const auto known = hashes_.find(file->string());
         return known != hashes_.end() && known->second != hash->string();
     });
+}
+
+JobKeys JobKeys::afresh() const {
+    JobKeys keys(*this);
+    keys.hashes_.clear();
+    keys.named_by_garments_.clear();
+    keys.named_by_fabrics_.clear();
+    keys.buffers_.clear();
+    return keys;
 }
 
 std::string JobKeys::hash_of(const Path& file) {
@@ -101,9 +87,7 @@ std::vector<Path> JobKeys::inputs_of(const batch::Job& job) {
     for (const batch::JobOption& option : job.options) {
         if (option.name == "design") files.emplace_back(option.value);  // "test" or a colour is no file
     }
-    for (const Path& file : std::vector<Path>(files)) {
-        if (sim::lower_extension(file) == ".gltf") std::ranges::copy(buffers_of(file), std::back_inserter(files));
-    }
+    for (const Path& file : std::vector<Path>(files)) std::ranges::copy(buffers_of(file), std::back_inserter(files));
     return files;
 }
 
@@ -128,11 +112,7 @@ const std::vector<std::string>& JobKeys::named_by_fabric(const std::string& fabr
 
 const std::vector<Path>& JobKeys::buffers_of(const Path& body) {
     const auto [at, is_new] = buffers_.try_emplace(body.string());
-    if (!is_new) return at->second;
-    try {
-        at->second = buffers_beside(body);
-    } catch (const sim::InputError&) {
-    }
+    if (is_new) at->second = buffers_beside(body);
     return at->second;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-// The keys of a batch's jobs: hashes of what their results follow from: the program, its SIMD level, the options, the
-// outputs, and all files that are read. A job whose key is that of an earlier result need not be done again. Shared
-// libraries of the system, its fonts and its graphics are not in the keys.
+// The keys of a batch's jobs: hashes of what their results follow from: the program, whether it uses fused
+// multiply-add, the options, the outputs, and all files that are read. A job whose key is that of an earlier result
+// need not be done again. Shared libraries of the system, its fonts and its graphics are not in the keys.
 #include <filesystem>
 #include <map>
 #include <string>
@@ -29,10 +29,12 @@ class JobKeys {
     // A file that cannot be read counts as such: the job reports it.
     std::string operator()(const batch::Job& job);
 
-    // Whether a report names another content of a file than what a key was made of, which was then changed since.
-    bool differ_from(const sim::Json& report) const;
+    // Whether a file of the job was changed since its key was made: the report on it names another content, or it was
+    // refused and the files are others now.
+    bool have_changed(const batch::Job& job, const sim::Json& report);
 
  private:
+    JobKeys afresh() const;  // that have read no file yet
     std::string hash_of(const std::filesystem::path& file);
     std::vector<std::filesystem::path> inputs_of(const batch::Job& job);
     const std::vector<std::string>& named_by_garment(const std::filesystem::path& garment);

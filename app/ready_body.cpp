@@ -1,9 +1,12 @@
 #include "app/ready_body.h"
 
+#include <algorithm>
+#include <iterator>
 #include <new>
 #include <system_error>
 #include <utility>
 
+#include "app/body_buffers.h"
 #include "sim/core/error.h"
 #include "sim/core/parallel.h"
 
@@ -15,11 +18,17 @@ bool is_same(const BodyOptions& a, const BodyOptions& b) {
            a.load.stands_on_floor == b.load.stands_on_floor;
 }
 
-// The earliest time if there is no such file.
-std::filesystem::file_time_type time_of(const BodyOptions& options) {
-    std::error_code error;
-    return options.is_file() ? std::filesystem::last_write_time(options.source, error)
-                             : std::filesystem::file_time_type::min();
+// Of its files, if it has any. The earliest time of one that is not there.
+std::vector<std::filesystem::file_time_type> times_of(const BodyOptions& options) {
+    if (!options.is_file()) return {};
+    std::vector<std::filesystem::path> files{options.source};
+    std::ranges::move(buffers_beside(options.source), std::back_inserter(files));
+    std::vector<std::filesystem::file_time_type> times;
+    for (const std::filesystem::path& file : files) {
+        std::error_code error;
+        times.push_back(std::filesystem::last_write_time(file, error));
+    }
+    return times;
 }
 
 }  // namespace
@@ -32,7 +41,7 @@ std::shared_ptr<const ReadyBody> make_ready_body(const BodyOptions& options, con
 }
 
 void LastBody::prepare(const BodyOptions& options) {
-    const auto written = time_of(options);
+    const auto written = times_of(options);
     if (entry_ && is_same(entry_->options, options) && entry_->written == written) return;
     const sim::ThreadLimit alone(1);  // a process with more threads cannot be copied
     entry_ = Entry{options, written, nullptr};
@@ -44,7 +53,7 @@ void LastBody::prepare(const BodyOptions& options) {
 }
 
 std::shared_ptr<const ReadyBody> LastBody::find(const BodyOptions& options) const {
-    const bool has_it = entry_ && is_same(entry_->options, options) && entry_->written == time_of(options);
+    const bool has_it = entry_ && is_same(entry_->options, options) && entry_->written == times_of(options);
     return has_it ? entry_->body : nullptr;
 }
 

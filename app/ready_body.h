@@ -28,14 +28,14 @@ class LastBody {
 
     // Makes the body ready on this thread, if it is not. One that cannot be made is left to whoever needs it.
     void prepare(const BodyOptions& options);
-    // Null if that body is not ready, or its file was written since.
+    // Null if that body is not ready, or a file of it was written since.
     std::shared_ptr<const ReadyBody> find(const BodyOptions& options) const;
 
  private:
     struct Entry {
         BodyOptions options;
-        std::filesystem::file_time_type written{};  // of its file, if it has one
-        std::shared_ptr<const ReadyBody> body;      // null: it could not be made
+        std::vector<std::filesystem::file_time_type> written;  // its files
+        std::shared_ptr<const ReadyBody> body;                 // null: it could not be made
     };
 
     const sim::ContentStore* store_;

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/body_buffers.h"
 #include "sim/core/sha256.h"
 #include "sim/pattern/named_file.h"
 
@@ -36,7 +37,12 @@ std::vector<sim::ReportInput> report_inputs(const GarmentOptions& options, const
     Inputs inputs;
     inputs.add("garment", options.garment);
     for (const Path& over : options.over) inputs.add("over", over);
-    body.is_file() ? inputs.add("body", body.source) : inputs.add_text("body", body.source);
+    if (body.is_file()) {
+        inputs.add("body", body.source);
+        for (const Path& buffer : buffers_beside(body.source)) inputs.add("body", buffer);
+    } else {
+        inputs.add_text("body", body.source);
+    }
     if (!motion.empty()) inputs.add("motion", motion);
     for (const sim::NamedFileUse& named : named_file_uses(shown)) {
         if (named.use == sim::FileUse::Fabric) inputs.add("fabric", named.file);

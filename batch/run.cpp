@@ -206,7 +206,7 @@ class BatchRun {
         std::optional<sim::Json> report;
         if (result.end == WorkEnd::Exited) report = read_report(folder.path());
         const bool has_outcome = report && is_outcome(*report, result.code);
-        record.has_failed = !has_outcome || work_.has_other_inputs(*report);
+        record.has_failed = !has_outcome || work_.have_inputs_changed(jobs_[result.job], *report);
         if (record.has_failed) {
             record.exit_code = 2;
             write_failure(folder.path(), std::move(report),

@@ -56,8 +56,8 @@ struct BatchWork {
     std::function<void(const Job&)> prepare;
     // Dresses, and writes into the folder; returns the exit code of dress. Runs in the child process.
     std::function<int(const Job&, const std::filesystem::path& folder)> dress;
-    // Whether a report names an input whose content is not that of which the key was made.
-    std::function<bool(const sim::Json& report)> has_other_inputs;
+    // Whether an input of the job, which left this report, was changed since its key was made.
+    std::function<bool(const Job&, const sim::Json& report)> have_inputs_changed;
     std::function<void(const BatchCounts&)> progress;  // called several times a second
     std::function<bool()> is_stopped;                  // true: no other job begins; those that run go on to their end
 };

@@ -41,11 +41,15 @@ class JobKey : public testing::Test {
 TEST_F(JobKey, follows_from_the_simd_level) {
     const std::string before = key_of(job_);
     if (sim::simd_level() == sim::SimdLevel::Plain) GTEST_SKIP() << "this processor has no other level";
+    {
+        const sim::SimdLimit avx2(sim::SimdLevel::Avx2);
+        EXPECT_EQ(key_of(job_), before) << "it has the bits of AVX-512";
+    }
     const sim::SimdLimit plain(sim::SimdLevel::Plain);
     EXPECT_NE(key_of(job_), before);
 }
 
-TEST_F(JobKey, differs_from_a_report_on_another_content_of_its_files) {
+TEST_F(JobKey, a_report_on_another_content_of_a_file_says_that_it_was_changed) {
     job_.garment = folder_ / "garment.json";
     write("garment.json", "one");
     JobKeys keys(JobOutputs{});
@@ -55,9 +59,22 @@ TEST_F(JobKey, differs_from_a_report_on_another_content_of_its_files) {
                                    R"(", "sha256": ")" + hash + R"("}, {"file": "mannequin:", "sha256": "0"}]})",
                                "report");
     };
-    EXPECT_FALSE(keys.differ_from(report_on(sim::sha256("one"))));
-    EXPECT_TRUE(keys.differ_from(report_on(sim::sha256("two"))));
-    EXPECT_FALSE(keys.differ_from(sim::parse_json("{}", "report")));
+    EXPECT_FALSE(keys.have_changed(job_, report_on(sim::sha256("one"))));
+    EXPECT_TRUE(keys.have_changed(job_, report_on(sim::sha256("two"))));
+    EXPECT_FALSE(keys.have_changed(job_, sim::parse_json("{}", "report")));
+}
+
+TEST_F(JobKey, a_refusal_without_inputs_says_that_a_file_was_changed_if_it_is_another_one_now) {
+    job_.garment = folder_ / "garment.json";
+    write("garment.json", "one");
+    JobKeys keys(JobOutputs{});
+    keys(job_);
+    const sim::Json refused = sim::parse_json(R"({"outcome": "refused", "inputs": []})", "report");
+    const sim::Json dressed = sim::parse_json(R"({"outcome": "dressed", "inputs": []})", "report");
+    EXPECT_FALSE(keys.have_changed(job_, refused));
+    write("garment.json", "");
+    EXPECT_TRUE(keys.have_changed(job_, refused));
+    EXPECT_FALSE(keys.have_changed(job_, dressed));
 }
 
 TEST_F(JobKey, follows_from_the_picture_of_a_design) {
