@@ -15,10 +15,20 @@ namespace {
 
 using Path = std::filesystem::path;
 
+// None if there is none, or it is broken.
+std::optional<render::Image> picture_in(const Path& folder) {
+    if (!sim::file_exists(folder / job_file::kPicture)) return std::nullopt;
+    try {
+        return render::read_png(folder / job_file::kPicture);
+    } catch (const sim::InputError&) {
+        return std::nullopt;
+    }
+}
+
 void compare_pictures(const Path& now, const Path& before, const Path& differences, JobChange& change) {
-    if (!sim::file_exists(now) || !sim::file_exists(before)) return;
-    const render::Image new_picture = render::read_png(now), old_picture = render::read_png(before);
-    const render::Comparison comparison = compare(old_picture, new_picture);
+    const std::optional<render::Image> new_picture = picture_in(now), old_picture = picture_in(before);
+    if (!new_picture || !old_picture) return;
+    const render::Comparison comparison = compare(*old_picture, *new_picture);
     if (is_alike(comparison)) return;
     change.has_new_picture = true;
     change.differing_share =
@@ -26,8 +36,9 @@ void compare_pictures(const Path& now, const Path& before, const Path& differenc
     std::error_code error;
     std::filesystem::create_directories(differences, error);
     if (error) throw sim::InputError(differences.string(), "", "cannot be made: " + error.message());
-    write_png(differences / (change.job + ".before.png"), old_picture);
-    write_png(differences / (change.job + ".png"), difference_picture(old_picture, new_picture));
+    // No job has an '@' in its name.
+    write_png(differences / (change.job + "@before.png"), *old_picture);
+    write_png(differences / (change.job + "@difference.png"), difference_picture(*old_picture, *new_picture));
 }
 
 }  // namespace
@@ -54,8 +65,7 @@ std::vector<JobChange> compare_runs(const std::vector<sim::Json>& rows, const Pa
         change.is_new = !report;
         if (report) change.outcome_before = outcome_in(*report);
         change.has_new_outcome = report && change.outcome_before != outcome_in(row);
-        compare_pictures(job_folder(output, change.job) / job_file::kPicture, folder / job_file::kPicture,
-                         output / "differences", change);
+        compare_pictures(job_folder(output, change.job), folder, output / "differences", change);
         if (progress) progress(static_cast<double>(changes.size()) / static_cast<double>(rows.size()));
     }
     return changes;

@@ -24,8 +24,8 @@ struct JobChange {
 // Throws InputError if `before` is not the output of a batch, or is the output of this one.
 void check_earlier_run(const std::filesystem::path& before, const std::filesystem::path& output);
 
-// One for each row, in their order. Where the pictures differ, OUTPUT/differences gets NAME.before.png, a copy, and
-// NAME.png, which shows where. Throws InputError if `before` is not the output of a batch.
+// One for each row, in their order. Where the pictures differ, OUTPUT/differences gets NAME@before.png, a copy, and
+// NAME@difference.png, which shows where. Throws InputError if `before` is not the output of a batch.
 std::vector<JobChange> compare_runs(const std::vector<sim::Json>& rows, const std::filesystem::path& output,
                                     const std::filesystem::path& before,
                                     const std::function<void(double fraction)>& progress = {});

@@ -21,11 +21,6 @@ namespace key = sim::report_key;
 
 constexpr std::string_view kPlaceOfRows = "/*ROWS*/";
 
-Json member_of(const Json& object, std::string_view name) {
-    const Json* found = object.find(name);
-    return found == nullptr ? Json() : *found;
-}
-
 bool has_file(const Json& row, std::string_view name) {
     return std::ranges::any_of(row.find("files")->elements(), [&](const Json& file) { return file.string() == name; });
 }
@@ -34,8 +29,8 @@ Json faults_of(const Json& row) {
     Json list = Json::array();
     for (const Json& fault : row.find(key::kFaults)->elements()) {
         Json item = Json::object();
-        item["kind"] = member_of(fault, key::kKind);
-        item["cause"] = member_of(fault, key::kCause);
+        for (const std::string_view name : {key::kKind, key::kClass, key::kValue, key::kUnit, key::kCause})
+            item[name] = member_of(fault, name);
         list.push_back(std::move(item));
     }
     return list;
@@ -92,7 +87,7 @@ std::string gallery_html(const std::vector<Json>& rows, const std::vector<JobCha
 
 void write_gallery(const std::vector<Json>& rows, const std::vector<JobChange>& changes,
                    const std::filesystem::path& output) {
-    sim::write_file_atomically(output / "index.html", gallery_html(rows, changes));
+    sim::write_file_atomically(output / result_file::kGallery, gallery_html(rows, changes));
 }
 
 }  // namespace selvedge::batch

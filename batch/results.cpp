@@ -41,11 +41,6 @@ Json files_in(const Path& folder) {
     return list;
 }
 
-Json copy_of(const Json& report, std::string_view member) {
-    const Json* found = report.find(member);
-    return found == nullptr ? Json() : *found;
-}
-
 Json row_of(const Job& job, const JobResult& result, const Path& output) {
     const Path folder = job_folder(output, job.name);
     Json row = Json::object();
@@ -60,7 +55,7 @@ Json row_of(const Job& job, const JobResult& result, const Path& output) {
     for (const std::string_view member :
          {key::kSchema, key::kVersion, key::kOutcome, key::kProblem, key::kInputs, key::kOptions, key::kFaults,
           key::kFit, key::kNotes, key::kSimulatedSeconds, key::kMesh, key::kContact, key::kStretch})
-        row[member] = copy_of(result.report, member);
+        row[member] = member_of(result.report, member);
     row["files"] = files_in(folder);
     row["replay"] = replay_command(job);
     return row;
@@ -143,6 +138,16 @@ std::string times_csv(const std::vector<Json>& rows, const Path& output) {
 
 }  // namespace
 
+std::vector<Path> result_files(const Path& output) {
+    return {output / result_file::kLines, output / result_file::kTable, output / result_file::kTimes,
+            output / result_file::kGallery};
+}
+
+Json member_of(const Json& object, std::string_view name) {
+    const Json* found = object.find(name);
+    return found == nullptr ? Json() : *found;
+}
+
 std::string first_cause(const Json& row) {
     const std::vector<Json>& faults = row.find(key::kFaults)->elements();
     const std::string problem = text_at(row, key::kProblem);
@@ -170,9 +175,9 @@ void write_results(const Results& results, const Path& output) {
     std::string lines;
     constexpr int kOneLine = -1;
     for (const Json& row : results.rows) lines += write_json(row, kOneLine) + '\n';
-    sim::write_file_atomically(output / "results.jsonl", lines);
-    sim::write_file_atomically(output / "results.csv", csv_of(results.rows));
-    sim::write_file_atomically(output / "times.csv", times_csv(results.rows, output));
+    sim::write_file_atomically(output / result_file::kLines, lines);
+    sim::write_file_atomically(output / result_file::kTable, csv_of(results.rows));
+    sim::write_file_atomically(output / result_file::kTimes, times_csv(results.rows, output));
 }
 
 }  // namespace selvedge::batch

@@ -89,12 +89,20 @@ TEST(CompareRuns, finds_new_jobs_new_outcomes_and_new_pictures) {
     EXPECT_EQ(changes[1].outcome_before, "dressed");
     EXPECT_TRUE(changes[2].has_new_picture);
     EXPECT_EQ(changes[2].differing_share, 1);
-    EXPECT_TRUE(std::filesystem::exists(folder / "out/differences/picture.png"));
-    EXPECT_TRUE(std::filesystem::exists(folder / "out/differences/picture.before.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "out/differences/picture@difference.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "out/differences/picture@before.png"));
     EXPECT_FALSE(changes[3].is_changed());
     EXPECT_NE(gallery_html(results.rows, changes).find("\"has_new_picture\":true"), std::string::npos);
     EXPECT_THROW(compare_runs(results.rows, folder / "out", folder / "none"), sim::InputError);
     EXPECT_THROW(compare_runs(results.rows, folder / "out", folder / "out"), sim::InputError);
+}
+
+TEST(CompareRuns, a_picture_that_is_broken_is_not_compared) {
+    const sim::TemporaryFolder folder;
+    for (const char* run : {"old", "out"}) finish(folder / run, {.name = "job"});
+    sim::write_file_atomically(job_folder(folder / "old", "job") / job_file::kPicture, "\x89PNG");
+    const Results results = gather_results({job_called("job")}, folder / "out", key_of);
+    EXPECT_FALSE(compare_runs(results.rows, folder / "out", folder / "old").front().has_new_picture);
 }
 
 TEST(CompareRuns, a_job_whose_earlier_report_is_broken_is_new) {
