@@ -29,15 +29,13 @@
 #include "batch/run.h"
 #include "batch/thumbnail.h"
 #include "render/image/image.h"
-#include "sim/body/passing_error.h"
 #include "sim/core/content_store.h"
 #include "sim/core/error.h"
-#include "sim/core/file.h"
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/core/printable.h"
 #include "sim/core/trimmed.h"
-#include "sim/dress/report.h"
+#include "sim/pattern/fabric_file.h"
 
 namespace selvedge::app {
 namespace {
@@ -125,54 +123,60 @@ std::vector<batch::Job> jobs_of(const BatchArguments& arguments) {
         for (const batch::JobOption& option : options) {
             if (!has(job.options, option.name)) job.options.push_back(option);
         }
+        std::erase_if(job.options, &batch::JobOption::is_off);
         if (arguments.has_pictures) add_usual_look(job);
     }
     return jobs;
+}
+
+// The manifest and what the jobs read must not be among the files that the batch writes or replaces. Throws InputError.
+void check_files(const BatchArguments& arguments, const std::vector<batch::Job>& jobs) {
+    const Path& output = arguments.batch.output;
+    std::set<Path> inputs{arguments.manifest};
+    for (const batch::Job& job : jobs) {
+        inputs.insert(job.garment);
+        inputs.insert(job.over.begin(), job.over.end());
+        if (sim::is_body_file(job.body)) inputs.insert(job.body);
+        if (sim::is_fabric_file(job.fabric)) inputs.insert(job.fabric);
+    }
+    inputs.erase(Path());
+    check_distinct(batch::result_files(output), {inputs.begin(), inputs.end()});
+    const Path folders = sim::canonical_path(output / "jobs");
+    for (const Path& input : inputs) {
+        const Path relative = sim::canonical_path(input).lexically_relative(folders);
+        if (!relative.empty() && *relative.begin() != "..")
+            throw sim::InputError(input.string(), "", "is in a folder of the output, which is replaced");
+    }
+}
+
+// As the command dress reads them, but for the body, which is not read here: measurements that make none refuse the
+// job, as a garment does that cannot be read.
+DressArguments parse_dress(const batch::Job& job) {
+    batch::Job without_body = job;
+    without_body.body.clear();
+    DressArguments dress = read_dress_options(dress_arguments(without_body));
+    dress.body.source = job.body;
+    return dress;
 }
 
 // Finds wrong options before the work begins. Jobs differ mostly in their garments and bodies; what is wrong there
 // refuses these jobs only. Throws InputError that names the job.
 void check_options(const std::vector<batch::Job>& jobs) {
     std::set<std::string> seen;
-    for (batch::Job job : jobs) {
-        job.body.clear();
+    for (const batch::Job& job : jobs) {
         std::string text;
-        const std::vector<std::string> words = dress_arguments(job);
-        for (std::size_t i = 1; i < words.size(); ++i) text += words[i] + '\0';
+        for (const batch::JobOption& option : job.options) text += option.name + '\0' + option.value + '\0';
         if (!seen.insert(text).second) continue;
         try {
-            read_dress_options(words);
+            parse_dress(job);
         } catch (const sim::InputError& error) {
             throw sim::InputError(job.origin, "job '" + job.name + "'", error.what());
         }
     }
 }
 
-// As the command dress reads them. Measurements that make no body refuse the job: `folder` has its report then.
-DressArguments parse_dress(const batch::Job& job, const Path& folder) {
-    try {
-        return read_dress_options(dress_arguments(job));
-    } catch (const sim::InputError& error) {
-        sim::DressReport refused;
-        refused.problem = error.what();
-        sim::write_file_atomically(folder / batch::job_file::kReport, write_json(json_without_times(refused)));
-        throw;
-    }
-}
-
-// As run_dress(), but trouble that may pass leaves no report: it would be kept as refused.
-int run_dress_once(const DressArguments& dress, const KnownBodies& known) {
-    try {
-        return run_dress(dress, known);
-    } catch (const sim::PassingError&) {
-        std::error_code ignored;
-        std::filesystem::remove(dress.report_file, ignored);
-        throw;
-    }
-}
-
 int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path& folder, const KnownBodies& known) {
-    DressArguments dress = parse_dress(job, folder);
+    DressArguments dress = parse_dress(job);
     dress.garment.threads = 1;
     dress.garment.is_quiet = true;
     dress.report_file = folder / batch::job_file::kReport;
@@ -180,7 +184,7 @@ int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path
     if (arguments.has_pictures) dress.picture_file = folder / batch::job_file::kPicture;
     for (const std::string& extension : arguments.exports)
         dress.exports.files.push_back(folder / ("garment." + extension));
-    const int code = run_dress_once(dress, known);
+    const int code = run_dress(dress, known);
     if (sim::file_exists(dress.picture_file))
         write_png(folder / batch::job_file::kThumbnail,
                   batch::shrunk(render::read_png(dress.picture_file), kThumbnailSide));
@@ -189,11 +193,8 @@ int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path
 
 // What garments name themselves is not known here.
 void prepare_body(const batch::Job& job, LastBody& last_body) {
-    try {
-        const BodyOptions body = read_dress_options(dress_arguments(job)).body;
-        if (!body.source.empty()) last_body.prepare(body);
-    } catch (const sim::InputError&) {  // its jobs are refused
-    }
+    const BodyOptions body = parse_dress(job).body;
+    if (!body.source.empty()) last_body.prepare(body);
 }
 
 // None if nobody asked for one and the user's cannot be made.
@@ -309,6 +310,7 @@ int run(BatchArguments arguments) {
     if (!arguments.compared.empty()) batch::check_earlier_run(arguments.compared, arguments.batch.output);
     const std::vector<batch::Job> jobs = jobs_of(arguments);
     check_options(jobs);
+    check_files(arguments, jobs);
     JobKeys keys(JobOutputs{.has_pictures = arguments.has_pictures, .exports = arguments.exports});
     if (arguments.only_merges) return merge(arguments, jobs, keys);
 
@@ -324,7 +326,8 @@ int run(BatchArguments arguments) {
              [&](const batch::Job& job, const Path& folder) {
                  return dress_job(arguments, job, folder, {.store = store ? &*store : nullptr, .ready = &last_body});
              },
-         .has_other_inputs = [&](const sim::Json& report) { return keys.differ_from(report); },
+         .have_inputs_changed = [&](const batch::Job& job,
+                                    const sim::Json& report) { return keys.have_changed(job, report); },
          .progress = [&](const batch::BatchCounts& now) { progress.show(now); },
          .is_stopped = [&] { return stop.is_raised(); }});
     progress.finish();

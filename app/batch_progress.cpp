@@ -35,7 +35,7 @@ std::string batch_line(const batch::BatchCounts& counts, int width) {
     if (counts.done > 0 && counts.seconds > 0) {
         const double rate = static_cast<double>(counts.done) / counts.seconds;
         char text[48];
-        std::snprintf(text, sizeof text, "  %.3g a minute", 60 * rate);
+        std::snprintf(text, sizeof text, "  %.*f a minute", rate < 1 ? 1 : 0, 60 * rate);
         line += text;
         if (done < counts.jobs) line += "  " + duration_text(static_cast<double>(counts.jobs - done) / rate) + " left";
     }

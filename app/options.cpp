@@ -1,5 +1,6 @@
 #include "app/options.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -235,6 +236,9 @@ void check_output(const fs::path& path, std::span<const std::string_view> extens
     if (!extensions.empty()) check_extension(path, extensions);
     if (sim::file_exists(path) && !sim::is_file(path))
         throw sim::InputError(path.string(), "", "cannot write: it is no regular file");
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0 && errno != ENOENT)  // a name that is too long, links in a circle
+        throw sim::InputError(path.string(), "", std::string("cannot write: ") + std::strerror(errno));
     const fs::path folder = sim::canonical_path(path).parent_path();
     if (access(folder.c_str(), W_OK | X_OK) != 0)
         throw sim::InputError(path.string(), "", std::string("cannot write: ") + std::strerror(errno));

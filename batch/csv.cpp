@@ -8,10 +8,19 @@
 namespace selvedge::batch {
 namespace {
 
+// The one that the names of the columns stand between. Spreadsheets write ';' where numbers have a decimal comma.
+char separator_of(std::string_view names) {
+    constexpr std::string_view kSeparators = ",;\t";
+    return *std::ranges::max_element(kSeparators, {}, [&](char c) { return std::ranges::count(names, c); });
+}
+
 class CsvReader {
  public:
     CsvReader(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {
         if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+        if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF"))
+            throw sim::InputError(file_, "", "is UTF-16: save it as UTF-8");
+        separator_ = separator_of(text_.substr(0, text_.find_first_of("\r\n")));
     }
 
     std::vector<CsvRow> rows() {
@@ -20,7 +29,7 @@ class CsvReader {
             CsvRow row{.line = line_, .fields = {}};
             do {
                 row.fields.push_back(field());
-            } while (skip(','));
+            } while (skip(separator_));
             end_of_line();
             if (!std::ranges::all_of(row.fields, &std::string::empty)) rows.push_back(std::move(row));
         }
@@ -34,7 +43,7 @@ class CsvReader {
         return true;
     }
     bool is_at_end_of_field() const {
-        return at_ >= text_.size() || text_[at_] == ',' || text_[at_] == '\n' || text_[at_] == '\r';
+        return at_ >= text_.size() || text_[at_] == separator_ || text_[at_] == '\n' || text_[at_] == '\r';
     }
     void end_of_line() {
         skip('\r');
@@ -62,6 +71,7 @@ class CsvReader {
 
     std::string_view text_;
     std::string file_;
+    char separator_ = ',';
     std::size_t at_ = 0;
     std::size_t line_ = 1;
 };

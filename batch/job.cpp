@@ -52,11 +52,11 @@ std::vector<std::string> dress_arguments(const Job& job) {
     if (!job.body.empty()) add("body", job.body);
     if (!job.fabric.empty()) add("fabric", job.fabric);
     for (const JobOption& option : job.options) {
-        if (option.is_flag) {
-            arguments.push_back("--" + option.name);
-        } else {
-            add(option.name, option.value);
-        }
+        if (!option.is_flag) add(option.name, option.value);
+    }
+    // Last, so that one that needs a value does not take another option for it.
+    for (const JobOption& option : job.options) {
+        if (option.is_flag && !option.is_off) arguments.push_back("--" + option.name);
     }
     return arguments;
 }
@@ -84,6 +84,7 @@ std::string describe_job(const Job& job) {
     const std::string fabric = std::filesystem::path(job.fabric).stem().string();
     if (!fabric.empty()) text += "_" + fabric;
     for (const JobOption& option : job.options) {
+        if (option.is_off) continue;
         const bool is_path = option.name == "design" && option.value.find('/') != std::string::npos;
         const std::string value = is_path ? std::filesystem::path(option.value).stem().string() : option.value;
         text += "_" + option.name + (value.empty() ? "" : "-" + value);

@@ -11,6 +11,7 @@ struct JobOption {
     std::string name;
     std::string value;       // empty for a flag
     bool is_flag = false;    // takes no value
+    bool is_off = false;     // a flag that is not set, also where all jobs have it
     bool is_common = false;  // of all jobs of the manifest, not this job's own
 
     bool operator==(const JobOption&) const = default;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/core/sha256.h"
+#include "sim/core/trimmed.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::batch {
@@ -116,11 +118,11 @@ void resolve(Job& job, const Path& folder) {
 JobOption option_of(const std::string& name, const JsonView& value) {
     switch (value.value().kind()) {
         case sim::Json::Kind::Bool:
-            return {name, "", true};
+            return {.name = name, .value = "", .is_flag = true, .is_off = !value.value().boolean()};
         case sim::Json::Kind::Number:
-            return {name, value.value().number_text(), false};
+            return {.name = name, .value = value.value().number_text()};
         case sim::Json::Kind::String:
-            return {name, value.string(), false};
+            return {.name = name, .value = value.string()};
         default:
             value.fail("neither a number, a text nor true");
     }
@@ -149,8 +151,7 @@ std::vector<JobOption> options_of(const JsonView& object) {
         const JsonView value = object.at(name);
         const JobOption option = option_of(name, value);
         check_option(option, object.file(), value.path());
-        const bool is_off = value.value().is_bool() && !value.value().boolean();
-        if (!is_off) options.push_back(option);
+        options.push_back(option);
     }
     return options;
 }
@@ -165,12 +166,11 @@ std::vector<JobOption> common_options(const JsonView& root, const Path& folder) 
 }
 
 // Puts the common options before those of the job, but for those that it sets itself, be it to false.
-void add_common(const std::vector<JobOption>& common, const JsonView& job_object, Job& job) {
-    const std::vector<std::string> own =
-        job_object.has("options") ? job_object.at("options").keys() : std::vector<std::string>{};
+void add_common(const std::vector<JobOption>& common, Job& job) {
     std::vector<JobOption> options;
     for (const JobOption& option : common) {
-        if (std::ranges::find(own, option.name) == own.end()) options.push_back(option);
+        if (std::ranges::find(job.options, option.name, &JobOption::name) == job.options.end())
+            options.push_back(option);
     }
     std::ranges::move(job.options, std::back_inserter(options));
     job.options = std::move(options);
@@ -224,7 +224,7 @@ std::vector<Job> jobs_of_json(std::string_view text, const Path& file) {
             Job& job = jobs.emplace_back(job_of(list.at(i)));
             job.origin = file.string() + ": " + list.at(i).path();
             resolve(job, folder);
-            add_common(common, list.at(i), job);
+            add_common(common, job);
         }
     }
     if (root.has("product")) {
@@ -251,7 +251,24 @@ std::vector<Path> paths_in(const std::string& text) {
     return paths;
 }
 
-// A column is a key of a job, or else an option; an empty field is none, and "true" a flag.
+// Column names as they may be written in a spreadsheet: " Garment".
+std::vector<std::string> column_names(const std::vector<std::string>& fields) {
+    std::vector<std::string> names;
+    for (const std::string& field : fields) {
+        std::string& name = names.emplace_back(sim::trimmed(field));
+        std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    }
+    return names;
+}
+
+// Spreadsheets write "TRUE" for "true".
+JobOption option_of(const std::string& name, const std::string& field) {
+    const bool is_on = field == "true" || field == "TRUE", is_off = field == "false" || field == "FALSE";
+    if (!is_on && !is_off) return {.name = name, .value = field};
+    return {.name = name, .value = "", .is_flag = true, .is_off = is_off};
+}
+
+// A column is a key of a job, or else an option; an empty field is none.
 void take_field(Job& job, const std::string& column, const std::string& field) {
     if (column == "name") job.name = field;
     if (column == "garment") job.garment = field;
@@ -265,7 +282,7 @@ std::vector<Job> jobs_of_csv(std::string_view text, const Path& file) {
     constexpr std::array<std::string_view, 5> kKeys{"name", "garment", "over", "body", "fabric"};
     if (rows.size() < 2) throw InputError(file.string(), "", "no row below the names of the columns: nothing to do");
     check_count(rows.size(), file.string());
-    const std::vector<std::string>& columns = rows.front().fields;
+    const std::vector<std::string> columns = column_names(rows.front().fields);
     if (std::ranges::find(columns, "garment") == columns.end())
         throw InputError(file.string(), "line 1", "there is no column 'garment'");
     std::vector<Job> jobs;
@@ -276,11 +293,10 @@ std::vector<Job> jobs_of_csv(std::string_view text, const Path& file) {
         Job job;
         job.origin = file.string() + ": " + place;
         for (std::size_t k = 0; k < rows[i].fields.size(); ++k) {
-            const std::string& field = rows[i].fields[k];
+            const std::string field(sim::trimmed(rows[i].fields[k]));
             take_field(job, columns[k], field);
             if (field.empty() || std::ranges::find(kKeys, columns[k]) != kKeys.end()) continue;
-            const bool is_flag = field == "true";
-            job.options.push_back({.name = columns[k], .value = is_flag ? "" : field, .is_flag = is_flag});
+            job.options.push_back(option_of(columns[k], field));
             check_option(job.options.back(), file.string(), place);
         }
         if (job.garment.empty()) throw InputError(file.string(), place, "names no garment");
@@ -340,17 +356,21 @@ JobOption parse_option(const std::string& text) {
 
 void name_jobs(std::vector<Job>& jobs) {
     std::map<std::string, std::size_t> uses;
+    std::vector<Job*> unnamed;
     for (Job& job : jobs) {
-        if (job.name.empty()) job.name = describe_job(job);
+        if (job.name.empty()) {
+            job.name = describe_job(job);
+            unnamed.push_back(&job);
+        }
         ++uses[job.name];
     }
     // Files of one name in two folders.
-    for (Job& job : jobs) {
-        if (uses[job.name] < 2) continue;
+    for (Job* job : unnamed) {
+        if (uses[job->name] < 2) continue;
         std::string all;
-        for (const std::string& argument : dress_arguments(job)) all += argument + '\0';
+        for (const std::string& argument : dress_arguments(*job)) all += argument + '\0';
         constexpr std::size_t kDigits = 10;
-        if (job.name == describe_job(job)) job.name += "-" + sim::sha256(all).substr(0, kDigits);
+        job->name += "-" + sim::sha256(all).substr(0, kDigits);
     }
     std::ranges::stable_sort(jobs, {}, &Job::name);
     const auto same = std::ranges::adjacent_find(jobs, {}, &Job::name);

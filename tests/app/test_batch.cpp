@@ -79,7 +79,7 @@ TEST(BatchCommand, compares_with_an_earlier_run) {
     batch_into(folder, "old", "--set size=64x64 --set tartan=gordon");
     const ProgramResult compared = batch_into(folder, "new", "--set size=64x64 --compare '" + folder / "old" + "'");
     EXPECT_NE(compared.out.find("2 of 3 jobs changed since"), std::string::npos) << compared.out;
-    EXPECT_TRUE(std::filesystem::exists(folder / "new/differences/good.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "new/differences/good@difference.png"));
 }
 
 TEST(BatchCommand, a_body_that_cannot_be_made_refuses_its_jobs_only) {
@@ -94,6 +94,40 @@ TEST(BatchCommand, a_body_that_cannot_be_made_refuses_its_jobs_only) {
         << run.out;
     const sim::Json report = sim::read_json(folder / "out/jobs/vest_mannequin-bust-7/report.json");
     EXPECT_NE(report.find("problem")->string().find("bust"), std::string::npos) << report.find("problem")->string();
+    EXPECT_EQ(report.find("inputs")->elements().size(), 2U);
+    EXPECT_EQ(report.find("options")->find("max_level")->number(), 0) << "the job's own";
+}
+
+TEST(BatchCommand, writes_over_nothing_that_it_reads) {
+    const ScratchFolder folder;
+    for (const char* manifest : {"results.csv", "times.csv"}) {
+        std::ofstream(folder / manifest) << "garment\n" << source_folder() << "/patterns/vest.json\n";
+        const ProgramResult run = run_selvedge("batch '" + folder / manifest + "' -o '" + folder.path().string() + "'");
+        EXPECT_EQ(run.exit_code, 2) << run.out;
+        EXPECT_NE(run.err.find("reads or writes it already"), std::string::npos) << run.err;
+        EXPECT_EQ(content_of(folder / manifest).substr(0, 7), "garment");
+    }
+    std::filesystem::create_directories(folder / "jobs/mine");
+    std::filesystem::copy_file(source_folder() + "/patterns/vest.json", folder / "jobs/mine/vest.json");
+    const ProgramResult run =
+        run_selvedge("batch --patterns '" + folder / "jobs/mine/vest.json" + "' -o '" + folder.path().string() + "'");
+    EXPECT_EQ(run.exit_code, 2) << run.out;
+    EXPECT_NE(run.err.find("is in a folder of the output"), std::string::npos) << run.err;
+}
+
+TEST(BatchCommand, a_flag_that_a_job_sets_to_false_stays_off) {
+    const ScratchFolder folder;
+    std::ofstream(folder / "broken.json") << "{";
+    std::ofstream(folder / "jobs.json")
+        << R"({"jobs": [{"name": "off", "garment": "broken.json", "options": {"no-self-collision": false}},
+                        {"name": "on", "garment": "broken.json"}]})";
+    run_selvedge("batch '" + folder / "jobs.json" + "' -o '" + folder / "out" +
+                 "' --no-pictures --no-cache --set no-self-collision");
+    const std::string rows = content_of(folder / "out/results.jsonl");
+    const sim::Json off = sim::parse_json(rows.substr(0, rows.find('\n')), "off");
+    const sim::Json on = sim::parse_json(rows.substr(rows.find('\n') + 1), "on");
+    EXPECT_EQ(off.find("job_options")->find("no-self-collision"), nullptr);
+    EXPECT_TRUE(on.find("job_options")->find("no-self-collision")->boolean());
 }
 
 TEST(BatchCommand, refuses_what_is_wrong_before_it_begins) {

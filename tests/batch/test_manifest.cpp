@@ -38,6 +38,15 @@ TEST(Csv, reads_quotes_line_ends_and_marks) {
     EXPECT_THROW(parse_csv("\"a\"b", "t.csv"), sim::InputError);
 }
 
+TEST(Csv, reads_what_spreadsheets_write) {
+    for (const char* text : {"a;b\n1,5;\"x;y\"\n", "a\tb\n1,5\tx;y\n"}) {
+        const auto rows = parse_csv(text, "t.csv");
+        ASSERT_EQ(rows.size(), 2U) << text;
+        EXPECT_EQ(rows[1].fields, (std::vector<std::string>{"1,5", "x;y"})) << text;
+    }
+    EXPECT_THROW(parse_csv("\xFF\xFEg", "t.csv"), sim::InputError) << "UTF-16";
+}
+
 TEST(Csv, what_is_written_is_read_again) {
     const std::vector<std::string> fields{"plain", "with, comma", "with \"quotes\"", "two\nlines", ""};
     EXPECT_EQ(parse_csv(csv_line(fields), "t.csv").at(0).fields, fields);
@@ -65,7 +74,7 @@ TEST(Manifest, a_job_s_own_option_replaces_that_of_all_jobs) {
                  {"garment": "b.json", "options": {"no-self-collision": false}}]})",
                                                  "m.json");
     ASSERT_EQ(jobs.size(), 2U);
-    EXPECT_EQ(dress_arguments(jobs[0]), (std::vector<std::string>{"a.json", "--no-self-collision", "--seconds", "4"}));
+    EXPECT_EQ(dress_arguments(jobs[0]), (std::vector<std::string>{"a.json", "--seconds", "4", "--no-self-collision"}));
     EXPECT_EQ(dress_arguments(jobs[1]), (std::vector<std::string>{"b.json", "--seconds", "8"}));
     EXPECT_TRUE(jobs[0].options[0].is_common);
     EXPECT_FALSE(jobs[0].options[1].is_common);
@@ -95,6 +104,24 @@ TEST(Manifest, csv_has_a_column_per_key_or_option) {
     EXPECT_EQ(dress_arguments(jobs[0]), (std::vector<std::string>{"s.json", "--body", "mannequin:bust=92,waist=70",
                                                                   "--seconds", "9", "--no-self-collision"}));
     EXPECT_EQ(dress_arguments(jobs[1]), (std::vector<std::string>{"t.json", "--fabric", "silk"}));
+}
+
+TEST(Manifest, a_spreadsheet_may_write_names_and_flags_in_its_own_way) {
+    const std::vector<Job> jobs =
+        parse_manifest("Garment; body ;no-self-collision\ns.json;mannequin;TRUE\nt.json; b.obj;FALSE\n", "m.csv");
+    ASSERT_EQ(jobs.size(), 2U);
+    EXPECT_EQ(dress_arguments(jobs[0]),
+              (std::vector<std::string>{"s.json", "--body", "mannequin", "--no-self-collision"}));
+    EXPECT_EQ(dress_arguments(jobs[1]), (std::vector<std::string>{"t.json", "--body", "b.obj"}));
+    EXPECT_TRUE(jobs[1].options.at(0).is_off) << "which counts before --set";
+}
+
+TEST(Manifest, a_name_that_was_given_stays) {
+    std::vector<Job> jobs = parse_manifest(
+        R"({"jobs": [{"name": "vest", "garment": "x/vest.json"}, {"garment": "y/vest.json"}]})", "m.json");
+    name_jobs(jobs);
+    EXPECT_EQ(jobs[0].name, "vest");
+    EXPECT_EQ(jobs[1].name.substr(0, 5), "vest-");
 }
 
 TEST(Manifest, a_product_is_every_garment_on_every_body_in_every_fabric) {
