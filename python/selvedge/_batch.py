@@ -45,7 +45,7 @@ def batch(
 
     jobs: how many garments are dressed at once; None: the command's default. progress: called as progress(done, line)
     for each line that the command writes of its progress, every few seconds and at the end, done from 0 to 1. An
-    exception in it, or KeyboardInterrupt, ends the command and is raised; the same call later goes on from there.
+    exception in it ends the command and is raised.
     Raises InputError with the command's message if it refuses its input, or if a job left no result. Jobs with a fault,
     or that failed, have rows. Ctrl+C raises KeyboardInterrupt, and another signal that stopped the command RuntimeError;
     the same call then goes on from there.

@@ -98,6 +98,8 @@ def dress(
     arguments = _selvedge._DressArguments(
         fabric or "", edge_length, max_level, shortest_edge, triangles, self_collision
     )
+    if isinstance(over, (str, os.PathLike, Pattern)):
+        raise TypeError("over must be a list of patterns or paths")
     documents = [document_of(one) for one in over]
     return _selvedge._dress(document_of(pattern), _body_if_any(body), documents, arguments, seconds, threads, progress)
 
@@ -140,7 +142,8 @@ def render(
     of either, m. sett_position: where it begins, (weft, warp), m. surface: draw a curved surface: flat, constant,
     linear, ... fabric: of a mesh, how it takes light. Raises InputError.
     """
-    options = [_option("size", f"{int(size[0])}x{int(size[1])}"), _option("frame", frame), _option("show", show)]
+    width, height = size
+    options = [_option("size", f"{int(width)}x{int(height)}"), _option("frame", frame), _option("show", show)]
     options += [_option("samples", samples), _option("supersample", supersample)]
     options.append(_option("view", view) if camera is None else _option("camera", _numbers(camera)))
     texts = {"tartan": tartan, "design": design, "surface": surface}

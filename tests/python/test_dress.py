@@ -44,6 +44,10 @@ class Dressed(InFolder):
         self.assertEqual(self.result.panel_names, ["front", "back"])
         self.assertEqual(set(self.result.panel), {0, 1})
 
+    def test_a_path_is_no_list_of_garments_worn_over_it(self):
+        with self.assertRaises(TypeError):
+            selvedge.dress("patterns/vest.json", over="patterns/poncho.json")
+
     def test_the_arrays_are_no_copies_and_read_only(self):
         for name in ARRAYS:
             array = getattr(self.result, name)
