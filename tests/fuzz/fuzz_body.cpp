@@ -1,5 +1,5 @@
-// A libFuzzer target. The input is an OBJ file: the whole way that a body comes in, with assimp, but in this process.
-// Then the same file is read as a garment's panel data. The fuzzer stops at a sanitizer error, an exception other than
+// A libFuzzer target. The input is an OBJ file: it is read as a garment's panel data, then the whole way that a body
+// comes in, with assimp, but in this process. The fuzzer stops at a sanitizer error, an exception other than
 // InputError, and a body that is not finite or not closed.
 #include <unistd.h>
 #include <cstddef>
