@@ -306,6 +306,7 @@ int conclude(const BatchArguments& arguments, const std::vector<batch::Job>& job
 }
 
 int run(BatchArguments arguments) {
+    if (arguments.batch.output.empty()) throw sim::InputError("", "--output", "names no folder");
     if (!arguments.shard.empty()) arguments.batch.shard = batch::parse_shard(arguments.shard);
     if (!arguments.compared.empty()) batch::check_earlier_run(arguments.compared, arguments.batch.output);
     const std::vector<batch::Job> jobs = jobs_of(arguments);

@@ -32,7 +32,7 @@ void write_refused_report(const CLI::App& app, const std::string& problem) {
         refused.problem = problem;
         sim::write_file_atomically(file, to_json(refused));
     } catch (const sim::InputError&) {
-        // The command line's own mistake is told.
+        // The command line's own mistake is the message.
     }
 }
 

@@ -156,12 +156,12 @@ std::string describe(LimbSet limbs, const MissedLimb& missed) {
 
 // One fault for all limbs that miss the same openings.
 void report_missed(const MissedLimbs& missed, DressReport& report) {
-    LimbSet told;
+    LimbSet named;
     for (std::size_t i = 0; i < kLimbCount; ++i) {
-        if (told[i] || missed[i] == MissedLimb{}) continue;
+        if (named[i] || missed[i] == MissedLimb{}) continue;
         LimbSet alike;
         for (std::size_t k = i; k < kLimbCount; ++k) alike[k] = missed[k] == missed[i];
-        told |= alike;
+        named |= alike;
         report.faults.push_back(
             {.kind = "limb_missed", .place = describe(alike, missed[i]), .value = static_cast<double>(alike.count())});
     }
@@ -202,8 +202,8 @@ void validate_openings(const WornGarment& garment, const PanelVertices& panels, 
     const LimbPassages found = find_passages(garment.closed, garment.closed_draped, openings, bodies.worn_by,
                                              {.ends_at_cloth = report.contact.faces_in_body == 0});
     LimbSet known = meant.limbs.known & found.known;
-    // An arm that leaves through the end of its own sleeve is where it belongs, whatever the panels tell as placed:
-    // those of a sleeve that stands open do not hold it.
+    // An arm that leaves through the end of its own sleeve is where it belongs, whatever follows from how the panels
+    // were placed: those of a sleeve that stands open do not hold it.
     std::vector<std::optional<LimbKind>> arms;  // per opening: whose sleeve it ends
     for (const Opening& opening : openings)
         arms.push_back(
@@ -211,7 +211,7 @@ void validate_openings(const WornGarment& garment, const PanelVertices& panels, 
     const auto is_for = [](const LimbSet& limbs, LimbKind arm) { return limbs.count() == 1 && limbs[index_of(arm)]; };
     for (std::size_t i = 0; i < openings.size(); ++i) {
         if (!arms[i] || !is_for(found.through[i], *arms[i])) continue;
-        // Another opening of the sleeve, as a slit at the elbow, is none where the panels tell the cuff.
+        // Another opening of the sleeve, as a slit at the elbow, is none where the cuff follows from the panels.
         bool is_cuff_known = false;
         for (std::size_t j = 0; j < openings.size(); ++j)
             is_cuff_known = is_cuff_known || (arms[j] == arms[i] && is_for(meant.limbs.through[j], *arms[i]));

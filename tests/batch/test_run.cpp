@@ -136,7 +136,7 @@ TEST(Batch, prepares_a_body_for_several_jobs_once_a_garment_was_dressed_on_it) {
         << "jobs on one body follow each other; the first on 'odd' crashed, and after the second there is one alone";
 }
 
-TEST(Batch, a_job_that_fails_is_told_and_tried_again_by_the_next_run) {
+TEST(Batch, a_job_that_fails_is_reported_and_tried_again_by_the_next_run) {
     const sim::TemporaryFolder folder;
     const std::vector<Job> jobs = numbered_jobs(4);
     const BatchOptions options{.output = folder / "out", .workers = 2, .limits = {.seconds = 1}};

@@ -152,6 +152,18 @@ TEST(ChildProcess, works_beside_the_threads_of_parallel_loops) {
     for (const int each : done) EXPECT_EQ(each, 1);
 }
 
+TEST(GuardedImport, says_of_a_reader_that_wants_memory_that_this_may_pass) {
+    const TemporaryFolder folder;
+    {
+        std::ofstream file(folder / "body.obj");
+        for (int i = 0; i < 400'000; ++i) file << "v " << i << " 0 0\nv " << i << " 1 0\nv " << i << " 0 1\n";
+        for (int i = 0; i < 400'000; ++i) file << "f " << 3 * i + 1 << " " << 3 * i + 2 << " " << 3 * i + 3 << "\n";
+    }
+    EXPECT_THROW(
+        guarded_import(folder / "body.obj", ImportKind::Surface, {.child = {.memory_bytes = std::size_t(16) << 20}}),
+        PassingError);
+}
+
 TEST(GuardedImport, says_of_a_reader_that_takes_too_long_that_this_may_pass) {
     const TemporaryFolder folder;
     std::ofstream(folder / "body.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
