@@ -12,6 +12,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/lower_case.h"
 #include "sim/exchange/little_endian.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/exchange/number_text.h"
@@ -205,8 +206,7 @@ std::string yaml_key(const std::string& name) {
     const auto is_plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     const bool starts_with_letter = std::isalpha(static_cast<unsigned char>(name.front())) != 0;
     constexpr std::array<std::string_view, 6> kWords{"true", "false", "yes", "no", "on", "off"};
-    std::string lower = name;
-    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string lower = lower_case(name);
     const bool is_word =
         std::ranges::find(kWords, lower) != kWords.end() || lower == "null" || lower == "y" || lower == "n";
     if (starts_with_letter && std::ranges::all_of(name, is_plain) && !is_word) return name;

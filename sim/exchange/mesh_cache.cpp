@@ -1,7 +1,6 @@
 #include "sim/exchange/mesh_cache.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -10,6 +9,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/atomic_file.h"
 #include "sim/core/error.h"
+#include "sim/core/lower_case.h"
 #include "sim/exchange/glb_cache.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/exchange/pc2_file.h"
@@ -20,8 +20,7 @@ namespace {
 enum class CacheFormat { None, Pc2, Glb, ObjFrames };
 
 CacheFormat format_of(const std::filesystem::path& path) {
-    std::string name = path.filename().string();
-    for (char& c : name) c = char(std::tolower(static_cast<unsigned char>(c)));
+    const std::string name = lower_case(path.filename().string());
     if (name.ends_with(".pc2")) return CacheFormat::Pc2;
     if (name.ends_with(".glb")) return CacheFormat::Glb;
     if (name.ends_with(".obj") && std::ranges::count(name, '*') == 1) return CacheFormat::ObjFrames;

@@ -2,19 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <vector>
 
+#include "sim/core/lower_case.h"
 #include "sim/paper/drawing_words.h"
 
 namespace selvedge::sim {
 namespace {
-
-std::string lower(std::string_view text) {
-    std::string small(text);
-    for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return small;
-}
 
 constexpr std::array<std::string_view, 5> kMaterials{"fabric", "lining", "interfacing", "canvas", "various"};
 
@@ -26,7 +20,7 @@ bool has(const std::vector<std::string>& words, std::string_view word) {
 
 LineKind kind_of(const FreesewingLine& line) {
     const std::vector<std::string> classes = words_of(line.classes);
-    const std::string name = lower(line.name);
+    const std::string name = lower_case(line.name);
     const auto names = [&](std::string_view part) { return name.find(part) != std::string::npos; };
     if (names("cutonfold") || names("cut on fold")) return LineKind::FoldEdge;
     if (names("grainline")) return LineKind::Grain;

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "sim/core/error.h"
+#include "sim/core/lower_case.h"
 #include "sim/paper/cut_text.h"
 #include "sim/paper/freesewing_lines.h"
 #include "sim/paper/path_builder.h"
@@ -22,12 +23,6 @@ namespace selvedge::sim {
 namespace {
 
 constexpr double kGap = 0.2e-3;  // m: ends that are nearer than this are meant to be one
-
-std::string lower(std::string_view text) {
-    std::string small(text);
-    for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return small;
-}
 
 bool contains(const std::string& text, std::string_view part) {
     return text.find(part) != std::string::npos;
@@ -85,7 +80,7 @@ class FreesewingReader {
     bool last_fold_text(const SvgShape& shape) const {
         if (contains(shape.classes, "hidden") || shape.path.is_closed) return false;
         return std::ranges::any_of(document_.shapes, [&](const SvgShape& other) {
-            return contains(other.classes, "hidden") && contains(lower(other.text_along), "fold") &&
+            return contains(other.classes, "hidden") && contains(lower_case(other.text_along), "fold") &&
                    other.path.vertices == shape.path.vertices && other.groups == shape.groups;
         });
     }
@@ -396,8 +391,8 @@ class PlainReader {
 
     // The words that the file has for a shape: its own, and those of its groups.
     static std::string words_of(const SvgShape& shape) {
-        std::string words = lower(shape.path.name) + " " + lower(shape.classes);
-        for (const SvgGroup& group : shape.groups) words += " " + lower(group.id) + " " + lower(group.label);
+        std::string words = lower_case(shape.path.name) + " " + lower_case(shape.classes);
+        for (const SvgGroup& group : shape.groups) words += " " + lower_case(group.id) + " " + lower_case(group.label);
         return words;
     }
 
