@@ -76,14 +76,10 @@ Path usual_cache_folder() {
     return {};
 }
 
-bool has(const std::vector<batch::JobOption>& options, const std::string& name) {
-    return std::ranges::find(options, name, &batch::JobOption::name) != options.end();
-}
-
 // Adds what a job does not say of its picture.
 void add_usual_look(batch::Job& job) {
     for (const batch::JobOption& usual : kUsualLook) {
-        if (!has(job.options, usual.name)) job.options.push_back(usual);
+        if (!has_option(job.options, usual.name)) job.options.push_back(usual);
     }
 }
 
@@ -92,7 +88,7 @@ std::vector<batch::JobOption> options_for_all(const BatchArguments& arguments) {
     std::vector<batch::JobOption> options;
     for (const std::string& text : arguments.options) {
         const batch::JobOption option = batch::parse_option(text);
-        if (has(options, option.name)) throw sim::InputError("", "--set", "'" + option.name + "' is set twice");
+        if (has_option(options, option.name)) throw sim::InputError("", "--set", "'" + option.name + "' is set twice");
         options.push_back(option);
     }
     return options;
@@ -116,12 +112,12 @@ std::vector<batch::Job> jobs_of(const BatchArguments& arguments) {
     std::vector<batch::Job> jobs = has_product ? jobs_of(product, "") : batch::read_manifest(arguments.manifest);
     for (batch::Job& job : jobs) {
         std::erase_if(job.options,
-                      [&](const batch::JobOption& one) { return one.is_common && has(options, one.name); });
+                      [&](const batch::JobOption& one) { return one.is_common && has_option(options, one.name); });
     }
     name_jobs(jobs);  // what all have in common is not in their names
     for (batch::Job& job : jobs) {
         for (const batch::JobOption& option : options) {
-            if (!has(job.options, option.name)) job.options.push_back(option);
+            if (!has_option(job.options, option.name)) job.options.push_back(option);
         }
         std::erase_if(job.options, &batch::JobOption::is_off);
         if (arguments.has_pictures) add_usual_look(job);

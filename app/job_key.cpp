@@ -27,7 +27,10 @@ const char* arithmetic_of(sim::SimdLevel level) {
 
 }  // namespace
 
-JobKeys::JobKeys(JobOutputs outputs) : outputs_(std::move(outputs)), program_(sim::sha256_of_file("/proc/self/exe")) {}
+JobKeys::JobKeys(JobOutputs outputs) : JobKeys(std::move(outputs), sim::sha256_of_file("/proc/self/exe")) {}
+
+JobKeys::JobKeys(JobOutputs outputs, std::string program)
+    : outputs_(std::move(outputs)), program_(std::move(program)) {}
 
 std::string JobKeys::operator()(const batch::Job& job) {
     sim::Json json = sim::Json::object();
@@ -46,7 +49,7 @@ std::string JobKeys::operator()(const batch::Job& job) {
 // A refusal may come before the inputs were named in the report.
 bool JobKeys::have_changed(const batch::Job& job, const sim::Json& report) {
     const bool is_refused = batch::outcome_in(report) == name_of(sim::Outcome::Refused);
-    if (is_refused && afresh()(job) != (*this)(job)) return true;
+    if (is_refused && JobKeys(outputs_, program_)(job) != (*this)(job)) return true;
     const sim::Json* inputs = report.find(sim::report_key::kInputs);
     if (inputs == nullptr || !inputs->is_array()) return false;
     return std::ranges::any_of(inputs->elements(), [&](const sim::Json& input) {
@@ -55,15 +58,6 @@ bool JobKeys::have_changed(const batch::Job& job, const sim::Json& report) {
         const auto known = hashes_.find(file->string());
         return known != hashes_.end() && known->second != hash->string();
     });
-}
-
-JobKeys JobKeys::afresh() const {
-    JobKeys keys(*this);
-    keys.hashes_.clear();
-    keys.named_by_garments_.clear();
-    keys.named_by_fabrics_.clear();
-    keys.buffers_.clear();
-    return keys;
 }
 
 std::string JobKeys::hash_of(const Path& file) {

@@ -34,7 +34,7 @@ class JobKeys {
     bool have_changed(const batch::Job& job, const sim::Json& report);
 
  private:
-    JobKeys afresh() const;  // that have read no file yet
+    JobKeys(JobOutputs outputs, std::string program);  // its hash
     std::string hash_of(const std::filesystem::path& file);
     std::vector<std::filesystem::path> inputs_of(const batch::Job& job);
     const std::vector<std::string>& named_by_garment(const std::filesystem::path& garment);

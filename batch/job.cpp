@@ -42,6 +42,10 @@ std::string with_name_letters(std::string text) {
 
 }  // namespace
 
+bool has_option(const std::vector<JobOption>& options, const std::string& name) {
+    return std::ranges::find(options, name, &JobOption::name) != options.end();
+}
+
 std::vector<std::string> dress_arguments(const Job& job) {
     std::vector<std::string> arguments{job.garment.string()};
     const auto add = [&](const std::string& option, const std::string& value) {

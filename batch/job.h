@@ -17,6 +17,8 @@ struct JobOption {
     bool operator==(const JobOption&) const = default;
 };
 
+bool has_option(const std::vector<JobOption>& options, const std::string& name);
+
 struct Job {
     std::string name;  // of its folder: letters of ASCII, digits, '.', '_' and '-'; unique in its batch
     std::filesystem::path garment;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "sim/core/file.h"
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
+#include "sim/core/lower_case.h"
 #include "sim/core/sha256.h"
 #include "sim/core/trimmed.h"
 #include "sim/pattern/pattern.h"
@@ -169,8 +169,7 @@ std::vector<JobOption> common_options(const JsonView& root, const Path& folder) 
 void add_common(const std::vector<JobOption>& common, Job& job) {
     std::vector<JobOption> options;
     for (const JobOption& option : common) {
-        if (std::ranges::find(job.options, option.name, &JobOption::name) == job.options.end())
-            options.push_back(option);
+        if (!has_option(job.options, option.name)) options.push_back(option);
     }
     std::ranges::move(job.options, std::back_inserter(options));
     job.options = std::move(options);
@@ -254,10 +253,7 @@ std::vector<Path> paths_in(const std::string& text) {
 // Column names as they may be written in a spreadsheet: " Garment".
 std::vector<std::string> column_names(const std::vector<std::string>& fields) {
     std::vector<std::string> names;
-    for (const std::string& field : fields) {
-        std::string& name = names.emplace_back(sim::trimmed(field));
-        std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    }
+    for (const std::string& field : fields) names.push_back(sim::lower_case(sim::trimmed(field)));
     return names;
 }
 

@@ -454,10 +454,10 @@ std::vector<LoweredEdge> lowered_edges(const WornGarment& garment, const MeantOp
 // What is wider below it, the bust or the hips, holds an edge that goes round the trunk. It has slipped if it was
 // placed above that and now lies below. One that is as wide as the body where it was placed also slides down if the
 // cloth is too stretchy for its weight.
-std::vector<Slip> find_slips(const Cloth& cloth, const WornGarment& garment, const MeantOpenings& meant,
+std::vector<Slip> find_slips(const std::vector<LoweredEdge>& edges, const Cloth& cloth, const WornGarment& garment,
                              const BodyPair& bodies) {
     std::vector<Slip> slips;
-    for (const LoweredEdge& lowered : lowered_edges(garment, meant, bodies)) {
+    for (const LoweredEdge& lowered : edges) {
         if (!lowered.has_slipped()) continue;
         DressFault fault = fault_of_slip(lowered, garment.panels, girth_at(bodies, lowered.placed));
         if (class_of(fault) == FaultClass::Defect) {
@@ -469,9 +469,8 @@ std::vector<Slip> find_slips(const Cloth& cloth, const WornGarment& garment, con
 }
 
 // "the waist of 'front' lies 15 cm lower than it was placed": a skirt that is too wide for the waist hangs on the hips.
-void note_lowered_edges(const WornGarment& garment, const MeantOpenings& meant, const BodyPair& bodies,
-                        DressReport& report) {
-    for (const LoweredEdge& lowered : lowered_edges(garment, meant, bodies)) {
+void note_lowered_edges(const std::vector<LoweredEdge>& edges, const WornGarment& garment, DressReport& report) {
+    for (const LoweredEdge& lowered : edges) {
         if (!lowered.has_slipped()) report.notes.push_back(describe(lowered, garment.panels));
     }
 }
@@ -573,7 +572,9 @@ WearingCheck::WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, co
 bool WearingCheck::slips(const Cloth& cloth) const {
     if (!known_->has_torsos()) return false;
     const WornGarment garment = compare_drape(cloth, known_->sewn, known_->placed);
-    return std::ranges::any_of(find_slips(cloth, garment, known_->meant, known_->bodies()), does_not_fit);
+    const BodyPair bodies = known_->bodies();
+    const std::vector<LoweredEdge> edges = lowered_edges(garment, known_->meant, bodies);
+    return std::ranges::any_of(find_slips(edges, cloth, garment, bodies), does_not_fit);
 }
 
 void WearingCheck::validate(const Cloth& cloth, DressReport& report) const {
@@ -583,8 +584,9 @@ void WearingCheck::validate(const Cloth& cloth, DressReport& report) const {
     const WornGarment garment = compare_drape(cloth, known_->sewn, known_->placed);
     const BodyPair bodies = known_->bodies();
     validate_openings(garment, panels, known_->meant, bodies, report);
-    const std::vector<Slip> slips = find_slips(cloth, garment, known_->meant, bodies);
-    note_lowered_edges(garment, known_->meant, bodies, report);
+    const std::vector<LoweredEdge> edges = lowered_edges(garment, known_->meant, bodies);
+    const std::vector<Slip> slips = find_slips(edges, cloth, garment, bodies);
+    note_lowered_edges(edges, garment, report);
     const std::vector<std::size_t>& parts = known_->parts;
     SlippingParts slipping;
     for (const Slip& slip : slips) {

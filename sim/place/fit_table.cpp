@@ -142,9 +142,9 @@ bool is_covered(const DrawMesh& garment, const MeasuredPart& part) {
     return std::ranges::any_of(cut_garment(garment, part.plane), is_round_it);
 }
 
-// Of the uppermost level in this range at which the garment goes round the trunk.
+// Of the uppermost level below the range's upper end at which the garment goes round the trunk.
 std::optional<double> uppermost_girth(const DrawMesh& garment, const Body& body, const Range& range, double stature) {
-    for (int i = 0; i <= kLevels; ++i) {
+    for (int i = 1; i <= kLevels; ++i) {
         const std::optional<MeasuredPart> trunk =
             trunk_at(body, range.high - (range.high - range.low) * i / kLevels, stature);
         if (!trunk) continue;
@@ -173,15 +173,15 @@ std::vector<FitRow> measure_fit(const DrawMesh& garment, const Body& body) {
     const std::optional<MeasuredPart> waist = trunk_at(body, torso.waist, height);
     const Range hips = hip_range(stature);
     std::vector<FitRow> rows;
-    const auto add = [&](std::string_view measure, const std::optional<MeasuredPart>& part) -> FitRow& {
-        return rows.emplace_back(row_of(measure, part, garment));
+    const auto add = [&](std::string_view measure, const std::optional<MeasuredPart>& part) {
+        rows.push_back(row_of(measure, part, garment));
     };
-    FitRow& bust_row = add("bust", bust);
-    if (bust && !bust_row.garment_girth)
-        bust_row.garment_girth = uppermost_girth(garment, body, {torso.waist, bust->plane.point.y()}, height);
-    FitRow& waist_row = add("waist", waist);
+    add("bust", bust);
+    if (bust && !rows.back().garment_girth)
+        rows.back().garment_girth = uppermost_girth(garment, body, {torso.waist, bust->plane.point.y()}, height);
+    add("waist", waist);
     if (waist && !is_covered(garment, *waist))
-        waist_row.garment_girth =
+        rows.back().garment_girth =
             uppermost_girth(garment, body, {std::min(hips.high, torso.waist), torso.waist}, height);
     add("hip", widest_of_trunk(body, hips, height));
     add("neck", narrowest_of_neck(body, limbs[LimbKind::Head]));

@@ -97,20 +97,21 @@ TEST(CompareRuns, finds_new_jobs_new_outcomes_and_new_pictures) {
     EXPECT_THROW(compare_runs(results.rows, folder / "out", folder / "out"), sim::InputError);
 }
 
-TEST(CompareRuns, a_picture_that_is_broken_is_not_compared) {
+// How a job compares with an earlier run, in whose folder this file is broken.
+JobChange change_since_broken(std::string_view file, std::string_view content) {
     const sim::TemporaryFolder folder;
     for (const char* run : {"old", "out"}) finish(folder / run, {.name = "job"});
-    sim::write_file_atomically(job_folder(folder / "old", "job") / job_file::kPicture, "\x89PNG");
+    sim::write_file_atomically(job_folder(folder / "old", "job") / file, content);
     const Results results = gather_results({job_called("job")}, folder / "out", key_of);
-    EXPECT_FALSE(compare_runs(results.rows, folder / "out", folder / "old").front().has_new_picture);
+    return compare_runs(results.rows, folder / "out", folder / "old").front();
+}
+
+TEST(CompareRuns, a_picture_that_is_broken_is_not_compared) {
+    EXPECT_FALSE(change_since_broken(job_file::kPicture, "\x89PNG").has_new_picture);
 }
 
 TEST(CompareRuns, a_job_whose_earlier_report_is_broken_is_new) {
-    const sim::TemporaryFolder folder;
-    for (const char* run : {"old", "out"}) finish(folder / run, {.name = "job"});
-    sim::write_file_atomically(job_folder(folder / "old", "job") / job_file::kReport, "{\"outcome\": ");
-    const Results results = gather_results({job_called("job")}, folder / "out", key_of);
-    EXPECT_TRUE(compare_runs(results.rows, folder / "out", folder / "old").front().is_new);
+    EXPECT_TRUE(change_since_broken(job_file::kReport, "{\"outcome\": ").is_new);
 }
 
 TEST(Thumbnail, is_the_mean_of_what_it_covers) {

@@ -206,7 +206,9 @@ TEST(Wearing, only_notes_a_hem_that_is_long_enough_to_lie_on_the_floor) {
         tube(0.5, 1.0, 0.05, 0.2), [](const Vec3d& x) { return Vec3d(x.x(), std::max(0.004, x.y() - 0.1), x.z()); },
         mannequin());
     EXPECT_EQ(list(report), "");
+    EXPECT_EQ(report.notes.size(), 2U);
     EXPECT_TRUE(has_note(report, "lies on the floor"));
+    EXPECT_TRUE(has_note(report, "the waist of 'front' lies 10 cm lower than it was placed"));
 }
 
 TEST(Wearing, finds_a_garment_beside_the_body) {
