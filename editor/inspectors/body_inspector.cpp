@@ -458,7 +458,7 @@ SetBody set_body_command(const sim::Pattern& pattern, const std::string& text, c
                          const sim::Body& onto) {
     sim::Pattern moved = pattern;
     raise_panels(moved, from.lift);
-    anchor_panels(moved, from, onto);
+    anchor_panels(moved, sim::MeasuredBody(from), sim::MeasuredBody(onto));
     raise_panels(moved, -onto.lift);
     SetBody command{.body = onto.file.empty() ? text : onto.file};
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {

@@ -154,10 +154,13 @@ LandmarkHeights find_landmarks(const Body& body) {
 }
 
 Stature find_stature(const Body& body) {
+    return find_stature(body, find_landmarks(body));
+}
+
+Stature find_stature(const Body& body, const LandmarkHeights& landmarks) {
     constexpr double kWhole = 0.6;  // of the expected length: a shorter head or pair of legs is taken as cut off
     const HeightRange height = height_range(body);
     Stature stature{.floor = height.low, .crown = height.high};
-    const LandmarkHeights landmarks = find_landmarks(body);
     const std::optional<Lower> lower = lower_landmark(landmarks);
     if (!landmarks.neck || !lower || *landmarks.neck <= lower->y) return stature;
     const double neck = *landmarks.neck;

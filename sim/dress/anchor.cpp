@@ -87,13 +87,14 @@ void raise_panels(Pattern& pattern, double lift) {
     for (Panel& panel : pattern.panels) panel.translation.y() += lift;
 }
 
-const Body& PatternAnchor::named(const std::string& text, const Pattern& pattern) {
-    if (!named_ || named_->text != text) named_ = NamedBody{text, placed_for(pattern, store_)};
-    return named_->body;
+const MeasuredBody& PatternAnchor::named(const std::string& text, const Pattern& pattern) {
+    if (!named_ || named_->text != text) named_.emplace(text, placed_for(pattern, store_));
+    return named_->measured;
 }
 
-AnchoredPattern PatternAnchor::anchor(const Pattern& pattern, const Body& onto) {
-    AnchoredPattern anchored{pattern, pattern, &onto, {}};
+AnchoredPattern PatternAnchor::anchor(const Pattern& pattern, const MeasuredBody& measured) {
+    const Body& onto = measured.body();
+    AnchoredPattern anchored{pattern, pattern, &measured, {}};
     if (pattern.panels.empty()) return anchored;
     std::vector<std::string>& notes = anchored.notes;
     Pattern named_by = pattern;
@@ -105,8 +106,8 @@ AnchoredPattern PatternAnchor::anchor(const Pattern& pattern, const Body& onto) 
             return anchored;
         }
         try {
-            const Body& from = named(pattern.body, pattern);
-            note_stature(anchor_panels(anchored.pattern, from, onto), notes);
+            const MeasuredBody& from = named(pattern.body, pattern);
+            note_stature(anchor_panels(anchored.pattern, from, measured), notes);
             anchored.designed_for = &from;
             return anchored;
         } catch (const InputError& error) {
@@ -126,7 +127,7 @@ AnchoredPattern PatternAnchor::anchor(const Pattern& pattern, const Body& onto) 
     const std::string text = made_from(mannequin_of(named_by));
     if (text == onto.made_from) return anchored;
     anchored.designed_for = &named(text, named_by);
-    note_stature(anchor_panels(anchored.pattern, *anchored.designed_for, onto), notes);
+    note_stature(anchor_panels(anchored.pattern, *anchored.designed_for, measured), notes);
     return anchored;
 }
 
@@ -135,7 +136,8 @@ Pattern moved_to_body_of(const Pattern& pattern, const Pattern& outer, std::vect
     if (outer.body == pattern.body && outer.body_height == pattern.body_height && has_chest_origin(outer) == is_low) {
         return outer;
     }
-    AnchoredPattern moved = PatternAnchor().anchor(outer, placed_for(pattern));
+    const Body body = placed_for(pattern);
+    AnchoredPattern moved = PatternAnchor().anchor(outer, MeasuredBody(body));
     std::ranges::move(moved.notes, std::back_inserter(notes));
     if (is_low) raise_panels(moved.pattern, -kChestOrigin);
     return std::move(moved.pattern);

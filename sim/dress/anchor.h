@@ -4,10 +4,12 @@
 // mean body (patterns/FORMAT.md).
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/body/body.h"
 #include "sim/pattern/pattern.h"
+#include "sim/place/measured_body.h"
 
 namespace selvedge::sim {
 
@@ -22,9 +24,9 @@ void check_placed_for(const Pattern& pattern);
 
 struct AnchoredPattern {
     Pattern pattern;
-    Pattern designed;                    // as it was placed, in the frame of ...
-    const Body* designed_for = nullptr;  // ... the body that it was placed for; valid until the next call of anchor()
-    std::vector<std::string> notes;      // one sentence per assumption
+    Pattern designed;                            // as it was placed, in the frame of ...
+    const MeasuredBody* designed_for = nullptr;  // ... the body that it was placed for; until the next call of anchor()
+    std::vector<std::string> notes;              // one sentence per assumption
 };
 
 // Keeps the body that was named last, because it is slow to make.
@@ -35,14 +37,17 @@ class PatternAnchor {
 
     // Does not change a pattern that was placed for an equal body. Throws InputError for an unknown mannequin. If the
     // named file cannot be read, a note says so, and the panels are taken as placed for GarmentCode's body.
-    AnchoredPattern anchor(const Pattern& pattern, const Body& onto);
+    AnchoredPattern anchor(const Pattern& pattern, const MeasuredBody& onto);
 
  private:
-    const Body& named(const std::string& text, const Pattern& pattern);
+    const MeasuredBody& named(const std::string& text, const Pattern& pattern);
 
     struct NamedBody {
+        NamedBody(std::string its_text, Body its_body) : text(std::move(its_text)), body(std::move(its_body)) {}
+
         std::string text;  // canonical
         Body body;
+        MeasuredBody measured{body};
     };
     const ContentStore* store_ = nullptr;
     std::optional<NamedBody> named_;

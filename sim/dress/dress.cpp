@@ -137,21 +137,22 @@ std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional
 }
 
 // None for cloth that is not finite: nothing is checked of it.
-std::optional<WearingCheck> check_wearing(Dressing& dressing, const Body& wearer) {
+std::optional<WearingCheck> check_wearing(Dressing& dressing, const MeasuredBody& wearer) {
     if (dressing.result().bad_vertex) return std::nullopt;
     return WearingCheck(dressing.sewn_mesh(), {.unsewn = dressing.designed(), .body = &dressing.designed_for()},
                         wearer);
 }
 
-// Fills in the report's faults and fit. The collider and `wearing` have the wearer in the same pose.
+// Fills in the report's faults and fit. `wearing`, the collider and its measured body have the wearer in the same pose.
 void inspect(DressedGarment& dressed, Dressing& dressing, const std::optional<WearingCheck>& wearing,
-             const BodyCollider& collider, const DrapeResult& result, const std::optional<TightLevel>& too_small) {
+             const BodyCollider& collider, const MeasuredBody& measured, const DrapeResult& result,
+             const std::optional<TightLevel>& too_small) {
     const Cloth& cloth = *dressed.cloth;
     validate(cloth, collider, dressing.anchored(), dressing.open_seams(), result, dressed.report,
              {.may_cross_itself = !dressing.options().self_collision}, too_small);
     if (result.bad_vertex) return;
     wearing->validate(cloth, dressed.report);
-    dressed.report.fit = measure_fit(dressed.mesh, collider.body());
+    dressed.report.fit = measure_fit(dressed.mesh, measured);
 }
 
 }  // namespace
@@ -200,16 +201,17 @@ DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOp
     timer.done("sewing");
 
     selvedge::sim::report(progress, "draping", 0);
-    std::optional<WearingCheck> wearing = check_wearing(dressing, *dressing.body());
+    std::optional<WearingCheck> wearing = check_wearing(dressing, dressing.measured());
     std::optional<TightLevel> too_small = relax_and_fall(dressing, wearing, progress);
     selvedge::sim::report(progress, "draping", 1);
     Cloth& cloth = dressed.cloth.emplace(dressing.take_cloth());
     DrapeResult result = dressing.result();
     const BodyCollider* const own = result.bad_vertex ? nullptr : wearer.own_collider();
+    const MeasuredBody as_given(body);
     if (own != nullptr) {
         result = move_to_own_pose(cloth, body, wearer.pose(), *own, options, result.given_up, progress);
         too_small.reset();  // it was found in the other pose
-        wearing = check_wearing(dressing, body);
+        wearing = check_wearing(dressing, as_given);
         // What slipped may not slip in this pose. Then nothing excuses that it is not at rest.
         const bool slipped = result.given_up == GiveUp::SlipsDown && !result.bad_vertex;
         if (slipped && !wearing->slips(cloth)) result.given_up.reset();
@@ -219,7 +221,9 @@ DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOp
     timer.done("draping");
 
     dressed.mesh = draw_mesh(cloth, dressing.sewn_mesh().panel_names);
-    inspect(dressed, dressing, wearing, own ? *own : dressing.collider(), result, too_small);
+    const BodyCollider& collider = own ? *own : dressing.collider();
+    const MeasuredBody at_rest(collider.body());
+    inspect(dressed, dressing, wearing, collider, own ? at_rest : dressing.measured(), result, too_small);
     dressed.hierarchy = triangle_hierarchy(cloth);
     dressed.meshing = dressing.drape().meshing;
     timer.done("inspection");

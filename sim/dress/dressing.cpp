@@ -141,7 +141,7 @@ void Dressing::begin_sewing(std::optional<WornGarments> worn) {
     GarmentSewing sewing(
         std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),
         [this](const GarmentMesh& next, const GarmentMesh& all) {
-            return LimbsAside::plan(next, all, anchored(), *body_, interrupt_, store_);
+            return LimbsAside::plan(next, all, anchored(), *measured_, interrupt_, store_);
         },
         std::move(worn));
     clear();
@@ -262,17 +262,20 @@ void Dressing::reactivate() {
 // Body.
 
 void Dressing::set_body(std::shared_ptr<const Body> body) {
-    set_body(std::move(body), nullptr);
+    auto measured = body ? std::make_shared<const MeasuredBody>(*body) : nullptr;
+    set_body(std::move(body), std::move(measured), nullptr);
 }
 
 void Dressing::set_body(const Wearer& wearer) {
-    set_body(wearer.stands(), wearer.collider());
+    set_body(wearer.stands(), wearer.measured(), wearer.collider());
 }
 
-void Dressing::set_body(std::shared_ptr<const Body> body, std::shared_ptr<const BodyCollider> collider) {
+void Dressing::set_body(std::shared_ptr<const Body> body, std::shared_ptr<const MeasuredBody> measured,
+                        std::shared_ptr<const BodyCollider> collider) {
     if (body == body_ && (collider_ || !collider)) return;
     const bool is_same = body && body_ && has_equal_surface(*body, *body_);
     const std::shared_ptr<const Body> last = std::exchange(body_, std::move(body));
+    const std::shared_ptr<const MeasuredBody> last_measured = std::exchange(measured_, std::move(measured));
     if (is_same && !collider_) collider_ = std::move(collider);
     if (is_same) return;  // collider_ holds that body or the previous one, which is equal
     const auto last_collider = std::exchange(collider_, std::move(collider));
@@ -281,6 +284,7 @@ void Dressing::set_body(std::shared_ptr<const Body> body, std::shared_ptr<const 
         take_body();
     } catch (...) {
         body_ = last;
+        measured_ = last_measured;
         collider_ = last_collider;
         anchored_ = std::move(last_anchored);
         throw;
@@ -309,7 +313,7 @@ const BodyCollider& Dressing::collider() {
 // Panels that were placed for another body move with this one.
 const AnchoredPattern& Dressing::anchor() {
     if (!anchored_)
-        anchored_ = body_ ? anchor_.anchor(pattern_, *body_) : AnchoredPattern{pattern_, pattern_, nullptr, {}};
+        anchored_ = body_ ? anchor_.anchor(pattern_, *measured_) : AnchoredPattern{pattern_, pattern_, nullptr, {}};
     return *anchored_;
 }
 
@@ -317,7 +321,7 @@ const Pattern& Dressing::anchored() {
     return anchor().pattern;
 }
 
-const Body& Dressing::designed_for() {
+const MeasuredBody& Dressing::designed_for() {
     SELVEDGE_ASSERT(body_);
     return *anchor().designed_for;
 }

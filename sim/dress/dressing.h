@@ -103,11 +103,13 @@ class Dressing {
     std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
     const Body* body() const { return body_.get(); }
+    const MeasuredBody& measured() const { return *measured_; }  // Pre: there is a body
     const Pattern& pattern() const { return pattern_; }
     const DressOptions& options() const { return options_; }
-    const Pattern& anchored();       // the pattern with its panels moved from the body that it names to this one
-    GarmentMesh designed();          // the unsewn pattern where its panels were placed, round designed_for()
-    const Body& designed_for();      // the body that the pattern names; made when first needed. Pre: there is a body
+    const Pattern& anchored();  // the pattern with its panels moved from the body that it names to this one
+    GarmentMesh designed();     // the unsewn pattern where its panels were placed, round designed_for()
+    const MeasuredBody&
+    designed_for();                  // the body that the pattern names; made when first needed. Pre: there is a body
     const BodyCollider& collider();  // of the body; built when first needed, which is slow. Pre: there is a body
     // The same, with its body, for others to keep; null if it has not been needed.
     const std::shared_ptr<const BodyCollider>& shared_collider() const { return collider_; }
@@ -167,7 +169,8 @@ class Dressing {
     std::vector<Fabric> fabrics() const;
     int deepest_level() const { return options_.deepest_level.value_or(options_.max_level); }
 
-    void set_body(std::shared_ptr<const Body> body, std::shared_ptr<const BodyCollider> collider);
+    void set_body(std::shared_ptr<const Body> body, std::shared_ptr<const MeasuredBody> measured,
+                  std::shared_ptr<const BodyCollider> collider);
     void take_body();
     void place();
     void clear();
@@ -184,6 +187,7 @@ class Dressing {
     Pattern pattern_;  // the newest one that can be meshed
     std::optional<AnchoredPattern> anchored_;
     std::shared_ptr<const Body> body_;
+    std::shared_ptr<const MeasuredBody> measured_;  // of body_; null without
     std::shared_ptr<const BodyCollider> collider_;  // keeps its body alive
     PatternAnchor anchor_{store_};
 

@@ -28,13 +28,13 @@ LimbsAside::LimbsAside(std::unique_ptr<JointedCollider> collider, std::vector<bo
     : collider_(std::move(collider)), is_below_(std::move(is_below)) {}
 
 std::unique_ptr<LimbsAside> LimbsAside::plan(const GarmentMesh& unsewn, const GarmentMesh& sewing,
-                                             const Pattern& pattern, const Body& body,
+                                             const Pattern& pattern, const MeasuredBody& body,
                                              const std::function<void()>& interrupt, const ContentStore* store) {
-    const BodyLimbs limbs = find_limbs(body);
+    const BodyLimbs& limbs = body.limbs();
     if (limbs.torso.empty()) return nullptr;
     const std::vector<bool> panels = panels_without_arms(unsewn, pattern, limbs);
     if (std::ranges::none_of(panels, std::identity())) return nullptr;
-    BodyInPieces parts = cut_off(body, limbs, kArms);
+    BodyInPieces parts = cut_off(body.body(), limbs, kArms);
     if (parts.limbs.size() < kArms.size()) return nullptr;
     std::vector<bool> is_below(sewing.x.size(), false);
     for (const GarmentTriangle& t : sewing.triangles) {

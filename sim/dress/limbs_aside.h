@@ -8,11 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "sim/body/body.h"
 #include "sim/collide/jointed_collider.h"
 #include "sim/dress/sewing.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/pattern.h"
+#include "sim/place/measured_body.h"
 
 namespace selvedge::sim {
 
@@ -23,7 +23,7 @@ class LimbsAside {
     // Null if no seam of these panels, unsewn and as placed, would close round an arm, or the body's arms were not
     // found. `sewing`: the mesh of the run, which may have other panels too. interrupt, store: see BodyCollider.
     static std::unique_ptr<LimbsAside> plan(const GarmentMesh& unsewn, const GarmentMesh& sewing,
-                                            const Pattern& pattern, const Body& body,
+                                            const Pattern& pattern, const MeasuredBody& body,
                                             const std::function<void()>& interrupt = {},
                                             const ContentStore* store = nullptr);
 

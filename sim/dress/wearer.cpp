@@ -33,6 +33,7 @@ Wearer::Wearer(std::shared_ptr<const Body> body, const std::function<void()>& in
     if (!body_->skin.empty() && needs_other_pose(*body_, pose_))
         stands_ = std::make_shared<const Body>(posed(*body_, pose_));
     collider_ = shared_collider_of(stands_, interrupt, store);
+    measured_ = std::make_shared<const MeasuredBody>(*stands_);
     if (!stands_otherwise()) return;
     auto rests = std::make_shared<const Body>(posed(*body_, rest_pose(*body_)));
     own_collider_ = shared_collider_of(std::move(rests), interrupt, store);

@@ -7,6 +7,7 @@
 #include "sim/body/body.h"
 #include "sim/body/pose.h"
 #include "sim/collide/body_collider.h"
+#include "sim/place/measured_body.h"
 
 namespace selvedge::sim {
 
@@ -26,6 +27,7 @@ class Wearer {
     const Pose& pose() const { return pose_; }  // in which it is dressed; empty without a skin
     // Of stands(), which it keeps alive.
     const std::shared_ptr<const BodyCollider>& collider() const { return collider_; }
+    const std::shared_ptr<const MeasuredBody>& measured() const { return measured_; }  // of stands()
     // Of body(), as move_to_own_pose() leaves it; null if it is dressed in its own pose.
     const BodyCollider* own_collider() const { return own_collider_.get(); }
 
@@ -33,6 +35,7 @@ class Wearer {
     std::shared_ptr<const Body> body_, stands_;
     Pose pose_;
     std::shared_ptr<const BodyCollider> collider_, own_collider_;
+    std::shared_ptr<const MeasuredBody> measured_;
 };
 
 // The collider of a body, which it keeps alive.

@@ -542,19 +542,19 @@ void note_missing_limbs(const BodyLimbs& body, DressReport& report) {
 struct WearingCheck::Known {
     const GarmentMesh& sewn;
     DesignedGarment designed;
-    const Body& wearer;
-    BodyLimbs meant_for = find_limbs(*designed.body);
-    BodyLimbs worn_by = designed.body == &wearer ? meant_for : find_limbs(wearer);
+    const MeasuredBody& wearer;
+    const BodyLimbs& meant_for = designed.body->limbs();
+    const BodyLimbs& worn_by = wearer.limbs();
     WornGarment placed{};
     PanelVertices panels{};
     std::vector<std::size_t> parts{};  // garment_parts()
     MeantOpenings meant{};
 
     bool has_torsos() const { return !worn_by.torso.empty() && !meant_for.torso.empty(); }
-    BodyPair bodies() const { return {.meant_for = meant_for, .worn_by = worn_by, .wearer = wearer}; }
+    BodyPair bodies() const { return {.meant_for = meant_for, .worn_by = worn_by, .wearer = wearer.body()}; }
 };
 
-WearingCheck::WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, const Body& wearer) {
+WearingCheck::WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, const MeasuredBody& wearer) {
     SELVEDGE_ASSERT(designed.unsewn.triangles.size() == sewn.triangles.size());
     const auto known = std::make_shared<Known>(Known{.sewn = sewn, .designed = std::move(designed), .wearer = wearer});
     known_ = known;

@@ -6,17 +6,17 @@
 // and pose.
 #include <memory>
 
-#include "sim/body/body.h"
 #include "sim/cloth/cloth.h"
 #include "sim/dress/report.h"
 #include "sim/mesh/garment_mesh.h"
+#include "sim/place/measured_body.h"
 
 namespace selvedge::sim {
 
 // A garment as its designer placed it.
 struct DesignedGarment {
     GarmentMesh unsewn;
-    const Body* body = nullptr;  // for which it was placed
+    const MeasuredBody* body = nullptr;  // for which it was placed
 };
 
 // What is known of a garment and its bodies before it is draped is found once, for all checks of its drape.
@@ -24,7 +24,7 @@ class WearingCheck {
  public:
     // sewn: the mesh from which the cloth is made. Pre: it has the triangles of the designed garment, in their order;
     // it and the bodies live as long.
-    WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, const Body& wearer);
+    WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, const MeasuredBody& wearer);
 
     // Whether a waist or upper edge lies below the hips or the bust because it is too large or too stretchy to hang
     // where it was placed: nothing holds it there, so it slips on. False for what hangs from the shoulders. Pre: the

@@ -163,13 +163,14 @@ FitRow row_of(std::string_view measure, const std::optional<MeasuredPart>& part,
 
 }  // namespace
 
-std::vector<FitRow> measure_fit(const DrawMesh& garment, const Body& body) {
-    const Stature stature = find_stature(body);
+std::vector<FitRow> measure_fit(const DrawMesh& garment, const MeasuredBody& measured) {
+    const Body& body = measured.body();
+    const Stature& stature = measured.stature();
     const double height = stature.height();
     const TorsoHeights torso = torso_heights(body, stature);
-    const BodyLimbs limbs = find_limbs(body);
+    const BodyLimbs& limbs = measured.limbs();
     const std::optional<MeasuredPart> bust =
-        widest_of_trunk(body, bust_range(stature, find_landmarks(body).armpit), height);
+        widest_of_trunk(body, bust_range(stature, measured.landmarks().armpit), height);
     const std::optional<MeasuredPart> waist = trunk_at(body, torso.waist, height);
     const Range hips = hip_range(stature);
     std::vector<FitRow> rows;

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/body/body.h"
 #include "sim/mesh/draw_mesh.h"
+#include "sim/place/measured_body.h"
 
 namespace selvedge::sim {
 
@@ -30,6 +30,6 @@ struct FitRow {
 // the way down to the knee; a skirt, which goes round both, has none). A garment that does not go round the bust alone
 // is measured where it does so next below, as tailors measure a chest under the armholes; one that begins below the
 // waist, as a skirt, at its upper edge, if that is above the hips. Pre: as for tight_levels().
-std::vector<FitRow> measure_fit(const DrawMesh& garment, const Body& body);
+std::vector<FitRow> measure_fit(const DrawMesh& garment, const MeasuredBody& measured);
 
 }  // namespace selvedge::sim

@@ -301,9 +301,12 @@ LimbSet BodyLimbs::found() const {
 }
 
 BodyLimbs find_limbs(const Body& body) {
+    return find_limbs(body, find_stature(body));
+}
+
+BodyLimbs find_limbs(const Body& body, const Stature& stature) {
     BodyLimbs found;
     if (body.triangles.empty()) return found;
-    const Stature stature = find_stature(body);
     found.height = {stature.floor, stature.crown};
     find_torso(body, stature, found);
     if (found.torso.empty()) return found;

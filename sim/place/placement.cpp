@@ -332,15 +332,14 @@ std::optional<Eigen::Quaterniond> turn_of_arm(const BodyLimbs& from, const BodyL
 
 }  // namespace
 
-Stature anchor_panels(Pattern& pattern, const Body& from, const Body& onto) {
-    const Stature a = find_stature(from);
-    const Stature b = find_stature(onto);
+Stature anchor_panels(Pattern& pattern, const MeasuredBody& from, const MeasuredBody& onto) {
+    const Stature &a = from.stature(), &b = onto.stature();
     const double ratio = b.height() / a.height();
     const auto shift = [&](const Vec3d& x) {
         const double level = b.floor + (x.y() - a.floor) * ratio;
-        return Vec3d(torso_centre(onto, b, level) - torso_centre(from, a, x.y()));
+        return Vec3d(torso_centre(onto.body(), b, level) - torso_centre(from.body(), a, x.y()));
     };
-    const BodyLimbs from_limbs = find_limbs(from), onto_limbs = find_limbs(onto);
+    const BodyLimbs &from_limbs = from.limbs(), &onto_limbs = onto.limbs();
     for (Panel& panel : pattern.panels) {
         const auto arm = arm_of_panel(panel.label, outline_points(panel), from_limbs);
         panel.translation += shift(panel_centre(panel));

@@ -8,6 +8,7 @@
 #include "sim/body/landmarks.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/pattern.h"
+#include "sim/place/measured_body.h"
 
 namespace selvedge::sim {
 
@@ -17,7 +18,7 @@ class BodyCollider;
 // and it moves with the centre of the torso's section at that height. A panel of a sleeve turns about the shoulder with
 // its arm, if that hangs at another angle (sim/place/limb_pieces.h). `from` is the body that the pattern names. Does
 // not change the pattern when both bodies are equal. Returns the stature that `onto` was taken to have.
-Stature anchor_panels(Pattern& pattern, const Body& from, const Body& onto);
+Stature anchor_panels(Pattern& pattern, const MeasuredBody& from, const MeasuredBody& onto);
 
 // Moves each panel that intersects the body outward along its front normal until it is clear, by at most 40 cm; also
 // until it is outside of the cloth that is worn and of all panels of lower layers. Returns one note per moved or stuck

@@ -19,6 +19,10 @@ namespace {
 
 constexpr double kChest = 1.12;  // m, of the file's origin over the floor
 
+AnchoredPattern anchor(const Pattern& pattern, const Body& onto) {
+    return PatternAnchor().anchor(pattern, MeasuredBody(onto));
+}
+
 class PatternForAFile : public testing::Test {
  protected:
     // A post whose origin is at its chest, with panels placed about it in the file's frame.
@@ -35,7 +39,7 @@ class PatternForAFile : public testing::Test {
         for (const auto& [a, b, c] : post.triangles) text << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
         std::ofstream(file) << text.str();
     }
-    AnchoredPattern anchored(const Body& onto) const { return PatternAnchor().anchor(pattern_, onto); }
+    AnchoredPattern anchored(const Body& onto) const { return anchor(pattern_, onto); }
     void expect_raised(const AnchoredPattern& anchored, double lift) const {
         for (std::size_t p = 0; p < pattern_.panels.size(); ++p) {
             const Vec3d moved = anchored.pattern.panels[p].translation - pattern_.panels[p].translation;
@@ -105,8 +109,8 @@ TEST(PlacedBelowFloor, move_up_as_a_whole_and_say_so) {
     Pattern high = low;
     raise_panels(high, kChest);
     const Body worn = make_mannequin({.subdivisions = 1}).body;
-    const AnchoredPattern moved = PatternAnchor().anchor(low, worn);
-    EXPECT_EQ(moved.pattern, PatternAnchor().anchor(high, worn).pattern);
+    const AnchoredPattern moved = anchor(low, worn);
+    EXPECT_EQ(moved.pattern, anchor(high, worn).pattern);
     ASSERT_EQ(moved.notes.size(), 1U);
     EXPECT_NE(moved.notes[0].find("below the floor"), std::string::npos) << moved.notes[0];
 }
@@ -117,13 +121,13 @@ TEST(PlacedBelowFloor, move_up_with_a_body_that_was_lifted_to_the_floor) {
     worn.lift = 1.05;
     Pattern high = low;
     raise_panels(high, 1.05);
-    EXPECT_EQ(PatternAnchor().anchor(low, worn).pattern, high);
+    EXPECT_EQ(anchor(low, worn).pattern, high);
 }
 
 TEST(Anchor, says_what_it_assumes_of_a_body_without_a_head) {
     const Body whole = make_mannequin({.subdivisions = 1}).body;
     const Body headless = shapes::cut(whole, 1.4001, shapes::Side::Below);
-    const AnchoredPattern moved = PatternAnchor().anchor(tube(0.5, 0.4, 0.9, 0.2), headless);
+    const AnchoredPattern moved = anchor(tube(0.5, 0.4, 0.9, 0.2), headless);
     ASSERT_EQ(moved.notes.size(), 1U);
     EXPECT_NE(moved.notes[0].find("no head: panels placed as on a whole one 1.6"), std::string::npos) << moved.notes[0];
 }

@@ -39,7 +39,7 @@ Pattern wide_skirt(double hem) {
 TEST(LimbsAside, are_not_needed_for_a_narrow_skirt) {
     const auto plan = [](double hem) {
         const GarmentMesh unsewn = assemble(wide_skirt(hem));
-        return LimbsAside::plan(unsewn, unsewn, wide_skirt(hem), mannequin());
+        return LimbsAside::plan(unsewn, unsewn, wide_skirt(hem), MeasuredBody(mannequin()));
     };
     EXPECT_EQ(plan(0.5), nullptr);
     EXPECT_NE(plan(2.2), nullptr);
@@ -58,7 +58,8 @@ TEST(LimbsAside, let_a_wide_skirt_hang_below_the_arms) {
 TEST(LimbsAside, can_be_interrupted_while_they_are_planned) {
     struct Stop {};
     const GarmentMesh unsewn = assemble(wide_skirt(2.2));
-    EXPECT_THROW(LimbsAside::plan(unsewn, unsewn, wide_skirt(2.2), mannequin(), [] { throw Stop(); }), Stop);
+    EXPECT_THROW(LimbsAside::plan(unsewn, unsewn, wide_skirt(2.2), MeasuredBody(mannequin()), [] { throw Stop(); }),
+                 Stop);
 }
 
 // The mean height of the vertices when the seams are closed and the arms are back, m.
@@ -90,7 +91,7 @@ TEST(LimbsAside, leave_the_sleeves_of_what_is_worn_round_the_arms) {
     const BodyCollider collider(mannequin());
     GarmentSewing sewing(assemble(pattern), garments_of(pattern), fabrics_of(pattern), collider, {},
                          [&](const GarmentMesh& next, const GarmentMesh& all) {
-                             return LimbsAside::plan(next, all, pattern, mannequin());
+                             return LimbsAside::plan(next, all, pattern, MeasuredBody(mannequin()));
                          });
     while (sewing.advance(collider)) continue;
     const Cloth cloth = make_cloth(std::move(sewing).result().sewn, fabrics_of(pattern), {.max_level = 0});

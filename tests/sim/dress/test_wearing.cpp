@@ -52,7 +52,8 @@ DressReport report_on(const GarmentMesh& unsewn, const Move& move, const Body& w
         cloth.x[v.value].head<3>() = move(cloth.x[v.value].head<3>().cast<double>()).cast<float>();
     DressReport report;
     report.contact.faces_in_body = find_penetration(cloth, SurfaceBvh(wearer), {.depth = 0.0005F}).faces;
-    WearingCheck(sewn, {.unsewn = unsewn, .body = &mannequin()}, wearer).validate(cloth, report);
+    const MeasuredBody designed_for(mannequin()), worn_by(wearer);
+    WearingCheck(sewn, {.unsewn = unsewn, .body = &designed_for}, worn_by).validate(cloth, report);
     return report;
 }
 

@@ -1,0 +1,20 @@
+#include "sim/place/measured_body.h"
+
+namespace selvedge::sim {
+
+const LandmarkHeights& MeasuredBody::landmarks() const {
+    std::call_once(has_landmarks_, [&] { landmarks_ = find_landmarks(body_); });
+    return landmarks_;
+}
+
+const Stature& MeasuredBody::stature() const {
+    std::call_once(has_stature_, [&] { stature_ = find_stature(body_, landmarks()); });
+    return stature_;
+}
+
+const BodyLimbs& MeasuredBody::limbs() const {
+    std::call_once(has_limbs_, [&] { limbs_ = find_limbs(body_, stature()); });
+    return limbs_;
+}
+
+}  // namespace selvedge::sim
