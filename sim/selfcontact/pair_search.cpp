@@ -263,19 +263,23 @@ void PairSearch::note_elements(const ContactSurface& surface, TrianglePair pair,
         noted.add({4 * vertices[0], 4 * vertices[1], 4 * vertices[2], 4 * vertices[3]}, of, *radius, friction);
     };
     const auto add_vertices = [&](std::uint32_t of, std::uint32_t t) {
-        const std::array<std::uint32_t, 3>& corners = surface.triangles[t].vertices;
+        const ContactBox& box = triangle_boxes_[t];
         for (const std::uint32_t v : owned_vertices_[of]) {
             if (v == kNoElement) return;
-            if (is_near(surface, v, t)) add(noted_vertices_, {v, corners[0], corners[1], corners[2]}, {of, t});
+            if (!overlap(vertex_boxes_[v], box) || is_sewn_to(surface, v, t)) continue;
+            const std::array<std::uint32_t, 3>& corners = surface.triangles[t].vertices;
+            add(noted_vertices_, {v, corners[0], corners[1], corners[2]}, {of, t});
         }
     };
     add_vertices(a, b);
     add_vertices(b, a);
+    const ContactBox& box = triangle_boxes_[b];  // holds those of its edges
     for (const std::uint32_t e : owned_edges_[a]) {
         if (e == kNoElement) return;
+        if (!overlap(edge_boxes_[e], box)) continue;
         for (const std::uint32_t f : owned_edges_[b]) {
             if (f == kNoElement) break;
-            if (!are_near(surface, e, f)) continue;
+            if (!overlap(edge_boxes_[e], edge_boxes_[f]) || have_common_end(surface, e, f)) continue;
             const std::array<std::uint32_t, 2>&mine = surface.edges[e].ends, &theirs = surface.edges[f].ends;
             add(noted_edges_, {mine[0], mine[1], theirs[0], theirs[1]}, pair);
         }
@@ -289,17 +293,15 @@ bool PairSearch::owns_closest_point(const PairBlock& block, std::size_t at) cons
     return (owned_[block.triangles[1][at]] >> corners & 1U) != 0;
 }
 
-bool PairSearch::is_near(const ContactSurface& surface, std::uint32_t v, std::uint32_t t) const {
-    if (!overlap(vertex_boxes_[v], triangle_boxes_[t])) return false;
+bool PairSearch::is_sewn_to(const ContactSurface& surface, std::uint32_t v, std::uint32_t t) const {
     const std::uint32_t sewn = surface.sewn_as(v);
-    return sewn_[0][t] != sewn && sewn_[1][t] != sewn && sewn_[2][t] != sewn;
+    return sewn_[0][t] == sewn || sewn_[1][t] == sewn || sewn_[2][t] == sewn;
 }
 
-bool PairSearch::are_near(const ContactSurface& surface, std::uint32_t e, std::uint32_t f) const {
-    if (!overlap(edge_boxes_[e], edge_boxes_[f])) return false;
+bool PairSearch::have_common_end(const ContactSurface& surface, std::uint32_t e, std::uint32_t f) {
     const std::uint32_t a = surface.sewn_as(surface.edges[e].ends[0]), b = surface.sewn_as(surface.edges[e].ends[1]);
     const std::uint32_t c = surface.sewn_as(surface.edges[f].ends[0]), d = surface.sewn_as(surface.edges[f].ends[1]);
-    return a != c && a != d && b != c && b != d;
+    return a == c || a == d || b == c || b == d;
 }
 
 float PairSearch::radius_of(const ContactSurface& surface, TrianglePair pair, float thickness_scale) const {

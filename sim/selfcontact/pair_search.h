@@ -73,8 +73,10 @@ class PairSearch {
     void find_sharp(const ContactSurface& surface, std::uint32_t edge);
     void bound_elements(const ContactSurface& surface, const float* points, const Sweep& sweep, float grow);
     void note_elements(const ContactSurface& surface, TrianglePair pair, float thickness_scale);
-    bool is_near(const ContactSurface& surface, std::uint32_t vertex, std::uint32_t triangle) const;
-    bool are_near(const ContactSurface& surface, std::uint32_t edge, std::uint32_t other) const;
+    // Whether a vertex is, or is sewn to, a corner of the triangle.
+    bool is_sewn_to(const ContactSurface& surface, std::uint32_t vertex, std::uint32_t triangle) const;
+    // Whether two edges have an end in common, or ends that are sewn together.
+    static bool have_common_end(const ContactSurface& surface, std::uint32_t edge, std::uint32_t other);
     float radius_of(const ContactSurface& surface, TrianglePair pair, float thickness_scale) const;
     void measure(const SelfContactKernels& loops, PairList& noted, const float* points, const Sweep& sweep,
                  const PairReach& reach, PairList& pairs);
