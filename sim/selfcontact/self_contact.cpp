@@ -81,7 +81,7 @@ void SelfContact::begin_step(const MovingPoints& points, const SelfContactOption
     ++counts_.steps;
     if (has_detected_ && is_clean_) return;
     mean_moves_.clear();
-    detect(points, options);
+    detect(points, expected(points), options);
 }
 
 void SelfContact::substep(const MovingPoints& points, const SelfContactOptions& options) {
@@ -90,15 +90,15 @@ void SelfContact::substep(const MovingPoints& points, const SelfContactOptions& 
     ++since_test_;
     if (since_detection_ % options.refresh_interval == 0) {
         look_back(points, options.refresh_interval);
-        const auto [off_path, from_mark] =
-            paths_.measure(expected(points), static_cast<float>(options.refresh_interval));
+        const MovingPoints measured = expected(points);
+        const auto [off_path, from_mark] = paths_.measure(measured, static_cast<float>(options.refresh_interval));
         // Two vertices may leave their paths towards each other.
         const float limit = 0.5F * options.margin + 0.25F * thickest(options);
         if (off_path <= limit) {
-            if (from_mark > 0.125F * options.margin) refresh(points, options);
+            if (from_mark > 0.125F * options.margin) refresh(points, measured, options);
         } else {
-            certify(points);
-            is_clean_ ? detect_where_off_path(points, limit, options) : detect(points, options);
+            const MovingPoints from = certify(points) ? expected(points) : measured;
+            is_clean_ ? detect_where_off_path(points, from, limit, options) : detect(points, from, options);
         }
     }
 }
@@ -133,34 +133,36 @@ void SelfContact::end_step(const MovingPoints& points, const SelfContactOptions&
     }
 }
 
-void SelfContact::detect(const MovingPoints& points, const SelfContactOptions& options) {
+void SelfContact::detect(const MovingPoints& points, const MovingPoints& from, const SelfContactOptions& options) {
     ++counts_.detections;
-    paths_.start(used_, expected(points));
+    paths_.start(used_, from);
     search_.select_all();
     const Sweep sweep = paths_.sweep(points);
     search_.find_triangles(loops(), surface_, points.now, sweep, reach(options));
     look_for_crossings(points, options);
-    list_pairs(sweep, points, options);
+    list_pairs(sweep, points, expected(points), options);  // which crossings may have moved
 }
 
 // Asks only packets of triangles with a vertex that is off its path by more than the limit (m). The others keep their
 // paths and the pairs among them.
-void SelfContact::detect_where_off_path(const MovingPoints& points, float limit, const SelfContactOptions& options) {
+void SelfContact::detect_where_off_path(const MovingPoints& points, const MovingPoints& from, float limit,
+                                        const SelfContactOptions& options) {
     ++counts_.local_detections;
     is_off_.assign(points.count, 0);
     for (const std::uint32_t v : used_) is_off_[v] = paths_.squared_deviation(v) > limit * limit ? 1 : 0;
     search_.select(surface_, is_off_);
-    paths_.restart(search_.stays(), expected(points));
+    paths_.restart(search_.stays(), from);
     const Sweep sweep = paths_.sweep(points);
     search_.find_triangles(loops(), surface_, points.now, sweep, reach(options));
     if (has_new_crossing(points, options)) {
         is_doubtful_ = true;
-        return detect(points, options);
+        return detect(points, from, options);
     }
-    list_pairs(sweep, points, options);
+    list_pairs(sweep, points, from, options);
 }
 
-void SelfContact::list_pairs(const Sweep& sweep, const MovingPoints& points, const SelfContactOptions& options) {
+void SelfContact::list_pairs(const Sweep& sweep, const MovingPoints& points, const MovingPoints& from,
+                             const SelfContactOptions& options) {
     counts_.asked += search_.share_asked();
     counts_.triangle_pairs += static_cast<long>(search_.new_triangle_pairs().size());
     start_.resize(points.count, Vec4f::Zero());
@@ -175,7 +177,7 @@ void SelfContact::list_pairs(const Sweep& sweep, const MovingPoints& points, con
     dividers_.forget();
     has_detected_ = true;
     since_detection_ = 0;
-    refresh(points, options);
+    refresh(points, from, options);
 }
 
 // Unless the planes vouch for all pairs, an exact test does. A crossing that is new goes back.
@@ -363,13 +365,12 @@ float SelfContact::reach(const SelfContactOptions& options) const {
     return has_layers_ && !is_clean_ ? std::max(near, kOrderReach) : near;
 }
 
-void SelfContact::refresh(const MovingPoints& points, const SelfContactOptions& options) {
+void SelfContact::refresh(const MovingPoints& points, const MovingPoints& from, const SelfContactOptions& options) {
     ++counts_.refreshes;
     paths_.mark(points);
     contacts_.clear();
-    const MovingPoints moving = expected(points);
-    list_contacts(pairs_.vertex_triangle, moving, options);
-    list_contacts(pairs_.edge_edge, moving, options);
+    list_contacts(pairs_.vertex_triangle, from, options);
+    list_contacts(pairs_.edge_edge, from, options);
     counts_.contacts += static_cast<long>(contacts_.size());
 }
 
@@ -406,12 +407,13 @@ void SelfContact::list_contacts(PairList& pairs, const MovingPoints& points, con
     }
 }
 
-void SelfContact::certify(const MovingPoints& points) {
-    if (!has_detected_) return;
+bool SelfContact::certify(const MovingPoints& points) {
+    if (!has_detected_) return false;
     const CertificateReport report = dividers_.certify(
         loops(), pairs_, {used_, start_}, {paths_.frame(points) - start_frame_, paths_.mean_move()}, points);
     counts_.parted += report.parted;
     counts_.truncated += report.truncated;
+    return report.parted > 0 || report.truncated > 0;
 }
 
 // When the last crossing is gone, contacts must hold at once, or the next sub-step draws the tangle shut again.
@@ -423,9 +425,12 @@ void SelfContact::untangle(const MovingPoints& points, const SelfContactOptions&
         if (clean_.empty() || 2 * i >= options.untangling_iterations) untangler_.smooth(surface_, crossings_, points);
         i == 0 ? test_exactly(points) : test_suspects(points);
     }
-    if (!is_clean_) return certify(points);
+    if (!is_clean_) {
+        certify(points);
+        return;
+    }
     keep_clean_state(points);
-    detect(points, options);
+    detect(points, expected(points), options);
 }
 
 std::vector<float> SelfContact::clearances(const MovingPoints& points) const {

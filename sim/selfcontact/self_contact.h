@@ -76,9 +76,12 @@ class SelfContact {
     const SelfContactCounts& counts() const { return counts_; }
 
  private:
-    void detect(const MovingPoints& points, const SelfContactOptions& options);
-    void detect_where_off_path(const MovingPoints& points, float limit, const SelfContactOptions& options);
-    void list_pairs(const Sweep& sweep, const MovingPoints& points, const SelfContactOptions& options);
+    // `from`: expected() of the points.
+    void detect(const MovingPoints& points, const MovingPoints& from, const SelfContactOptions& options);
+    void detect_where_off_path(const MovingPoints& points, const MovingPoints& from, float limit,
+                               const SelfContactOptions& options);
+    void list_pairs(const Sweep& sweep, const MovingPoints& points, const MovingPoints& from,
+                    const SelfContactOptions& options);
     void look_for_crossings(const MovingPoints& points, const SelfContactOptions& options);
     bool has_new_crossing(const MovingPoints& points, const SelfContactOptions& options);
     std::vector<Crossing> crossings_of(std::span<const TrianglePair> pairs, const MovingPoints& points);
@@ -94,10 +97,10 @@ class SelfContact {
     float facing(const PairBlock& block, std::size_t at, PairKind kind, const std::vector<Vec3f>& normals) const;
     bool is_ordered(const PairBlock& block, std::size_t at) const;
     float reach(const SelfContactOptions& options) const;
-    void refresh(const MovingPoints& points, const SelfContactOptions& options);
+    void refresh(const MovingPoints& points, const MovingPoints& from, const SelfContactOptions& options);
     float most_swapped(const PairBlock& block, std::size_t at) const;
     void list_contacts(PairList& pairs, const MovingPoints& points, const SelfContactOptions& options);
-    void certify(const MovingPoints& points);
+    bool certify(const MovingPoints& points);  // whether a point has moved
     void look_back(const MovingPoints& points, int substeps);
     MovingPoints expected(const MovingPoints& points);
     void untangle(const MovingPoints& points, const SelfContactOptions& options);
