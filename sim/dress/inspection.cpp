@@ -15,6 +15,7 @@
 #include "sim/collide/penetration.h"
 #include "sim/core/math.h"
 #include "sim/dress/layer_order.h"
+#include "sim/pattern/garments.h"
 #include "sim/place/fit.h"
 #include "sim/place/limbs.h"
 
@@ -193,14 +194,19 @@ BodyPart part_at(const BodyLimbs& limbs, const Vec3d& x) {
 struct SmallFor {
     std::optional<BodyLimbs> limbs;  // of the body; none if it is too small for nothing
     std::set<BodyPart> parts;
+    std::vector<TightLevel> levels;  // the loops that are too small
+    bool is_as_a_whole = false;      // so much that what is too small pulls at all the rest
 
-    bool holds(const Vec3d& x) const { return limbs && parts.contains(part_at(*limbs, x)); }
+    bool holds(const Vec3d& x) const {
+        return limbs && (is_as_a_whole || parts.contains(part_at(*limbs, x)) || explained_strain(levels, x) > 0);
+    }
 };
 
 // What stretches no more than its fabric does is noted; beyond, the garment does not fit. One fault for each limb and
 // for the torso, where they are tightest. sewn: the too_small of validate().
 SmallFor validate_fit(const std::vector<TightLevel>& tight, const std::optional<TightLevel>& sewn, const Body& body,
-                      DressReport& report) {
+                      const Pattern& pattern, const FaultLimits& limits, DressReport& report) {
+    SmallFor small;
     std::vector<TightLevel> noted;
     std::map<BodyPart, const TightLevel*> too_small;
     std::optional<BodyLimbs> limbs;
@@ -214,16 +220,17 @@ SmallFor validate_fit(const std::vector<TightLevel>& tight, const std::optional<
             noted.push_back(level);
             continue;
         }
+        small.levels.push_back(level);
         const TightLevel*& worst = worst_there(level);
         if (worst == nullptr || shortfall(level) > shortfall(*worst)) worst = &level;
     }
     if (!noted.empty()) report.notes.push_back(describe_tight(noted));
     if (sewn && too_small.empty()) worst_there(*sewn) = &*sewn;
-    SmallFor small;
     for (const auto& [part, level] : too_small) {
         const std::string place = place_on_body(*limbs, (level->low + level->high) / 2);
         add_fault(report, "does_not_fit", describe_too_small(*level, place), shortfall(*level));
         small.parts.insert(part);
+        small.is_as_a_whole |= garments_of(pattern).size() == 1 && excess_stretch(*level) > limits.stretch_max;
     }
     small.limbs = std::move(limbs);
     return small;
@@ -271,15 +278,16 @@ bool is_fault(const StretchStatistics& unexplained, const FaultLimits& limits) {
 }
 
 // Stretch that is not explained is a fault, unless the garment was given up: then it is stretched because it is too
-// small, or because it slips. Where it is too small for a part of the body, no drape can hold the strain limit there:
-// this is a note beside the fault of fit.
+// small, or because it slips. Where it is too small for a part of the body, no drape can hold the strain limit there
+// or near it, and nowhere if what is too small must stretch by more than a fault of stretch: this is a note beside the
+// fault of fit.
 void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const DrapeResult& draped,
                       const FaultLimits& limits, const std::optional<TightLevel>& too_small, DressReport& report) {
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
     if (strains.empty()) return;
     report.stretch = stretch_statistics(strains);
     const std::vector<TightLevel> tight = tight_levels(draw_mesh(cloth, {}), body, fit_options(cloth));
-    const SmallFor small = validate_fit(tight, too_small, body, report);
+    const SmallFor small = validate_fit(tight, too_small, body, pattern, limits, report);
     if (draped.given_up == GiveUp::SlipsDown || is_given_up_as_too_small(draped, report)) return;
     std::vector<TriangleStrain> unexplained = unexplained_of(strains, cloth, tight);
     if (!small.parts.empty() && is_fault(stretch_statistics(unexplained), limits)) {

@@ -8,12 +8,14 @@
 #include <set>
 #include <utility>
 
+#include "sim/body/section.h"
 #include "sim/collide/body_collider.h"
 #include "sim/core/json.h"
 #include "sim/dress/inspection.h"
 #include "sim/mesh/sew.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
+#include "tests/support/mannequin.h"
 
 namespace selvedge::sim::test {
 namespace {
@@ -449,6 +451,44 @@ TEST_F(ValidateTube, blames_the_size_for_what_is_stretched_where_it_is_too_small
         return note.starts_with("stretched by up to ") && note.ends_with(" % where it is too small");
     }));
     EXPECT_EQ(outcome_of(report_on(kGirth + 0.1, 0.5)), Outcome::Defect) << "nothing is too small there";
+}
+
+// Of a tube round both legs that is too small for them by so much, relative, with a stretched panel far above it.
+Outcome outcome_of_tube_and_panel(double by, const std::string& garment_of_panel = {}) {
+    const double y = 0.6, radius = 0.25, stretch = 1.5;
+    const Plane level{.point = Vec3d(0, y, 0)};
+    SectionLoop legs;
+    for (const SectionLoop& loop : section(mannequin(), level))
+        if (std::abs(loop.centre.x()) < radius) std::ranges::copy(loop.points, std::back_inserter(legs.points));
+    const double girth = tape_length(legs, level) / (1 + by);
+    Pattern pattern = tube(girth / 2, 0.1, y, 0.3);
+    pattern.panels.push_back(pattern.panels[0]);
+    pattern.panels.back().name = "above";
+    pattern.panels.back().garment = garment_of_panel;
+    pattern.panels.back().translation.y() += 1;
+    GarmentMesh mesh = assemble(pattern, {.target_edge = 0.03});
+    for (Vec3d& x : mesh.x) {
+        const double angle = std::numbers::pi * (x.z() > 0 ? x.x() / (girth / 2) : 1 - x.x() / (girth / 2));
+        if (x.y() > 1.2) {
+            x.x() *= stretch;
+        } else {
+            x = {radius * std::sin(angle), x.y(), radius * std::cos(angle)};
+        }
+    }
+    merge_seams(mesh);
+    DrapeResult settled;
+    settled.settled = true;
+    DressReport report;
+    validate(make_cloth(mesh, {Fabric{}, Fabric{}, Fabric{}}),
+             BodyCollider(mannequin(), {.cell = 0.012F, .band = 0.048F}), pattern, {}, settled, report);
+    EXPECT_TRUE(std::ranges::any_of(report.faults, [](const DressFault& f) { return f.kind == "does_not_fit"; }));
+    return outcome_of(report);
+}
+
+TEST(ValidateTubeRoundLegs, blames_the_size_for_all_stretch_of_a_garment_that_is_far_too_small) {
+    EXPECT_EQ(outcome_of_tube_and_panel(0.2), Outcome::DoesNotFit);
+    EXPECT_EQ(outcome_of_tube_and_panel(0.05), Outcome::Defect) << "of the panel, which is far from the legs";
+    EXPECT_EQ(outcome_of_tube_and_panel(0.2, "other"), Outcome::Defect) << "of another garment";
 }
 
 TEST_F(ValidateTube, knows_what_no_drape_makes_fit) {
