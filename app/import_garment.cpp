@@ -7,7 +7,7 @@
 #include <numeric>
 #include <span>
 
-#include "app/measured_body.h"
+#include "app/fitted_mannequin.h"
 #include "app/options.h"
 #include "render/image/photo.h"
 #include "sim/core/disjoint_sets.h"
@@ -160,8 +160,8 @@ std::vector<std::string> describe_all(const sim::Pattern& pattern, const std::ve
 std::string body_of(const sim::Drawing& drawing, const ImportOptions& options, std::vector<std::string>& lines) {
     if (!options.body.empty()) return options.body;
     if (options.measurements.empty() && drawing.measurements.empty()) return "mannequin:sex=female";
-    MeasuredBody body =
-        options.measurements.empty() ? measured_body(drawing.measurements) : read_measured_body(options.measurements);
+    FittedMannequin body = options.measurements.empty() ? fitted_mannequin(drawing.measurements)
+                                                        : read_fitted_mannequin(options.measurements);
     lines = std::move(body.lines);
     return mannequin_text(body.fit.options);
 }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/commands.h"
-#include "app/measured_body.h"
+#include "app/fitted_mannequin.h"
 #include "app/options.h"
 #include "sim/core/error.h"
 #include "sim/core/printable.h"
@@ -54,7 +54,7 @@ void print_readings(const sim::MeasureReport& report) {
 
 // Those of the file, where the command line has none.
 void take_measurements(MannequinArguments& arguments) {
-    MeasuredBody body = read_measured_body(arguments.measurements);
+    FittedMannequin body = read_fitted_mannequin(arguments.measurements);
     for (const std::string& line : body.lines) std::printf("%s\n", sim::printable(line).c_str());
     for (const std::string_view name : sim::measure_names()) {
         std::optional<double>& measure = *find_measure(arguments.options.measures, name);

@@ -31,6 +31,6 @@ struct Stature {
 // The surface's own height range if the body is whole, or if its landmarks do not show that it is not. Otherwise the
 // missing end is estimated from the landmarks and the mannequin's proportions.
 Stature find_stature(const Body& body);
-Stature find_stature(const Body& body, const LandmarkHeights& landmarks);  // which it has
+Stature find_stature(const Body& body, const LandmarkHeights& landmarks);  // find_landmarks(body)
 
 }  // namespace selvedge::sim

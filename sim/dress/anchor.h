@@ -37,7 +37,7 @@ class PatternAnchor {
 
     // Does not change a pattern that was placed for an equal body. Throws InputError for an unknown mannequin. If the
     // named file cannot be read, a note says so, and the panels are taken as placed for GarmentCode's body.
-    AnchoredPattern anchor(const Pattern& pattern, const MeasuredBody& onto);
+    AnchoredPattern anchor(const Pattern& pattern, const MeasuredBody& measured);
 
  private:
     const MeasuredBody& named(const std::string& text, const Pattern& pattern);

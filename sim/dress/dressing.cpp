@@ -277,7 +277,10 @@ void Dressing::set_body(std::shared_ptr<const Body> body, std::shared_ptr<const 
     const std::shared_ptr<const Body> last = std::exchange(body_, std::move(body));
     const std::shared_ptr<const MeasuredBody> last_measured = std::exchange(measured_, std::move(measured));
     if (is_same && !collider_) collider_ = std::move(collider);
-    if (is_same) return;  // collider_ holds that body or the previous one, which is equal
+    if (is_same) {  // collider_ holds that body or the previous one, which is equal
+        if (anchored_ && anchored_->designed_for == last_measured.get()) anchored_->designed_for = measured_.get();
+        return;
+    }
     const auto last_collider = std::exchange(collider_, std::move(collider));
     std::optional<AnchoredPattern> last_anchored = std::exchange(anchored_, std::nullopt);
     try {

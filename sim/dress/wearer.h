@@ -27,7 +27,7 @@ class Wearer {
     const Pose& pose() const { return pose_; }  // in which it is dressed; empty without a skin
     // Of stands(), which it keeps alive.
     const std::shared_ptr<const BodyCollider>& collider() const { return collider_; }
-    const std::shared_ptr<const MeasuredBody>& measured() const { return measured_; }  // of stands()
+    const std::shared_ptr<const MeasuredBody>& measured() const { return measured_; }  // stands(), not kept alive
     // Of body(), as move_to_own_pose() leaves it; null if it is dressed in its own pose.
     const BodyCollider* own_collider() const { return own_collider_.get(); }
 

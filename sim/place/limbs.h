@@ -53,7 +53,7 @@ struct BodyLimbs {
 
 // A limb that was not found has no joints.
 BodyLimbs find_limbs(const Body& body);
-BodyLimbs find_limbs(const Body& body, const Stature& stature);  // which it has
+BodyLimbs find_limbs(const Body& body, const Stature& stature);  // find_stature(body)
 
 // The centre line to a limb's end: from the hips through the torso, then along the limb. Pre: the limb was found.
 std::vector<Vec3d> line_to_end(const BodyLimbs& limbs, LimbKind kind);

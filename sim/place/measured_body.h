@@ -1,5 +1,5 @@
 #pragma once
-// A body with what its surface shows: landmarks, stature and limbs. Each is found once, when it is first asked for.
+// A body with its landmarks, stature and limbs. Each is found once, when it is first asked for.
 #include <mutex>
 
 #include "sim/body/body.h"
@@ -12,6 +12,7 @@ namespace selvedge::sim {
 class MeasuredBody {
  public:
     explicit MeasuredBody(const Body& body) : body_(body) {}  // must outlive it
+    explicit MeasuredBody(const Body&& body) = delete;
     MeasuredBody(const MeasuredBody&) = delete;
     MeasuredBody& operator=(const MeasuredBody&) = delete;
 

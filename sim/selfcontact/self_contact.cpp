@@ -140,7 +140,7 @@ void SelfContact::detect(const MovingPoints& points, const MovingPoints& from, c
     const Sweep sweep = paths_.sweep(points);
     search_.find_triangles(loops(), surface_, points.now, sweep, reach(options));
     look_for_crossings(points, options);
-    list_pairs(sweep, points, expected(points), options);  // which crossings may have moved
+    list_pairs(sweep, points, expected(points), options);  // look_for_crossings() may have moved them
 }
 
 // Asks only packets of triangles with a vertex that is off its path by more than the limit (m). The others keep their

@@ -132,5 +132,17 @@ TEST(Anchor, says_what_it_assumes_of_a_body_without_a_head) {
     EXPECT_NE(moved.notes[0].find("no head: panels placed as on a whole one 1.6"), std::string::npos) << moved.notes[0];
 }
 
+TEST(Dressing, is_designed_for_its_body_after_an_equal_one_has_replaced_it) {
+    Pattern pattern = tube(0.5, 0.4, 0.9, 0.2);
+    pattern.body = "mannequin:resolution=1";
+    const auto body = std::make_shared<const Body>(make_mannequin(parse_mannequin(pattern.body)).body);
+    Dressing dressing;
+    dressing.set_body(body);
+    dressing.set_pattern(pattern);
+    ASSERT_EQ(&dressing.designed_for(), &dressing.measured());
+    dressing.set_body(std::make_shared<const Body>(*body));
+    EXPECT_EQ(&dressing.designed_for(), &dressing.measured());
+}
+
 }  // namespace
 }  // namespace selvedge::sim::test

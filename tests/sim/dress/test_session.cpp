@@ -570,8 +570,8 @@ TEST(SessionThread, settles_by_itself_and_then_makes_no_frames) {
 }
 
 // A session's thread ends by an exception that the dressing's interrupt throws: the long operation, making the
-// collider, must call it often, and let its exception through. As a session's, the interrupt throws at every call once
-// it is to: every thread then calls it once more at most.
+// collider, must call it often, and let its exception through. From some call on, the interrupt throws at every call,
+// as a session's does: each other thread calls it once more at most.
 TEST(Dressing, can_be_interrupted_while_a_collider_is_made) {
     struct Stop {};
     // The calls of the interrupt; it throws from the call `first` on.

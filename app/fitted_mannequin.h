@@ -10,15 +10,15 @@
 
 namespace selvedge::app {
 
-struct MeasuredBody {
+struct FittedMannequin {
     sim::MannequinFit fit;
     std::vector<std::string> lines;  // what was used, what follows, what is guessed and left out, for people
 };
 
 // Throws InputError; `path` is in the message.
-MeasuredBody read_measured_body(const std::filesystem::path& path);
+FittedMannequin read_fitted_mannequin(const std::filesystem::path& path);
 
 // From the measurements that a drawing carries.
-MeasuredBody measured_body(std::span<const sim::Measurement> measurements);
+FittedMannequin fitted_mannequin(std::span<const sim::Measurement> measurements);
 
 }  // namespace selvedge::app

@@ -1,4 +1,4 @@
-#include "app/measured_body.h"
+#include "app/fitted_mannequin.h"
 
 #include "sim/paper/measurement_file.h"
 
@@ -12,10 +12,10 @@ void add_list(const char* title, const std::vector<std::string>& words, std::vec
     lines.push_back(std::move(line));
 }
 
-MeasuredBody body_of(std::span<const sim::Measurement> measurements, std::optional<sim::Sex> sex) {
+FittedMannequin body_of(std::span<const sim::Measurement> measurements, std::optional<sim::Sex> sex) {
     std::vector<sim::NamedLength> lengths;
     for (const sim::Measurement& one : measurements) lengths.push_back({one.name, one.value});
-    MeasuredBody body{.fit = mannequin_from_measurements(lengths, sex), .lines = {}};
+    FittedMannequin body{.fit = mannequin_from_measurements(lengths, sex), .lines = {}};
     add_list("used: ", body.fit.used, body.lines);
     for (const std::string& one : body.fit.derived) body.lines.push_back("follows: " + one);
     for (const std::string& one : body.fit.refused) body.lines.push_back("not used: " + one);
@@ -26,12 +26,12 @@ MeasuredBody body_of(std::span<const sim::Measurement> measurements, std::option
 
 }  // namespace
 
-MeasuredBody read_measured_body(const std::filesystem::path& path) {
+FittedMannequin read_fitted_mannequin(const std::filesystem::path& path) {
     const sim::MeasurementFile file = sim::read_measurements(path);
     std::optional<sim::Sex> sex;
     if (file.sex == sim::MeasuredSex::Female) sex = sim::Sex::Female;
     if (file.sex == sim::MeasuredSex::Male) sex = sim::Sex::Male;
-    MeasuredBody body = body_of(file.lengths, sex);
+    FittedMannequin body = body_of(file.lengths, sex);
     std::vector<std::string> lines{path.string() + ": " + file.format + ", " + std::to_string(file.lengths.size()) +
                                    " lengths"};
     lines.insert(lines.end(), file.notes.begin(), file.notes.end());
@@ -40,7 +40,7 @@ MeasuredBody read_measured_body(const std::filesystem::path& path) {
     return body;
 }
 
-MeasuredBody measured_body(std::span<const sim::Measurement> measurements) {
+FittedMannequin fitted_mannequin(std::span<const sim::Measurement> measurements) {
     return body_of(measurements, {});
 }
 
