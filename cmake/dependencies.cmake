@@ -1,4 +1,4 @@
-# Every package that Selvedge uses, each owned by one module (docs/architecture.md).
+# Every package that Selvedge uses, each owned by one module (docs/modules.md).
 option(SELVEDGE_TESTS "Build the tests" ON)
 set(BUILD_TESTING ${SELVEDGE_TESTS})  # CGAL's package would declare it, switched off
 option(SELVEDGE_PYTHON "Build the Python module" ON)

@@ -149,7 +149,7 @@ void move_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<co
 void update_light_normals(CurvedSurface& surface);
 
 // Area-weighted normals of a mesh's leaves, by VertexId: the end normals that a coarse cloth gives to the curves.
-// (Other weights, and normals extrapolated at hems, came no closer to a finer simulation: docs/measurements.md.)
+// (Other weights, and normals extrapolated at hems, came no closer to a finer simulation: docs/history/surface.md.)
 void leaf_normals(const sim::AdaptiveMesh& mesh, const std::vector<Vec4f>& x, std::vector<Vec4f>& normals);
 
 // The root edge whose curve a new vertex lies on; none for a base vertex.

@@ -69,9 +69,10 @@ def _mentions(declaration, name):
     return re.search(rf"(?<!\w){re.escape(name)}(?!\w)", declaration)
 
 
-def check_flow(sources, architecture):
-    """Each arrow is declared where it says, and its declaration mentions the types at both of its ends."""
-    arrows = arrows_of(architecture.text)
+def check_flow(sources, page):
+    """Each arrow is declared where it says, and its declaration mentions the types at both of its ends. page: the text of
+    docs/architecture.md."""
+    arrows = arrows_of(page)
     if not arrows:
         yield Fault(rules.ARCHITECTURE, 1, "has no picture of a panel's way from file to pixel")
         return

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Checks the tree's style: check_style.py includes|types|flow|text|lengths|examples|format [ROOT]. Prints file:line:
-problem; exit 1 when there is any, 77 when the check cannot be made here (ctest then says skipped)."""
+"""Checks the tree's style: check_style.py includes|modules|types|flow|text|lengths|examples|format [ROOT]. Prints
+file:line: problem; exit 1 when there is any, 77 when the check cannot be made here (ctest then says skipped)."""
 import pathlib
 import sys
 
@@ -22,13 +22,18 @@ def cpp_sources(root):
 
 
 def includes(root):
-    sources, architecture = cpp_sources(root), rules.Architecture.of(root)
+    sources, table = cpp_sources(root), rules.Modules.of(root)
     for check in (check_includes.check_directions, check_includes.check_allowances, check_includes.check_packages,
                   check_includes.check_cycles):
-        yield from check(sources, architecture)
+        yield from check(sources, table)
     yield from check_includes.check_own_header(sources)
-    yield from check_includes.check_table(architecture)
-    yield from draw_modules.check_picture(architecture)
+    yield from check_includes.check_table(table)
+
+
+def modules(root):
+    table = rules.Modules.of(root)
+    yield from draw_modules.check_picture(table)
+    yield from draw_modules.check_names(table, rules.architecture_of(root))
 
 
 def types(root):
@@ -36,7 +41,7 @@ def types(root):
 
 
 def flow(root):
-    yield from check_flow.check_flow(cpp_sources(root), rules.Architecture.of(root))
+    yield from check_flow.check_flow(cpp_sources(root), rules.architecture_of(root))
 
 
 def text(root):
@@ -66,8 +71,8 @@ def formatting(root):
     yield from check_format.check_format(root, cpp_sources(root), program)
 
 
-CHECKS = {"includes": includes, "types": types, "flow": flow, "text": text, "lengths": lengths, "examples": examples,
-          "format": formatting}
+CHECKS = {"includes": includes, "modules": modules, "types": types, "flow": flow, "text": text, "lengths": lengths,
+          "examples": examples, "format": formatting}
 
 
 def main(arguments):

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""The picture of the modules in docs/architecture.md, as Mermaid draws it: draw_modules.py [ROOT] prints it, to be put
-into the document. An arrow leads from a module to one that it includes; an arrow that follows from others is left out.
-check_picture() says where the document's picture differs from the table of who may include whom."""
+"""The picture of the modules in docs/modules.md, as Mermaid draws it: draw_modules.py [ROOT] prints it, and with --write
+puts it into the page. An arrow leads from a module to one that it includes; an arrow that follows from others is left
+out. check_picture() says where the page's picture differs from the table of who may include whom, and
+check_names() which modules docs/architecture.md does not name."""
 import pathlib
 import sys
 
@@ -46,23 +47,58 @@ def draw(may_include):
     return lines + [END]
 
 
-def check_picture(architecture):
-    """The document's picture of the modules is the table's."""
-    lines = architecture.text.split("\n")
+def place_of_picture(lines):
+    """(first line, line after the last one) of the picture, from 0; None if there is none."""
     begin = next((i for i in range(len(lines)) if lines[i:i + 2] == BEGIN), None)
-    if begin is None:
-        yield Fault(rules.ARCHITECTURE, 1, "has no picture of the modules")
+    return None if begin is None else (begin, lines.index(END, begin) + 1)
+
+
+def check_picture(modules):
+    """The page's picture of the modules is the table's, line by line."""
+    lines = modules.text.split("\n")
+    place = place_of_picture(lines)
+    if place is None:
+        yield Fault(rules.MODULES, 1, "has no picture of the modules")
         return
-    drawn = lines[begin:lines.index(END, begin) + 1]
-    wanted = draw(architecture.may_include)
+    begin, end = place
+    drawn, wanted = lines[begin:end], draw(modules.may_include)
     for offset, line in enumerate(drawn):
         if line not in wanted:
-            yield Fault(rules.ARCHITECTURE, begin + offset + 1, f"'{line.strip()}' does not follow from the table")
+            yield Fault(rules.MODULES, begin + offset + 1, f"'{line.strip()}' does not follow from the table")
     for line in wanted:
         if line not in drawn:
-            yield Fault(rules.ARCHITECTURE, begin + 1, f"the picture lacks '{line.strip()}'")
+            yield Fault(rules.MODULES, begin + 1, f"the picture lacks '{line.strip()}'")
+    if sorted(drawn) == sorted(wanted) and drawn != wanted:
+        offset = next(i for i, line in enumerate(drawn) if line != wanted[i])
+        yield Fault(rules.MODULES, begin + offset + 1, f"'{wanted[offset].strip()}' belongs here, in the table's order")
+    elif set(drawn) == set(wanted) and drawn != wanted:
+        yield Fault(rules.MODULES, begin + 1, "the picture has a line twice")
+
+
+def check_names(modules, architecture):
+    """docs/architecture.md names every module. architecture: its text."""
+    for module, line in modules.lines.items():
+        if f"`{module}`" not in architecture:
+            yield Fault(rules.MODULES, line, f"{rules.ARCHITECTURE} does not name {module}")
+
+
+def with_picture(modules):
+    """The page's text with the table's picture in the place of its own. Pre: it has one."""
+    lines = modules.text.split("\n")
+    begin, end = place_of_picture(lines)
+    return "\n".join(lines[:begin] + draw(modules.may_include) + lines[end:])
+
+
+def main(arguments):
+    writes = "--write" in arguments
+    roots = [argument for argument in arguments if argument != "--write"]
+    root = roots[0] if roots else pathlib.Path(__file__).parents[2]
+    modules = rules.Modules.of(root)
+    if writes:
+        pathlib.Path(root, rules.MODULES).write_text(with_picture(modules), encoding="utf-8")
+    else:
+        print("\n".join(draw(modules.may_include)))
 
 
 if __name__ == "__main__":
-    root = sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2]
-    print("\n".join(draw(rules.Architecture.of(root).may_include)))
+    main(sys.argv[1:])

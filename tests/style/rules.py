@@ -1,9 +1,10 @@
-"""What the style tests check, as data. Who may include whom and who owns which package is read from
-docs/architecture.md: the tables that people read are the ones that are checked."""
+"""What the style tests check, as data. Who may include whom and who owns which package is read from docs/modules.md:
+the tables that people read are the ones that are checked."""
 import pathlib
 import re
 
 ARCHITECTURE = "docs/architecture.md"
+MODULES = "docs/modules.md"
 NOTHING = "nothing of ours"
 EVERYTHING = "everything"
 
@@ -21,9 +22,10 @@ def rows_of(text, heads):
             yield number, cells
 
 
-class Architecture:
-    """may_include: module -> modules, None where it may include everything; lines: module -> line in the document;
-    owners: beginning of an included name -> beginnings of the paths that may include it; text: the document."""
+class Modules:
+    """The tables of docs/modules.md. may_include: module -> modules, None where it may include everything; lines: module
+    -> line in the page; owners: beginning of an included name -> beginnings of the paths that may include it; text: the
+    page."""
 
     def __init__(self, text):
         self.text = text
@@ -41,7 +43,12 @@ class Architecture:
 
     @classmethod
     def of(cls, root):
-        return cls(pathlib.Path(root, ARCHITECTURE).read_text(encoding="utf-8"))
+        return cls(pathlib.Path(root, MODULES).read_text(encoding="utf-8"))
+
+
+def architecture_of(root):
+    """The text of docs/architecture.md."""
+    return pathlib.Path(root, ARCHITECTURE).read_text(encoding="utf-8")
 
 
 SOURCE_FOLDERS = ["sim", "render", "editor", "batch", "app", "bench", "python", "tests"]

@@ -36,15 +36,15 @@ TABLES = """
 | nlohmann-json | `nlohmann/` | `sim/core/json` |
 | OSMesa, EGL | `GL/`, `EGL/` | `render/draw/` |
 """
-ARCHITECTURE = rules.Architecture(TABLES)
+MODULES = rules.Modules(TABLES)
 
 
 class Includes(unittest.TestCase):
     def directions(self, path, text):
-        return problems(check_includes.check_directions([Source(path, text)], ARCHITECTURE))
+        return problems(check_includes.check_directions([Source(path, text)], MODULES))
 
     def packages(self, path, name):
-        return problems(check_includes.check_packages([Source(path, f"#include <{name}>\n")], ARCHITECTURE))
+        return problems(check_includes.check_packages([Source(path, f"#include <{name}>\n")], MODULES))
 
     def test_a_module_that_reaches_back_is_named_with_its_line(self):
         self.assertEqual(self.directions("sim/core/math.h", '#pragma once\n#include "sim/mesh/sew.h"\n'),
@@ -68,8 +68,8 @@ class Includes(unittest.TestCase):
     def test_an_allowance_that_nobody_uses_fails(self):
         sources = [Source("sim/mesh/sew.cpp", '#include "sim/core/math.h"\n'),
                    Source("sim/dress/dress.cpp", '#include "sim/core/math.h"\n#include "sim/mesh/sew.h"\n')]
-        self.assertEqual(problems(check_includes.check_allowances(sources, ARCHITECTURE)),
-                         ["docs/architecture.md:7: render/draw never includes sim/core"])
+        self.assertEqual(problems(check_includes.check_allowances(sources, MODULES)),
+                         ["docs/modules.md:7: render/draw never includes sim/core"])
 
     def test_a_package_outside_its_module_fails(self):
         self.assertEqual(len(self.packages("sim/mesh/load.cpp", "nlohmann/json.hpp")), 1)
@@ -91,27 +91,27 @@ class Includes(unittest.TestCase):
 
     def test_files_that_include_each_other_are_a_circle(self):
         faults = check_includes.check_cycles([Source("sim/core/a.h", '#include "sim/core/b.h"\n'),
-                                              Source("sim/core/b.h", '#include "sim/core/a.h"\n')], ARCHITECTURE)
+                                              Source("sim/core/b.h", '#include "sim/core/a.h"\n')], MODULES)
         self.assertEqual(problems(faults),
                          ["sim/core/a.h:1: a circle: sim/core/a.h -> sim/core/b.h -> sim/core/a.h"])
 
     def test_modules_that_include_each_other_are_a_circle_even_by_different_files(self):
         faults = check_includes.check_cycles([Source("app/a.h", '#include "bench/c.h"\n'), Source("bench/c.h", ""),
                                               Source("bench/b.h", '#include "app/d.h"\n'), Source("app/d.h", "")],
-                                             ARCHITECTURE)
+                                             MODULES)
         self.assertEqual(problems(faults), ["app/a.h:1: a circle: app -> bench -> app"])
 
     def test_a_table_with_a_circle_fails(self):
-        circle = rules.Architecture(TABLES.replace("| nothing of ours |", "| sim/mesh |"))
+        circle = rules.Modules(TABLES.replace("| nothing of ours |", "| sim/mesh |"))
         self.assertEqual(len(problems(check_includes.check_table(circle))), 1)
-        self.assertEqual(problems(check_includes.check_table(ARCHITECTURE)), [])
+        self.assertEqual(problems(check_includes.check_table(MODULES)), [])
 
 
 class Picture(unittest.TestCase):
-    PICTURE = "\n".join(draw_modules.draw(ARCHITECTURE.may_include))
+    PICTURE = "\n".join(draw_modules.draw(MODULES.may_include))
 
     def faults_of(self, text):
-        return problems(draw_modules.check_picture(rules.Architecture(TABLES + text)))
+        return problems(draw_modules.check_picture(rules.Modules(TABLES + text)))
 
     def test_an_arrow_that_follows_from_others_is_left_out(self):
         self.assertIn("sim_dress --> sim_mesh", self.PICTURE)
@@ -121,6 +121,22 @@ class Picture(unittest.TestCase):
     def test_a_picture_with_another_arrow_or_with_one_less_fails(self):
         self.assertEqual(len(self.faults_of(self.PICTURE.replace("sim_mesh --> sim_core", "sim_core --> sim_mesh"))), 2)
         self.assertEqual(len(self.faults_of("no picture")), 1)
+
+    def test_a_picture_in_another_order_or_with_a_line_twice_fails(self):
+        lines = self.PICTURE.split("\n")
+        self.assertEqual(len(self.faults_of("\n".join(lines[:-3] + [lines[-2], lines[-3], lines[-1]]))), 1)
+        self.assertEqual(len(self.faults_of("\n".join(lines[:-1] + lines[-2:]))), 1)
+
+    def test_what_it_writes_into_the_page_passes_and_leaves_the_rest(self):
+        old = "text\n" + self.PICTURE.replace("sim_mesh --> sim_core", "sim_core --> sim_mesh") + "\ntext"
+        new = draw_modules.with_picture(rules.Modules(TABLES + old))
+        self.assertEqual(new, TABLES + "text\n" + self.PICTURE + "\ntext")
+
+    def test_a_module_that_the_architecture_does_not_name_fails(self):
+        page = "`sim/core`, `sim/mesh`, `sim/dress`, `app`, `bench`, `tests`"
+        self.assertEqual(problems(draw_modules.check_names(MODULES, page)),
+                         ["docs/modules.md:7: docs/architecture.md does not name render/draw"])
+        self.assertEqual(problems(draw_modules.check_names(MODULES, page + ", `render/draw`")), [])
 
 
 class Flow(unittest.TestCase):
@@ -150,7 +166,7 @@ flowchart TD
 
     def faults_of(self, text):
         sources = [Source("sim/mesh/a.h", self.MESH), Source("sim/mesh/b.h", PRAGMA)]
-        return problems(check_flow.check_flow(sources, rules.Architecture(text)))
+        return problems(check_flow.check_flow(sources, text))
 
     def test_a_picture_of_what_the_headers_declare_passes(self):
         self.assertEqual(self.faults_of(self.PICTURE), [])
@@ -304,9 +320,7 @@ class Program(unittest.TestCase):
             header.parent.mkdir(parents=True)
             pathlib.Path(root, "docs").mkdir()
             table = "| module | may include |\n|---|---|\n| sim/core | nothing of ours |\n| app | everything |\n"
-            pathlib.Path(root, "docs", "architecture.md").write_text(
-                table + "\n\n" + "\n".join(draw_modules.draw(rules.Architecture(table).may_include)) + "\n",
-                encoding="utf-8")
+            pathlib.Path(root, "docs", "modules.md").write_text(table, encoding="utf-8")
             for text, exit_code in [(PRAGMA, 0), (PRAGMA + '#include "app/commands.h"\n', 1)]:
                 header.write_text(text, encoding="utf-8")
                 result = subprocess.run([sys.executable, str(script), "includes", root], check=False,
