@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/core/math.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::editor {
@@ -38,10 +39,6 @@ class GeometryError : public std::runtime_error {
     std::vector<PartLocation> places_;
     std::vector<sim::Panel> refused_panels_;
 };
-
-inline std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 inline int edge_count(const sim::Panel& panel) {
     return static_cast<int>(panel.edges.size());

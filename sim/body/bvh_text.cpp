@@ -14,7 +14,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr double kLargest = 1e6;  // of an offset or a channel; admits a hall in millimetres
+constexpr double kLargestValue = 1e6;  // of an offset or a channel; admits a hall in millimetres
 
 // Words between white space; braces are words of their own.
 class Words {
@@ -97,7 +97,7 @@ class BvhReader {
     double read_value(const char* what) {
         const std::size_t line = words_.line();
         const double value = read_number(what);
-        if (!(std::abs(value) <= kLargest)) fail(line, std::string(what) + " is not a reasonable number");
+        if (!(std::abs(value) <= kLargestValue)) fail(line, std::string(what) + " is not a reasonable number");
         return value;
     }
 

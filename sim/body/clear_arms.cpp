@@ -105,9 +105,9 @@ Vec3d front_of(const std::vector<Eigen::Affine3d>& frames, const std::vector<Eig
 }
 
 // How deep the arms are in the body at one time of the clip, for any angle by which they are opened.
-class Frame {
+class ClipFrame {
  public:
-    Frame(const Body& body, const Pose& pose, const std::array<Arm, 2>& arms, const PartsOfBody& parts) {
+    ClipFrame(const Body& body, const Pose& pose, const std::array<Arm, 2>& arms, const PartsOfBody& parts) {
         const std::vector<Eigen::Affine3d> frames = bone_frames(body, pose);
         front_ = front_of(frames, parts.rest, parts.joints[Joint::Chest]);
         std::vector<Vec3f> x;
@@ -146,12 +146,12 @@ class Frame {
 
 // From the widest angle inward as long as the arms are clear, for a centre that is deep in the trunk is far from its
 // surface too.
-double best_angle(const std::vector<Frame>& frames, const ClearArmsOptions& options) {
+double best_angle(const std::vector<ClipFrame>& frames, const ClearArmsOptions& options) {
     double best = options.most;
     double least = std::numeric_limits<double>::infinity();
     for (int step = int(std::floor(options.most / kStep)); step >= 0; --step) {
         double overlap = 0;
-        for (const Frame& frame : frames) overlap = std::max(overlap, frame.overlap(step * kStep, options.gap));
+        for (const ClipFrame& frame : frames) overlap = std::max(overlap, frame.overlap(step * kStep, options.gap));
         if (least == 0 && overlap > 0) break;
         if (overlap > least) continue;
         least = overlap;
@@ -189,7 +189,7 @@ double clear_arms(const Body& body, Clip& clip, const ClearArmsOptions& options)
     const PartsOfBody parts(body);
     if (!has_all(parts.joints)) return 0;
     const std::array<Arm, 2> arms{arm_of(body, parts, Joint::LeftUpperArm), arm_of(body, parts, Joint::RightUpperArm)};
-    std::vector<Frame> frames;
+    std::vector<ClipFrame> frames;
     const int intervals = clip.seconds > 0 ? kFrames : 1;
     for (int i = 0; i < intervals + (clip.seconds > 0 ? 1 : 0); ++i)
         frames.emplace_back(body, sample(body, clip, clip.seconds * i / intervals), arms, parts);

@@ -33,11 +33,12 @@
 #include "sim/core/flat_bytes.h"
 #include "sim/core/passing_error.h"
 #include "sim/core/process_memory.h"
+#include "sim/core/stopwatch.h"
 
 namespace selvedge::sim {
 namespace {
 
-constexpr float kLargest = 1e6F;  // admits a body of 1,800 mm, rejects a corrupted exponent
+constexpr float kLargestCoordinate = 1e6F;  // admits a body of 1,800 mm, rejects a corrupted exponent
 
 bool looks_like_obj(std::string_view content) {
     if (content.find('\0') != std::string_view::npos) return false;
@@ -162,7 +163,7 @@ std::string one_line(std::string text) {
 
 template <class Vector>
 bool is_reasonable(const Vector& v) {
-    return v.allFinite() && v.cwiseAbs().maxCoeff() <= kLargest;
+    return v.allFinite() && v.cwiseAbs().maxCoeff() <= kLargestCoordinate;
 }
 
 void check_skin(const ImportedScene& scene, const ImportedMesh& mesh, const InputError& broken) {
@@ -346,8 +347,6 @@ std::optional<ImportAnswer> from_bytes(std::string_view bytes) {
 }
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 void limit(decltype(RLIMIT_CPU) resource, rlim_t most) {
     const rlimit values{most, most};

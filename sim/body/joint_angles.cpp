@@ -10,13 +10,13 @@
 #include "sim/body/grounding.h"
 #include "sim/body/retarget.h"
 #include "sim/core/json.h"
+#include "sim/core/math.h"
 
 namespace selvedge::sim {
 namespace {
 
 using Rotation = Eigen::Quaterniond;
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kUnturned = 1e-6;  // rad: below this a bone counts as not turned
 
 // A person of 1.65 m with legs and arms straight down: the female mannequin's bones (mannequin_table.json),

@@ -89,17 +89,17 @@ LengthUnit length_unit(double height, double depth, const std::string& file, Len
 
 // Applies to any unit: nothing larger is a person, and the memory of the collision field grows with the volume.
 void check_size(const ImportedScene& scene, double scale, const std::string& file) {
-    constexpr double kLargest = 5;  // m
+    constexpr double kLargestBody = 5;  // m
     for (int axis = 0; axis < 3; ++axis) {
         const double extent = range_along(scene, axis).extent() * scale;
-        if (extent <= kLargest) continue;
+        if (extent <= kLargestBody) continue;
         throw InputError(file, "",
                          "a body of " + std::to_string(extent) + " m is too large to dress: is its unit right?");
     }
 }
 
 // Converts the file's frame to ours. Z up follows the convention of Blender and CAD: the body faces -y.
-struct Frame {
+struct FileFrame {
     double scale = 1;
     UpAxis up = UpAxis::Y;
     double lift = 0;  // m
@@ -110,8 +110,8 @@ struct Frame {
     }
 };
 
-Frame choose_frame(const ImportedScene& scene, const std::filesystem::path& path, const LoadBodyOptions& options,
-                   LoadBodyReport& report) {
+FileFrame choose_frame(const ImportedScene& scene, const std::filesystem::path& path, const LoadBodyOptions& options,
+                       LoadBodyReport& report) {
     report.up = up_axis(scene, path, options.up);
     const int up = report.up == UpAxis::Z ? 2 : 1;
     const double depth = std::min(range_along(scene, 0).extent(), range_along(scene, 3 - up).extent());
@@ -127,7 +127,7 @@ struct JoinedScene {
     std::vector<SkinWeights> skin;  // empty, or parallel to surface.x
 };
 
-JoinedScene join(const ImportedScene& scene, const Frame& frame) {
+JoinedScene join(const ImportedScene& scene, const FileFrame& frame) {
     JoinedScene joined;
     bool has_skin = !scene.bones.empty();
     for (const ImportedMesh& mesh : scene.meshes) has_skin = has_skin && mesh.skin.size() == mesh.x.size();
@@ -206,7 +206,7 @@ std::string canonical_name(const std::filesystem::path& path) {
 namespace {
 
 // Takes the scene's bones, which are in the file's frame, into ours.
-void take_bones(Body& body, std::vector<Bone> bones, const Frame& frame) {
+void take_bones(Body& body, std::vector<Bone> bones, const FileFrame& frame) {
     body.frame.linear().col(0) = frame(Vec3d::UnitX());
     body.frame.linear().col(1) = frame(Vec3d::UnitY());
     body.frame.linear().col(2) = frame(Vec3d::UnitZ());
@@ -229,7 +229,7 @@ BodyClips body_of(ImportedScene scene, const std::filesystem::path& path, const 
     LoadBodyReport own;
     LoadBodyReport& filled_report = report ? *report : own;
     filled_report = {};
-    const Frame frame = choose_frame(scene, path, options, filled_report);
+    const FileFrame frame = choose_frame(scene, path, options, filled_report);
     JoinedScene joined = join(scene, frame);
     Surface surface = repair(std::move(joined.surface), path.string(), options.repair, filled_report.repair);
 

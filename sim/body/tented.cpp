@@ -12,9 +12,9 @@ namespace selvedge::sim {
 namespace {
 
 // A surface and what is near each of its vertices.
-class Surface {
+class SmoothedSurface {
  public:
-    Surface(const std::vector<Vec3d>& x, const std::vector<std::array<int, 3>>& triangles)
+    SmoothedSurface(const std::vector<Vec3d>& x, const std::vector<std::array<int, 3>>& triangles)
         : x_(x), areas_(x.size(), Vec3d::Zero()), sizes_(x.size(), 0), beside_(x.size()), seen_by_(x.size(), 0) {
         for (const auto& t : triangles) {
             const auto at = [&](std::size_t k) { return std::size_t(t[k]); };
@@ -67,8 +67,8 @@ class Surface {
 };
 
 // By how much each vertex is raised along its normal, m: from the highest downward, as distances grow round a source.
-std::vector<double> raises(const std::vector<Vec3d>& x, const Surface& surface,
-                           const std::vector<Surface::Smooth>& smooth) {
+std::vector<double> raises(const std::vector<Vec3d>& x, const SmoothedSurface& surface,
+                           const std::vector<SmoothedSurface::Smooth>& smooth) {
     std::vector<double> height(x.size()), raised(x.size());
     std::priority_queue<std::pair<double, std::size_t>> highest;
     for (std::size_t v = 0; v < x.size(); ++v) {
@@ -96,8 +96,8 @@ std::vector<double> raises(const std::vector<Vec3d>& x, const Surface& surface,
 Body tented(const Body& body) {
     Body result = body;
     std::vector<Vec3d>& x = body.bind.empty() ? result.x : result.bind;
-    Surface surface(x, body.triangles);
-    std::vector<Surface::Smooth> smooth;
+    SmoothedSurface surface(x, body.triangles);
+    std::vector<SmoothedSurface::Smooth> smooth;
     for (std::size_t v = 0; v < x.size(); ++v) smooth.push_back(surface.smooth(v));
     const std::vector<double> raise = raises(x, surface, smooth);
     for (std::size_t v = 0; v < x.size(); ++v) x[v] += raise[v] * smooth[v].normal;

@@ -29,9 +29,9 @@ constexpr int kPasses = 2;           // the second takes what sides that are not
 constexpr float kReach = 0.056F;
 
 // A cell of a grid, and which of six directions a normal is nearest to.
-using Cell = std::tuple<int, int, int, int>;
+using FacingCell = std::tuple<int, int, int, int>;
 
-Cell cell_of(const Vec3f& x, const Vec3f& normal, float size) {
+FacingCell cell_of(const Vec3f& x, const Vec3f& normal, float size) {
     const auto at = [&](Eigen::Index axis) { return static_cast<int>(std::floor(x[axis] / size)); };
     Eigen::Index axis = 0;
     normal.cwiseAbs().maxCoeff(&axis);
@@ -139,11 +139,11 @@ YieldingFlesh::YieldingFlesh(const Body& body) {
 // Of the vertices in a cell, the one nearest to their middle is the sample.
 void YieldingFlesh::make_samples(const Body& body) {
     const std::vector<Vec3f> normals = area_normals(body, bind_);
-    std::map<std::pair<Cell, Cell>, std::vector<std::uint32_t>> cells;  // by patch
+    std::map<std::pair<FacingCell, FacingCell>, std::vector<std::uint32_t>> cells;  // by patch
     for (std::size_t v = 0; v < bind_.size(); ++v)
         cells[{cell_of(bind_[v], normals[v], kPatch), cell_of(bind_[v], normals[v], kSpacing)}].push_back(
             std::uint32_t(v));
-    const Cell* last = nullptr;
+    const FacingCell* last = nullptr;
     for (const auto& [cell, members] : cells) {
         Vec3f middle = Vec3f::Zero();
         for (const std::uint32_t v : members) middle += bind_[v] / float(members.size());

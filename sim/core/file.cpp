@@ -28,7 +28,7 @@ class Descriptor {
     int fd_;
 };
 
-[[noreturn]] void fail(const std::filesystem::path& path) {
+[[noreturn]] void fail_to_read(const std::filesystem::path& path) {
     const std::string reason = std::strerror(errno);
     throw InputError(path.string(), "", "cannot read: " + reason);
 }
@@ -37,9 +37,9 @@ class Descriptor {
 
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes) {
     Descriptor file(path, O_RDONLY | O_NONBLOCK);
-    if (!file.is_open()) fail(path);
+    if (!file.is_open()) fail_to_read(path);
     struct stat status {};
-    if (::fstat(file.get(), &status) != 0) fail(path);
+    if (::fstat(file.get(), &status) != 0) fail_to_read(path);
     if (!S_ISREG(status.st_mode)) throw InputError(path.string(), "", "not a regular file");
     if (static_cast<std::size_t>(status.st_size) > max_bytes) {
         throw InputError(
@@ -51,7 +51,7 @@ std::string read_file(const std::filesystem::path& path, std::size_t max_bytes) 
     while (done < content.size()) {
         const ssize_t got = ::read(file.get(), content.data() + done, content.size() - done);
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) fail(path);
+        if (got < 0) fail_to_read(path);
         if (got == 0) break;
         done += static_cast<std::size_t>(got);
     }

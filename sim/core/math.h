@@ -1,10 +1,12 @@
 #pragma once
-// Vector types (Eigen), the 2D cross product, a bounding box, a smooth step, and a quantile. Double precision is used
-// for patterns, base meshes and bodies; single precision for the state of the adaptive mesh and of the cloth.
+// Vector types (Eigen), degrees, indices, the 2D cross product, a bounding box, a smooth step, and a quantile. Double
+// precision is used for patterns, base meshes and bodies; single precision for the state of the adaptive mesh and of
+// the cloth.
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -15,6 +17,13 @@ using Vec3d = Eigen::Vector3d;
 using Vec2f = Eigen::Vector2f;
 using Vec3f = Eigen::Vector3f;
 using Vec4f = Eigen::Vector4f;  // a point or direction with w = 0, so that it fills one SIMD register
+
+inline constexpr double kDegree = std::numbers::pi / 180;  // rad
+
+// An index of a pattern or an outline, which counts in int, as containers take it. Pre: index >= 0.
+constexpr std::size_t as_size(int index) {
+    return static_cast<std::size_t>(index);
+}
 
 // The z component of the cross product of two 2D vectors: positive if b points to the left of a.
 inline double cross2(const Vec2d& a, const Vec2d& b) {
@@ -51,6 +60,7 @@ inline double quantile(std::vector<double> values, double q) {
 // All modules use these types, so their names are also in the outer namespace.
 namespace selvedge {
 
+using sim::as_size;
 using sim::Vec2d;
 using sim::Vec2f;
 using sim::Vec3d;

@@ -3,12 +3,12 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <memory>
 #include <optional>
 
 #include "sim/core/math.h"
+#include "sim/core/stopwatch.h"
 #include "sim/dress/animation.h"
 #include "sim/dress/inspection.h"
 #include "sim/dress/own_pose.h"
@@ -26,15 +26,12 @@ class PhaseTimer {
     explicit PhaseTimer(DressTiming& timing) : timing_(timing) {}
 
     void done(const std::string& phase) {
-        timing_.wall_s = since(start_);
-        timing_.phases_s[phase] = since(phase_start_);
+        timing_.wall_s = seconds_since(start_);
+        timing_.phases_s[phase] = seconds_since(phase_start_);
         phase_start_ = Clock::now();
     }
 
  private:
-    using Clock = std::chrono::steady_clock;
-    static double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
     DressTiming& timing_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point phase_start_ = start_;

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "sim/core/assert.h"
+#include "sim/core/stopwatch.h"
 #include "sim/dress/session_state.h"
 
 namespace selvedge::sim {
@@ -55,7 +56,6 @@ class Session::Worker {
 
  private:
     struct Ended : std::exception {};  // thrown by the interrupt of long operations when the session ends
-    using Clock = std::chrono::steady_clock;
 
     void work();
     void work_until_ended();

@@ -1,12 +1,12 @@
 #include "sim/dress/session_state.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "sim/core/error.h"
 #include "sim/core/math.h"
+#include "sim/core/stopwatch.h"
 #include "sim/dress/animation.h"
 #include "sim/dress/carry_over.h"
 #include "sim/dress/dressing_pose.h"
@@ -20,12 +20,6 @@ namespace {
 constexpr double kHangs = 3;  // s after its seams were closed: a garment that never rests may move with its body
 constexpr std::size_t kTimedFrames = 30;
 constexpr std::size_t kMaxMessages = 50;
-
-using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 double sum_of(const std::vector<double>& values) {
     double sum = 0;

@@ -25,7 +25,8 @@
 #include "sim/place/openings.h"
 
 namespace selvedge::sim {
-namespace {
+
+// Parts of WearingCheck::Known: so they have external linkage.
 
 // The garment before and after draping: its separate panels, and the same with all seams closed. A seam that did not
 // close joins its two sides here at their mean positions.
@@ -36,6 +37,15 @@ struct WornGarment {
     std::vector<int> in_closed;        // vertex of `closed`, per vertex of `panels`
     std::vector<Vec3d> closed_draped;  // m, per vertex of `closed`
 };
+
+// The openings of a garment, and the limbs that were meant to leave through each.
+struct MeantOpenings {
+    std::vector<Opening> openings;
+    LimbPassages limbs;
+    std::vector<bool> hang_from_shoulders;  // per opening: what it belongs to does, so it need not hold anything up
+};
+
+namespace {
 
 // The garment as it was placed.
 WornGarment undraped(GarmentMesh unsewn) {
@@ -172,13 +182,6 @@ struct BodyPair {
     const BodyLimbs& meant_for;
     const BodyLimbs& worn_by;
     const Body& wearer;
-};
-
-// The openings of a garment, and the limbs that were meant to leave through each.
-struct MeantOpenings {
-    std::vector<Opening> openings;
-    LimbPassages limbs;
-    std::vector<bool> hang_from_shoulders;  // per opening: what it belongs to does, so it need not hold anything up
 };
 
 using PanelVertices = std::vector<std::vector<std::size_t>>;  // per panel, ascending

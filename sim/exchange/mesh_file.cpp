@@ -218,7 +218,7 @@ DrawMesh read_garment(const std::filesystem::path& path) {
 
 namespace {
 
-constexpr std::uint32_t kNone = UINT32_MAX;
+constexpr std::uint32_t kNoCopy = UINT32_MAX;
 
 // Linked lists of the part's copies of each mesh vertex. They are short: a vertex has few distinct material coordinates
 // in one panel.
@@ -228,7 +228,7 @@ struct Copies {
 };
 
 std::uint32_t part_vertex(PanelPart& part, Copies& copies, std::uint32_t vertex, const Vec2f* u, bool is_turned) {
-    for (std::uint32_t copy = copies.first[vertex]; copy != kNone; copy = copies.next[copy])
+    for (std::uint32_t copy = copies.first[vertex]; copy != kNoCopy; copy = copies.next[copy])
         if ((!u || part.u[copy] == *u) && part.is_turned[copy] == is_turned) return copy;
     const std::uint32_t added = std::uint32_t(part.vertices.size());
     part.vertices.push_back(vertex);
@@ -255,7 +255,7 @@ std::vector<PanelPart> split_by_panel(const DrawMesh& mesh) {
         triangles_of_panel[panel].push_back(t);
     }
     std::vector<PanelPart> parts;
-    Copies copies{std::vector<std::uint32_t>(mesh.x.size(), kNone), {}};
+    Copies copies{std::vector<std::uint32_t>(mesh.x.size(), kNoCopy), {}};
     for (std::size_t panel = 0; panel < triangles_of_panel.size(); ++panel) {
         if (triangles_of_panel[panel].empty()) continue;
         PanelPart part;
@@ -272,7 +272,7 @@ std::vector<PanelPart> split_by_panel(const DrawMesh& mesh) {
             }
             part.triangles.push_back(corners);
         }
-        for (const std::uint32_t v : part.vertices) copies.first[v] = kNone;
+        for (const std::uint32_t v : part.vertices) copies.first[v] = kNoCopy;
         parts.push_back(std::move(part));
     }
     return parts;

@@ -60,7 +60,7 @@ constexpr double kChildHeight = 0.40;  // m: who is smaller is a wrong number
 constexpr const char* kAdultData =
     ": its data are of adults and end there; for a child, name a body file instead (docs/mannequin.md)";
 
-std::string in_cm(double metres) {
+std::string as_limit(double metres) {
     char text[32];
     std::snprintf(text, sizeof text, "%.4g cm", 100 * metres);
     return text;
@@ -92,7 +92,7 @@ double follow(const Proportion& proportion, const TrunkRatios& ratios, Sex sex) 
 
 [[noreturn]] void refuse(const MeasureEntry& entry, double value, double least, double most, const std::string& why) {
     throw InputError("mannequin", std::string(entry.name),
-                     in_cm(value) + " is not between " + in_cm(least) + " and " + in_cm(most) + why);
+                     as_limit(value) + " is not between " + as_limit(least) + " and " + as_limit(most) + why);
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ void check_inseam(const MannequinBase& base, const MannequinMeasures& measures) 
     if (!measures.inseam) return;
     const double height = measures.height.value_or(base.height);
     if (*measures.inseam >= kMin * height && *measures.inseam <= kMax * height) return;
-    refuse(kEntries[1], *measures.inseam, kMin * height, kMax * height, " for a height of " + in_cm(height));
+    refuse(kEntries[1], *measures.inseam, kMin * height, kMax * height, " for a height of " + as_limit(height));
 }
 
 GirthValues target_girths(const MannequinBase& base, const MannequinMeasures& measures) {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <polyclipping/clipper.hpp>
 
 #include "sim/core/error.h"
+#include "sim/core/math.h"
 #include "sim/paper/dart_cap.h"
 #include "sim/paper/fit_curve.h"
 #include "sim/paper/polyline_crossing.h"
@@ -19,10 +19,6 @@ namespace selvedge::sim {
 namespace {
 
 using Polyline = std::vector<Vec2d>;
-
-std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 Vec2d to_the_right(const Vec2d& v) {
     return {v.y(), -v.x()};
@@ -120,11 +116,12 @@ Vec2d mirrored_corner(const Vec2d& corner, const Vec2d& hem_along, const Vec2d& 
     return from + s * along;
 }
 
-constexpr double kGrid = 1e-7;  // m, of Clipper's integers
+constexpr double kClipperGrid = 1e-7;  // m, of Clipper's integers
 
 ClipperLib::Path to_grid(const Polyline& line) {
     ClipperLib::Path path;
-    for (const Vec2d& p : line) path.emplace_back(std::llround(p.x() / kGrid), std::llround(p.y() / kGrid));
+    for (const Vec2d& p : line)
+        path.emplace_back(std::llround(p.x() / kClipperGrid), std::llround(p.y() / kClipperGrid));
     return path;
 }
 
@@ -137,7 +134,7 @@ Polyline outer_boundary(const Polyline& line) {
     if (largest == simple.end()) return line;
     Polyline outer;
     for (const ClipperLib::IntPoint& p : *largest)
-        outer.emplace_back(kGrid * static_cast<double>(p.X), kGrid * static_cast<double>(p.Y));
+        outer.emplace_back(kClipperGrid * static_cast<double>(p.X), kClipperGrid * static_cast<double>(p.Y));
     return outer;
 }
 

@@ -15,13 +15,13 @@ namespace {
 
 using Polyline = std::vector<Vec2d>;
 
-constexpr double kChordError = 1e-4;  // m
-constexpr double kGrid = 1e-4;        // m, of allowances
-constexpr double kWidest = 0.12;      // m, that counts as an allowance
+constexpr double kChord = 1e-4;          // m
+constexpr double kAllowanceGrid = 1e-4;  // m, of allowances
+constexpr double kWidest = 0.12;         // m, that counts as an allowance
 
 std::vector<Polyline> lines_of(const Panel& panel) {
     std::vector<Polyline> lines;
-    for (const OutlineEdge& edge : panel.edges) lines.push_back(outline_polyline(panel, edge, kChordError));
+    for (const OutlineEdge& edge : panel.edges) lines.push_back(outline_polyline(panel, edge, kChord));
     return lines;
 }
 
@@ -43,7 +43,7 @@ class AllowanceMeter {
         if (!(high - low <= kUneven)) return std::nullopt;
         // Drafts are drawn in halves of a millimetre, and rounded.
         constexpr long kHalf = 5;  // in steps of the grid
-        const double steps = (low + high) / 2 / kGrid;
+        const double steps = (low + high) / 2 / kAllowanceGrid;
         const long half = kHalf * std::lround(steps / kHalf);
         return std::abs(steps - static_cast<double>(half)) < 2 ? half : std::lround(steps);
     }
@@ -89,9 +89,10 @@ void measure_allowances(Panel& panel, const std::vector<Panel>& cut_lines) {
     }
     if (lengths.empty()) return;
     const auto usual = std::ranges::max_element(lengths, {}, [](const auto& one) { return one.second; });
-    panel.allowance = kGrid * static_cast<double>(usual->first);
+    panel.allowance = kAllowanceGrid * static_cast<double>(usual->first);
     for (std::size_t e = 0; e < widths.size(); ++e) {
-        if (widths[e] && *widths[e] != usual->first) panel.edges[e].allowance = kGrid * static_cast<double>(*widths[e]);
+        if (widths[e] && *widths[e] != usual->first)
+            panel.edges[e].allowance = kAllowanceGrid * static_cast<double>(*widths[e]);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/core/math.h"
 #include "sim/paper/path_builder.h"
 #include "sim/paper/polyline_outline.h"
 #include "sim/pattern/edge_shape.h"
@@ -11,10 +12,6 @@
 
 namespace selvedge::sim {
 namespace {
-
-std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 Panel reversed_outline(const Panel& panel) {
     Panel reversed = panel;

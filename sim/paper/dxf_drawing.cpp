@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t kMostEntities = 100000;
 constexpr std::size_t kMostVertices = 2000000;
-constexpr double kLargest = 1e7;  // drawing units
+constexpr double kLargestNumber = 1e7;  // drawing units
 
 std::string lower(std::string_view text) {
     std::string small(text);
@@ -123,7 +123,7 @@ class EntityReader {
 
     double coordinate(const DxfEntity& entity, std::string_view text) const {
         const auto value = dxf_number(text);
-        if (!value || std::abs(*value) > kLargest)
+        if (!value || std::abs(*value) > kLargestNumber)
             fail(entity, "'" + std::string(text.substr(0, 40)) + "' is no coordinate");
         return *value;
     }
@@ -201,7 +201,7 @@ class EntityReader {
     void read_arc(const DxfEntity& entity, int layer, DxfPiece& piece) {
         const Vec2d centre = point(entity, 10);
         const double radius = entity.number(40).value_or(0);
-        if (!(radius > 0) || radius > kLargest) fail(entity, "the radius is wrong");
+        if (!(radius > 0) || radius > kLargestNumber) fail(entity, "the radius is wrong");
         const bool is_circle = entity.type == "CIRCLE";
         const double degree = std::numbers::pi / 180;
         const double from = is_circle ? 0 : std::fmod(entity.number(50).value_or(0), 360) * degree;

@@ -8,13 +8,13 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr double kMm = 0.001;       // m
-constexpr double kShortest = 1e-3;  // mm, of an edge
-constexpr double kLargest = 1e5;    // mm, of a coordinate
+constexpr double kMm = 0.001;               // m
+constexpr double kShortest = 1e-3;          // mm, of an edge
+constexpr double kLargestCoordinate = 1e5;  // mm, of a coordinate
 
 Vec2d read_point(const JsonView& view) {
-    return {view.at(std::size_t{0}).number_between(-kLargest, kLargest),
-            view.at(std::size_t{1}).number_between(-kLargest, kLargest)};
+    return {view.at(std::size_t{0}).number_between(-kLargestCoordinate, kLargestCoordinate),
+            view.at(std::size_t{1}).number_between(-kLargestCoordinate, kLargestCoordinate)};
 }
 
 void read_operation(const JsonView& op, PathBuilder& pen) {
@@ -67,7 +67,8 @@ std::string short_name(const std::string& name, const std::string& design) {
 void read_measurements(const JsonView& view, Drawing& drawing) {
     for (const std::string& key : view.keys()) {
         if (key == "shoulderSlope") continue;
-        drawing.measurements.push_back({key, kMm * view.at(key).number_between(-kLargest, kLargest)});
+        drawing.measurements.push_back(
+            {key, kMm * view.at(key).number_between(-kLargestCoordinate, kLargestCoordinate)});
     }
 }
 

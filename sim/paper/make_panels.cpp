@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "sim/core/error.h"
+#include "sim/core/math.h"
 #include "sim/paper/cut_line.h"
 #include "sim/paper/drawing_unit.h"
 #include "sim/paper/drawn_allowances.h"
@@ -28,10 +29,6 @@ namespace {
 
 constexpr double kChordError = 1e-4;  // m, for distances to curves
 constexpr double kLargestPanel = 30;  // m; further from the origin, panels are moved to it
-
-std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 std::string in_cm(double metres) {
     std::array<char, 32> text{};
@@ -234,8 +231,8 @@ class PartReader {
     }
 
     void add_marks() {
-        constexpr double kReach = 0.03;  // m, from the sewing line to a notch at the cut line
-        constexpr double kSame = 1e-5;   // m: at a corner a notch belongs to the edge that the file names
+        constexpr double kReach = 0.03;      // m, from the sewing line to a notch at the cut line
+        constexpr double kSamePlace = 1e-5;  // m: at a corner a notch belongs to the edge that the file names
         for (const DrawnMark& mark : part_.marks) {
             const Vec2d at = scale_ * mark.at;
             if (mark.kind == MarkKind::Drill || mark.kind == MarkKind::Button) panel_.drill_points.push_back(at);
@@ -244,7 +241,7 @@ class PartReader {
             if (place.distance > kReach) continue;
             if (mark.edge && as_size(*mark.edge) < panel_.edges.size()) {
                 const OutlinePlace named = nearest_on_edge(panel_, as_size(*mark.edge), at);
-                if (named.distance < place.distance + kSame) place = named;
+                if (named.distance < place.distance + kSamePlace) place = named;
             }
             panel_.notches.push_back({place.edge, place.t, mark.notch, mark.count});
         }

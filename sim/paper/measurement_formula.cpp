@@ -7,8 +7,8 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr int kDeepest = 64;       // parentheses and names within names
-constexpr int kMostTerms = 10000;  // names that name others twice and more would take ages
+constexpr int kDeepestFormula = 64;  // parentheses and names within names
+constexpr int kMostTerms = 10000;    // names that name others twice and more would take ages
 
 class Reader {
  public:
@@ -67,7 +67,7 @@ class Reader {
     }
 
     std::optional<double> factor() {
-        if (++depth_ > kDeepest || ++terms_ > kMostTerms) return std::nullopt;
+        if (++depth_ > kDeepestFormula || ++terms_ > kMostTerms) return std::nullopt;
         std::optional<double> value;
         if (take('-')) {
             const auto other = factor();
@@ -100,7 +100,7 @@ class Reader {
         const std::string name(rest_.substr(0, length));
         rest_.remove_prefix(length);
         const auto found = formulas_.find(name);
-        if (found == formulas_.end() || depth_ > kDeepest) return std::nullopt;
+        if (found == formulas_.end() || depth_ > kDeepestFormula) return std::nullopt;
         return Reader(formulas_, found->second, depth_ + 1, terms_).whole();
     }
 

@@ -5,17 +5,14 @@
 #include <utility>
 #include <vector>
 
+#include "sim/core/math.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
 namespace {
 
-constexpr double kSame = 1e-4;  // m: points this near are one
-
-std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
-}
+constexpr double kSamePoint = 1e-4;  // m: points this near are one
 
 Vec2d start_of(const Panel& panel, const OutlineEdge& edge) {
     return panel.vertices[as_size(edge.start)];
@@ -56,8 +53,8 @@ bool open_slit(Panel& panel, std::size_t first, std::size_t second) {
     constexpr double kHalfWidth = 1e-4;  // m
     const OutlineEdge a = panel.edges[first], b = panel.edges[second];
     if (a.kind != CurveKind::Line || b.kind != CurveKind::Line) return false;
-    if ((start_of(panel, a) - end_of(panel, b)).norm() > kSame ||
-        (end_of(panel, a) - start_of(panel, b)).norm() > kSame)
+    if ((start_of(panel, a) - end_of(panel, b)).norm() > kSamePoint ||
+        (end_of(panel, a) - start_of(panel, b)).norm() > kSamePoint)
         return false;
     const Vec2d along = (end_of(panel, a) - start_of(panel, a)).normalized();
     const Vec2d inward(-along.y(), along.x());  // of the first: the cloth lies to the left of its outline

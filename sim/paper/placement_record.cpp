@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
+#include "sim/core/math.h"
 #include "sim/paper/decimal_text.h"
 #include "sim/paper/record_words.h"
 #include "sim/pattern/edge_shape.h"
@@ -14,15 +14,10 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr double kMillimetre = 1e-3;                // m
-constexpr double kDegree = std::numbers::pi / 180;  // rad
-constexpr std::size_t kMostStarts = 16;             // that are written; all pairs of them are tried
-constexpr double kSame = 1e-4;                      // m, between two distances that agree
-constexpr double kLeastTurn = 1e-5;                 // rad: less is the rounding of the file
-
-std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
-}
+constexpr double kMillimetre = 1e-3;     // m
+constexpr std::size_t kMostStarts = 16;  // that are written; all pairs of them are tried
+constexpr double kSameDistance = 1e-4;   // m, between two distances that agree
+constexpr double kLeastTurn = 1e-5;      // rad: less is the rounding of the file
 
 std::string in_mm(const Vec2d& p) {
     return decimal_text(p.x() / kMillimetre) + " " + decimal_text(p.y() / kMillimetre);
@@ -74,14 +69,14 @@ std::optional<Eigen::Affine2d> map_to_frame(const DrawnPath& outline,
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         for (std::size_t j = i + 1; j < pairs.size(); ++j) {
             const Vec2d from = pairs[j].first - pairs[i].first, to = pairs[j].second - pairs[i].second;
-            if (to.norm() < 10 * kSame || std::abs(from.norm() - to.norm()) > kSame) continue;
+            if (to.norm() < 10 * kSameDistance || std::abs(from.norm() - to.norm()) > kSameDistance) continue;
             const double turn = std::atan2(cross2(from, to), from.dot(to));
             Eigen::Affine2d map = Eigen::Affine2d::Identity();
             map.translate(pairs[i].second);
             if (std::abs(turn) > kLeastTurn) map.rotate(turn);
             map.translate(-pairs[i].first);
             const auto count = std::ranges::count_if(
-                pairs, [&](const auto& pair) { return (map * pair.first - pair.second).norm() < 2 * kSame; });
+                pairs, [&](const auto& pair) { return (map * pair.first - pair.second).norm() < 2 * kSameDistance; });
             if (std::pair(count, to.norm()) <= most) continue;
             most = {count, to.norm()};
             best = map;

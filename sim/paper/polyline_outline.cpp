@@ -5,14 +5,11 @@
 #include <numbers>
 #include <span>
 
+#include "sim/core/math.h"
 #include "sim/paper/fit_curve.h"
 
 namespace selvedge::sim {
 namespace {
-
-std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 double turn_at(const Vec2d& before, const Vec2d& at, const Vec2d& after) {
     const Vec2d a = at - before, b = after - at;

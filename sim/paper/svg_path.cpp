@@ -10,8 +10,6 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // Reads numbers and flags from text, with blanks and commas between them.
 class Scanner {
  public:
@@ -86,9 +84,9 @@ void draw_elliptical_arc(const Vec2d& from, const Vec2d& to, EllipticalArc arc, 
     const double start = std::atan2(first.y(), first.x());
     double sweep = std::atan2(cross2(first, last), first.dot(last));
     if (!std::isfinite(start) || !std::isfinite(sweep)) return pen.line(to);  // radii beyond what a double holds
-    if (arc.is_sweep && sweep < 0) sweep += 2 * kPi;
-    if (!arc.is_sweep && sweep > 0) sweep -= 2 * kPi;
-    const int count = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / (kPi / 4) - 1e-9)));
+    if (arc.is_sweep && sweep < 0) sweep += 2 * std::numbers::pi;
+    if (!arc.is_sweep && sweep > 0) sweep -= 2 * std::numbers::pi;
+    const int count = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / (std::numbers::pi / 4) - 1e-9)));
     const double step = sweep / count, reach = 4.0 / 3 * std::tan(step / 4);
     const auto at = [&](double angle, double along) {
         const Vec2d on(std::cos(angle), std::sin(angle)), tangent(-std::sin(angle), std::cos(angle));
@@ -222,7 +220,7 @@ class PathReader {
             !scan_.flag(arc.is_sweep) || !point(to)) {
             return false;
         }
-        arc.tilt = tilt_deg * kPi / 180;
+        arc.tilt = tilt_deg * std::numbers::pi / 180;
         draw_elliptical_arc(from, to, arc, keeps_circles_, pen_);
         return true;
     }
@@ -248,12 +246,12 @@ std::optional<Eigen::Affine2d> one_transform(std::string_view name, const std::v
     } else if (name == "rotate" && (count == 1 || count == 3)) {
         const Vec2d about = count == 3 ? Vec2d(v[1], v[2]) : Vec2d(0, 0);
         map.translate(about);
-        map.rotate(v[0] * kPi / 180);
+        map.rotate(v[0] * std::numbers::pi / 180);
         map.translate(-about);
     } else if (name == "skewX" && count == 1) {
-        map.matrix()(0, 1) = std::tan(v[0] * kPi / 180);
+        map.matrix()(0, 1) = std::tan(v[0] * std::numbers::pi / 180);
     } else if (name == "skewY" && count == 1) {
-        map.matrix()(1, 0) = std::tan(v[0] * kPi / 180);
+        map.matrix()(1, 0) = std::tan(v[0] * std::numbers::pi / 180);
     } else {
         return std::nullopt;
     }

@@ -16,8 +16,9 @@ namespace {
 constexpr std::size_t kLargestFile = 64U << 20U;  // bytes
 constexpr int kMostElements = 200000;
 constexpr std::size_t kMostEdges = 2000000;
-constexpr int kDeepest = 256;
-constexpr double kLargest = 1e9;  // user units
+constexpr int kDeepestElement = 256;
+constexpr double kLargestUnits = 1e9;  // user units
+constexpr double kMetresPerInch = 0.0254;
 
 // The name without its namespace prefix.
 std::string_view local_name(const char* name) {
@@ -47,12 +48,11 @@ bool is_hidden(const pugi::xml_node& node) {
 }
 
 double metres_of(std::string_view unit) {
-    constexpr double kInch = 0.0254;
     if (unit == "mm") return 0.001;
     if (unit == "cm") return 0.01;
-    if (unit == "in") return kInch;
-    if (unit == "pt") return kInch / 72;
-    if (unit == "pc") return kInch / 6;
+    if (unit == "in") return kMetresPerInch;
+    if (unit == "pt") return kMetresPerInch / 72;
+    if (unit == "pc") return kMetresPerInch / 6;
     if (unit == "Q") return 0.00025;
     return 0;
 }
@@ -132,7 +132,7 @@ class Walker {
     }
 
     void collect_ids(const pugi::xml_node& node, int depth) {
-        if (depth > kDeepest) throw InputError(file_, "", "elements lie more than 256 deep in each other");
+        if (depth > kDeepestElement) throw InputError(file_, "", "elements lie more than 256 deep in each other");
         if (++elements_ > kMostElements) throw InputError(file_, "", "more than 200,000 elements");
         const std::string_view id = attribute(node, "id");
         if (!id.empty()) by_id_.emplace(id, node);
@@ -181,7 +181,7 @@ class Walker {
         if (std::ranges::find(skipped, name) != skipped.end() || is_hidden(node)) return;
         if (name == "metadata") return read_seams(node);
         if (++visited_ > kMostElements) fail(node, "the file uses its own elements more than 200,000 times");
-        if (above.depth > kDeepest) fail(node, "elements use each other without end");
+        if (above.depth > kDeepestElement) fail(node, "elements use each other without end");
         Place place = above;
         ++place.depth;
         if (const std::string_view text = attribute(node, "transform"); !text.empty()) {
@@ -306,11 +306,12 @@ class Walker {
             edges_ += path.edges.size();
             if (edges_ > kMostEdges) fail(node, "more than 2,000,000 edges");
             for (const Vec2d& v : path.vertices) {
-                if (!(v.cwiseAbs().maxCoeff() < kLargest)) fail(node, "a coordinate is not a number, or too large");
+                if (!(v.cwiseAbs().maxCoeff() < kLargestUnits))
+                    fail(node, "a coordinate is not a number, or too large");
             }
             for (const OutlineEdge& edge : path.edges) {
-                if (!(edge.control[0].cwiseAbs().maxCoeff() < kLargest &&
-                      edge.control[1].cwiseAbs().maxCoeff() < kLargest))
+                if (!(edge.control[0].cwiseAbs().maxCoeff() < kLargestUnits &&
+                      edge.control[1].cwiseAbs().maxCoeff() < kLargestUnits))
                     fail(node, "a coordinate is not a number, or too large");
             }
             path.name = decoded_id(attribute(node, "id"));
@@ -327,7 +328,7 @@ class Walker {
     }
 
     static void append_text(const pugi::xml_node& node, std::string& text, int depth) {
-        if (depth > kDeepest) return;
+        if (depth > kDeepestElement) return;
         text += node.value();
         for (const pugi::xml_node& child : node.children()) append_text(child, text, depth + 1);
     }
@@ -371,7 +372,7 @@ class Walker {
 };
 
 // "line 12" of the byte at which the parser stopped.
-std::string line_of(std::string_view text, std::ptrdiff_t offset) {
+std::string place_of_line(std::string_view text, std::ptrdiff_t offset) {
     const std::string_view before =
         text.substr(0, std::min(text.size(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, offset))));
     return "line " + std::to_string(1 + std::ranges::count(before, '\n'));
@@ -384,7 +385,8 @@ SvgDocument read_svg_document(std::string_view text, const std::string& file) {
     pugi::xml_document document;
     const pugi::xml_parse_result result = document.load_buffer(
         text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata_single, pugi::encoding_auto);
-    if (!result) throw InputError(file, line_of(text, result.offset), std::string("not XML: ") + result.description());
+    if (!result)
+        throw InputError(file, place_of_line(text, result.offset), std::string("not XML: ") + result.description());
     for (const pugi::xml_node& node : document.children()) {
         if (node.type() == pugi::node_element && local_name(node.name()) == "svg")
             return Walker(document, text, file).walk(node);

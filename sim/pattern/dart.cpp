@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/core/math.h"
 #include "sim/pattern/edge_shape.h"
 
 namespace selvedge::sim {
@@ -39,7 +40,6 @@ class DartFinder {
     }
 
  private:
-    static std::size_t as_size(int index) { return static_cast<std::size_t>(index); }
     int before(int e) const { return (e + count_ - 1) % count_; }
     int after(int e) const { return (e + 1) % count_; }
     int last_leg(const Dart& dart) const { return (dart.first_leg + 2 * dart.leg_edges - 1) % count_; }

@@ -6,16 +6,11 @@
 #include <optional>
 #include <utility>
 
+#include "sim/core/math.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 const Vec2d& start_of(const Panel& panel, const OutlineEdge& edge) {
     return panel.vertices[as_size(edge.start)];
@@ -129,8 +124,8 @@ std::optional<OutlineEdge> rejoined(const Panel& panel, const OutlineEdge& a, co
     if (a.kind == CurveKind::Arc) {
         const ArcCircle one = arc_circle(panel, a);
         const ArcCircle two = arc_circle(panel, b);
-        if (a.turns_right != b.turns_right || std::abs(one.sweep + two.sweep) > 1.99 * kPi) return {};
-        whole.is_large_arc = std::abs(one.sweep + two.sweep) > kPi;
+        if (a.turns_right != b.turns_right || std::abs(one.sweep + two.sweep) > 1.99 * std::numbers::pi) return {};
+        whole.is_large_arc = std::abs(one.sweep + two.sweep) > std::numbers::pi;
         t = one.sweep / (one.sweep + two.sweep);
     } else {
         const Vec2d joint = end_of(panel, a);
@@ -152,7 +147,7 @@ std::optional<OutlineEdge> rejoined(const Panel& panel, const OutlineEdge& a, co
 
 OutlineEdge arc_as_cubic(const Panel& panel, const OutlineEdge& edge) {
     const ArcCircle circle = arc_circle(panel, edge);
-    if (std::abs(circle.sweep) > kPi * 1.01) return joined_curve(panel, {edge});  // best single cubic
+    if (std::abs(circle.sweep) > std::numbers::pi * 1.01) return joined_curve(panel, {edge});  // best single cubic
     OutlineEdge cubic{.start = edge.start, .end = edge.end, .kind = CurveKind::Cubic, .label = edge.label};
     const double handle = circle.radius * 4 / 3 * std::tan(std::abs(circle.sweep) / 4);
     cubic.control = {start_of(panel, edge) + handle * curve_direction(panel, edge, EdgeEnd::Start),
@@ -179,8 +174,8 @@ SplitCurve split_curve(const Panel& panel, const OutlineEdge& edge, double t, in
     if (edge.kind == CurveKind::Arc) {
         const ArcCircle circle = arc_circle(panel, edge);
         out.before.arc_radius = out.after.arc_radius = circle.radius;
-        out.before.is_large_arc = std::abs(circle.sweep) * s > kPi;
-        out.after.is_large_arc = std::abs(circle.sweep) * (1 - s) > kPi;
+        out.before.is_large_arc = std::abs(circle.sweep) * s > std::numbers::pi;
+        out.after.is_large_arc = std::abs(circle.sweep) * (1 - s) > std::numbers::pi;
     }
     out.before.end = vertex;
     out.after.start = vertex;
@@ -308,7 +303,7 @@ Panel mapped_panel(const Panel& panel, const Eigen::Affine2d& map) {
     if (!is_upright) mapped.wrap_cone.reset();  // its axis would be another one
     const Vec2d warp = map.linear() * Vec2d(-std::sin(panel.grain_angle), std::cos(panel.grain_angle));
     const double turned = std::atan2(-warp.x(), warp.y());
-    if (std::abs(std::remainder(turned - panel.grain_angle, 2 * kPi)) > 1e-12) mapped.grain_angle = turned;
+    if (std::abs(std::remainder(turned - panel.grain_angle, 2 * std::numbers::pi)) > 1e-12) mapped.grain_angle = turned;
     if (map.linear().determinant() >= 0) return mapped;
     mapped.sett_offset.x() = -panel.sett_offset.x();
     const int count = static_cast<int>(panel.edges.size());

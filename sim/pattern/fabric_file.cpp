@@ -54,7 +54,7 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 // Keeps the digits of a number that is the same.
-void set_number(Json& place, double value) {
+void set_exact_number(Json& place, double value) {
     if (!place.is_number() || place.number() != value) place = Json(value);
 }
 
@@ -86,14 +86,15 @@ void set_surface(Json& root, const std::optional<SurfaceDesign>& surface, const 
     if (surface->kind == DesignKind::Picture) set_named_file(place["file"], surface->source, file);
     if (surface->kind != DesignKind::Picture) place.erase("file");
     if (!surface->size) place.erase("size");
-    if (surface->size) set_number(place["size"], *surface->size);
+    if (surface->size) set_exact_number(place["size"], *surface->size);
     if (place.find("position") || !surface->position.isZero(0)) {
         Json& position = place["position"];
         if (!position.is_array() || position.elements().size() != 2) position = Json::array({Json(), Json()});
-        for (int i = 0; i < 2; ++i) set_number(position.elements()[static_cast<std::size_t>(i)], surface->position[i]);
+        for (int i = 0; i < 2; ++i)
+            set_exact_number(position.elements()[static_cast<std::size_t>(i)], surface->position[i]);
     }
     if (place.find("rotation") || surface->rotation != 0)
-        set_number(place["rotation"], degrees_read_as(surface->rotation));
+        set_exact_number(place["rotation"], degrees_read_as(surface->rotation));
     if (place.find("repeats") || !surface->is_repeated) place["repeats"] = Json(surface->is_repeated);
     set_text(place, "ground", surface->ground);
 }
@@ -143,7 +144,7 @@ std::string write_fabric(const Fabric& fabric, const std::string& file, std::str
     const Fabric usual;
     for (const FabricKey& key : kKeys) {
         const double value = fabric.*key.value;
-        if (key.is_required || root.find(key.key) || value != usual.*key.value) set_number(root[key.key], value);
+        if (key.is_required || root.find(key.key) || value != usual.*key.value) set_exact_number(root[key.key], value);
     }
     set_surface(root, fabric.surface, file);
     std::string text = write_json(root);

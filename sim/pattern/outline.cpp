@@ -11,8 +11,6 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // A radius of less than half the chord is increased to half the chord, as in SVG; loading reports such arcs as errors.
 ArcCircle circle_of(const Vec2d& start, const Vec2d& end, const OutlineEdge& edge) {
     const Vec2d chord = end - start;
@@ -24,7 +22,7 @@ ArcCircle circle_of(const Vec2d& start, const Vec2d& end, const OutlineEdge& edg
     const double side = edge.turns_right == edge.is_large_arc ? 1.0 : -1.0;
     const Vec2d centre = (start + end) / 2 + side * height * left;
     const double short_sweep = 2 * std::asin(std::min(1.0, half / radius));
-    const double sweep = edge.is_large_arc ? 2 * kPi - short_sweep : short_sweep;
+    const double sweep = edge.is_large_arc ? 2 * std::numbers::pi - short_sweep : short_sweep;
     const Vec2d spoke = start - centre;
     return {centre, radius, std::atan2(spoke.y(), spoke.x()), edge.turns_right ? -sweep : sweep};
 }

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
+#include "sim/core/math.h"
 #include "sim/pattern/enum_names.h"
 #include "sim/pattern/fabric_file.h"
 #include "sim/pattern/named_file.h"
@@ -164,8 +164,6 @@ void check_shapes(PatternReading& reading, const std::string& file, double units
 }
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 // Keeps the number's text in the file if its value is unchanged (to 1e-9); otherwise writes at most nine decimals.
 void set_number(Json& place, double value) {

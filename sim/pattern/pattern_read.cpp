@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 
+#include "sim/core/math.h"
 #include "sim/pattern/enum_names.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/fabric_file.h"
@@ -16,7 +16,6 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr std::size_t kMostPanels = 10'000;
 
 // Sets the value that the text names.

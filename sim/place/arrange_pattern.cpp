@@ -11,6 +11,7 @@
 #include "sim/body/landmarks.h"
 #include "sim/body/section.h"
 #include "sim/collide/body_collider.h"
+#include "sim/core/math.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/place/body_anchors.h"
@@ -26,11 +27,7 @@ namespace {
 constexpr double kBefore = 0.12, kBehind = 0.08;  // m, from the trunk to a flat front and to a flat back
 constexpr double kApart = 0.01;                   // m, between halves in the middle
 constexpr double kOffWaist = 0.02;                // m, from the body to a band that is bent round it
-constexpr float kClear = 0.015F;                  // m: dressing moves panels that are nearer than 1 cm
-
-std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
-}
+constexpr float kArrangedClear = 0.015F;          // m: dressing moves panels that are nearer than 1 cm
 
 class Arranger {
  public:
@@ -441,7 +438,7 @@ class Arranger {
             for (double slid = 0; slid <= kMost * arm_length; slid += kStep) {
                 wrap(open, slid);
                 const float clearance = clearance_of(panel(p), collider());
-                if (clearance > kClear) return;
+                if (clearance > kArrangedClear) return;
                 if (clearance > best) best = clearance, best_open = open, best_slid = slid;
             }
         }
@@ -528,7 +525,7 @@ class Arranger {
             sim::arrange(panel(p), point);
             const double turn = turn_to_partners(p, centre, point.upward);
             if (std::abs(turn) > kTurned) sim::arrange(panel(p), turned(point, centre, turn));
-            if (clearance_of(panel(p), collider()) > kClear) break;
+            if (clearance_of(panel(p), collider()) > kArrangedClear) break;
         }
         is_placed_[p] = true;
     }

@@ -22,19 +22,19 @@ namespace {
 constexpr std::size_t kShoulder = 0, kElbow = 1, kWrist = 2;
 constexpr std::size_t kChest = 2;  // of the torso
 
-struct Cut {
+struct LimbCut {
     Plane plane;        // its normal points along the limb
     double radius = 0;  // m, of the section
 };
 
 // The plane across the upper arm that is nearest to the shoulder and cuts the arm as an arm: nearer ones cut the chest.
 // The same for thighs.
-std::optional<Cut> find_cut(const Body& body, const Limb& limb) {
+std::optional<LimbCut> find_cut(const Body& body, const Limb& limb) {
     constexpr double kFirst = 0.15, kStep = 0.05, kLast = 0.6;  // of the upper arm
     constexpr double kWider = 1.6;                              // area of a section that still is one of the limb
     const Vec3d shoulder = limb.joints[kShoulder].centre;
     const Vec3d upper_arm = limb.joints[kElbow].centre - shoulder;
-    std::optional<Cut> cut;
+    std::optional<LimbCut> cut;
     double area = 0;
     for (double share = kLast; share > kFirst; share -= kStep) {
         const Plane plane{.point = shoulder + share * upper_arm, .normal = upper_arm.normalized()};
@@ -43,7 +43,7 @@ std::optional<Cut> find_cut(const Body& body, const Limb& limb) {
         if (!cut) area = loop->area;
         const double radius = std::sqrt(loop->area / std::numbers::pi);
         if (loop->area > kWider * area || (loop->centre - plane.point).norm() > radius) break;
-        cut = Cut{{.point = loop->centre, .normal = plane.normal}, radius};
+        cut = LimbCut{{.point = loop->centre, .normal = plane.normal}, radius};
     }
     return cut;
 }
@@ -69,7 +69,7 @@ LinePoint nearest_on(const std::vector<LimbJoint>& joints, const Vec3d& x) {
 
 // The vertices that are connected with the wrist, or the ankle, on the far side of the cut. nullopt if one of them is
 // too far from the limb's line to belong to it.
-std::optional<std::vector<bool>> find_vertices(const Body& body, const Limb& limb, const Cut& cut, double stature) {
+std::optional<std::vector<bool>> find_vertices(const Body& body, const Limb& limb, const LimbCut& cut, double stature) {
     constexpr double kReach = 0.13;  // of the stature, from the centre line: a spread hand, the toes
     const auto is_beyond = [&](const Vec3d& x) { return (x - cut.plane.point).dot(cut.plane.normal) > 0; };
     DisjointSets parts(body.x.size());

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
+#include "sim/core/math.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
 namespace {
-
-std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 // How far the middle of the edge lies to the right of the middle of its panel, m.
 double off_axis(const Pattern& pattern, const SeamSide& side) {

@@ -256,8 +256,8 @@ bool has_tubes(const GarmentMesh& unsewn) {
 // lift beyond such a maximum is accepted only if the seams are practically clear there.
 double least_blocked_lift(const GarmentMesh& unsewn, double as_placed, const BodyCollider& body) {
     constexpr int kStepsEachWay = 12;
-    constexpr double kWorthPerStep = 0.05;       // of the initial cost, which each step must save at least
-    constexpr double kHump = 1.2, kClear = 0.1;  // of the initial cost
+    constexpr double kWorthPerStep = 0.05;      // of the initial cost, which each step must save at least
+    constexpr double kHump = 1.2, kGood = 0.1;  // of the initial cost
     // A sleeve that is wrapped round an arm and lifted by more would lie beside it.
     constexpr int kStepsOfTubes = 4;
     const int steps = has_tubes(unsewn) ? kStepsOfTubes : kStepsEachWay;
@@ -269,7 +269,7 @@ double least_blocked_lift(const GarmentMesh& unsewn, double as_placed, const Bod
             const double cost = blocked_cost(unsewn, i * way, body);
             is_behind |= cost > kHump * as_placed;
             const double with_way = cost + i * kWorthPerStep * as_placed;
-            if (with_way >= least || (is_behind && cost > kClear * as_placed)) continue;
+            if (with_way >= least || (is_behind && cost > kGood * as_placed)) continue;
             least = with_way;
             best = i * way;
         }
@@ -405,13 +405,13 @@ std::vector<std::string> make_sewable(GarmentMesh& unsewn, const BodyCollider& b
 
 namespace {
 
-constexpr double kClear = 0.022;       // m, from the torso or limb that the point belongs to
+constexpr double kPointClear = 0.022;  // m, from the torso or limb that the point belongs to
 constexpr double kPanelClear = 0.012;  // m, between a wrapped panel and the body
 constexpr double kMinClear = 0.006;    // m, from any part of the body: a nearer point, as between thighs, is left out
 constexpr double kFurthest = 0.040;    // m, from its own level: limit on the clearance for levels above and below
 
 // A section of a torso or limb, around which a cylinder is fitted.
-struct Cut {
+struct PointSection {
     std::vector<Vec3d> points;  // of the level itself
     std::vector<Vec3d> nearby;  // also of levels above and below
     Vec3d centre = Vec3d::Zero();
@@ -445,9 +445,9 @@ std::array<TorsoLevel, 5> torso_levels(const Body& body, const Stature& stature)
              {"below hip", heights.hip - 0.07 * stature.height(), 0.04}}};
 }
 
-std::optional<Cut> cut_torso(const Body& body, const Stature& stature, const TorsoLevel& level) {
+std::optional<PointSection> cut_torso(const Body& body, const Stature& stature, const TorsoLevel& level) {
     constexpr double kMuchWider = 1.45;  // so much wider where the arms join the trunk
-    Cut cut;
+    PointSection cut;
     cut.points = trunk_points(body, level.y, stature.height());
     if (cut.points.empty()) return std::nullopt;
     cut.centre = middle_of_box(cut.points);
@@ -471,12 +471,12 @@ struct LimbPart {
     double share = 0.5;  // fraction of the way from top to bottom
 };
 
-std::optional<Cut> cut_limb(const Body& body, const LimbPart& limb) {
+std::optional<PointSection> cut_limb(const Body& body, const LimbPart& limb) {
     const Vec3d point = limb.top + limb.share * (limb.bottom - limb.top);
     const auto loop =
         nearest_loop(section(body, {.point = point, .normal = (limb.top - limb.bottom).normalized()}), point);
     if (!loop || (loop->centre - point).norm() > 0.1) return std::nullopt;
-    return Cut{.points = loop->points, .nearby = loop->points, .centre = loop->centre};
+    return PointSection{.points = loop->points, .nearby = loop->points, .centre = loop->centre};
 }
 
 std::vector<LimbPart> limb_parts(const BodyLimbs& limbs) {
@@ -507,7 +507,7 @@ std::vector<LimbPart> limb_parts(const BodyLimbs& limbs) {
 
 // Radius of the smallest circle through `at`, with its centre on the body's side, that encloses all points with the
 // panel's clearance.
-double radius_round(const Cut& cut, const Vec3d& at, const Vec3d& outward, const Vec3d& upward) {
+double radius_round(const PointSection& cut, const Vec3d& at, const Vec3d& outward, const Vec3d& upward) {
     double radius = 0.03;
     for (const Vec3d& p : cut.nearby) {
         const Vec3d to = (p - at) - (p - at).dot(upward) * upward;
@@ -518,7 +518,7 @@ double radius_round(const Cut& cut, const Vec3d& at, const Vec3d& outward, const
     return std::min(radius, 1.0);
 }
 
-std::optional<ArrangementPoint> point_at(const Cut& cut, const Direction& direction, const Vec3d& upward,
+std::optional<ArrangementPoint> point_at(const PointSection& cut, const Direction& direction, const Vec3d& upward,
                                          const SurfaceBvh& surface) {
     const auto farthest = [&](const std::vector<Vec3d>& points) {
         double most = 0;
@@ -526,8 +526,8 @@ std::optional<ArrangementPoint> point_at(const Cut& cut, const Direction& direct
         return most;
     };
     const double own = farthest(cut.points);
-    const double all = std::max(own, std::min(farthest(cut.nearby), own + kFurthest - kClear));
-    for (const double clear : {kClear, 0.014, 0.009}) {
+    const double all = std::max(own, std::min(farthest(cut.nearby), own + kFurthest - kPointClear));
+    for (const double clear : {kPointClear, 0.014, 0.009}) {
         ArrangementPoint point;
         point.outward = direction.outward;
         point.upward = upward;
@@ -540,8 +540,8 @@ std::optional<ArrangementPoint> point_at(const Cut& cut, const Direction& direct
     return std::nullopt;
 }
 
-void add_points(std::vector<ArrangementPoint>& points, const std::string& name, const Cut& cut, const Vec3d& upward,
-                const std::array<Direction, 4>& directions, const SurfaceBvh& surface) {
+void add_points(std::vector<ArrangementPoint>& points, const std::string& name, const PointSection& cut,
+                const Vec3d& upward, const std::array<Direction, 4>& directions, const SurfaceBvh& surface) {
     for (const Direction& direction : directions) {
         auto point = point_at(cut, direction, upward, surface);
         if (!point) continue;

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "sim/core/math.h"
 #include "sim/pattern/outline.h"
 #include "sim/proposals/chain_fit.h"
 #include "sim/proposals/chain_shape.h"
@@ -15,12 +16,6 @@
 
 namespace selvedge::sim {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 std::vector<int> panels_of(const OpenBoundary& boundary, const ChainView& view) {
     std::vector<int> panels;
@@ -347,7 +342,7 @@ void weigh_flanks(Evidence& evidence, Flank a, Flank b) {
 // wide dart has equal legs, and is no V-neck: its tip is not on the axis of a symmetric panel.
 double odds_of_dart(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const ChainView& a,
                     const ChainView& b) {
-    constexpr double kNarrow = 2 * kPi - 0.6, kWide = 2 * kPi - 1.4;  // rad, inside the cloth
+    constexpr double kNarrow = 2 * std::numbers::pi - 0.6, kWide = 2 * std::numbers::pi - 1.4;  // rad, inside the cloth
     constexpr double kEqual = 0.006, kOffAxis = 0.05;
     const auto of_legs = [&](const ChainView& one, const ChainView& other) -> double {
         const OpenBoundary::Step step = boundary.next(one.chain.atoms.back());

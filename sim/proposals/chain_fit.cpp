@@ -9,21 +9,16 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/math.h"
 #include "sim/proposals/panel_role.h"
 
 namespace selvedge::sim {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 std::string in_cm(double metres) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.1f", 100 * metres);
     return text.data();
-}
-
-std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
 }
 
 // ---- Notches.
@@ -162,7 +157,7 @@ void weigh_lengths(Evidence& evidence, const OpenBoundary& boundary, const Chain
 
 void weigh_ends(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b) {
     const auto of = [](double angle) {
-        const double off = std::abs(angle - kPi) * 180 / kPi;
+        const double off = std::abs(angle - std::numbers::pi) * 180 / std::numbers::pi;
         return off < 8 ? 0.7 : off < 20 ? 0.3 : off < 45 ? -0.3 : -0.9;
     };
     if (a.chain.is_loop || b.chain.is_loop) return;

@@ -2,14 +2,10 @@
 
 #include <algorithm>
 
+#include "sim/core/math.h"
+
 namespace selvedge::sim {
-namespace {
-
-std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 double length_of(const ChainView& view) {
     return (view.to - view.from) * view.chain.length;

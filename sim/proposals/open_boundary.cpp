@@ -7,17 +7,12 @@
 #include <set>
 
 #include "sim/core/assert.h"
+#include "sim/core/math.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
-namespace {
-
-std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 OpenBoundary::OpenBoundary(const Pattern& pattern)
     : pattern_(&pattern),

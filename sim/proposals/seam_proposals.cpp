@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "sim/core/math.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/proposals/chain_evidence.h"
@@ -17,10 +18,6 @@ namespace selvedge::sim {
 namespace {
 
 constexpr double kCorner = 28 * std::numbers::pi / 180;  // rad: turns by less are no corners
-
-std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 double confidence_of(double odds) {
     return 1 / (1 + std::exp(-odds));

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "sim/core/math.h"
 #include "sim/proposals/chain_shape.h"
 
 namespace selvedge::sim {
@@ -12,10 +13,6 @@ namespace {
 
 constexpr double kNever = -100;
 constexpr double kSure = 3.5, kLikely = 1.2, kPossible = 0.5;  // odds
-
-std::size_t as_size(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 // Whether the chain is the panel's edge in the middle of the body, where its name tells its side and its face; none: it
 // does not.
