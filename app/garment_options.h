@@ -12,7 +12,7 @@
 #include "app/options.h"
 #include "app/picture.h"
 #include "sim/core/error.h"
-#include "sim/dress/dressing.h"
+#include "sim/dress/dress_options.h"
 #include "sim/dress/report.h"
 #include "sim/pattern/limits.h"
 #include "sim/pattern/pattern.h"

@@ -8,6 +8,7 @@
 #include "bench/support/cloth_run.h"
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/contact_surface.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/core/error.h"
 #include "sim/dress/dressing.h"
 #include "sim/pattern/garments.h"
@@ -143,7 +144,7 @@ ContactRun run_contact_scene(const ContactScene& scene, bool with, int further_s
     }
     run.rms_speed_at_end = static_cast<double>(running.rms_speed());
     run.triangles = static_cast<int>(cloth.mesh.leaf_triangles().size());
-    run.counts = cloth.solver.self_contact->contact.counts();
+    run.counts = cloth.solver->self_contact->contact.counts();
     run.ms_per_step = 1e3 * seconds / scene.steps;
     run.ms_at_end = 1e3 * seconds_at_end / (scene.steps - last_quarter);
     for (int i = 0; i + 1 < scene.sheets; ++i) count_order(cloth, i, run);

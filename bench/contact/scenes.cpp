@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bench/support/measured_mesh.h"
+#include "sim/mesh/square.h"
 
 namespace selvedge::bench {
 namespace {
@@ -14,7 +15,7 @@ constexpr double kFoldRadius = 0.012;  // m
 
 sim::GarmentMesh sheet(double side, double edge, const std::function<Vec3d(const Vec3d&)>& place) {
     const int quads = static_cast<int>(std::lround(side / edge));
-    sim::GarmentMesh mesh = make_square({.columns = quads, .rows = quads, .width = side, .depth = side});
+    sim::GarmentMesh mesh = sim::make_square({.columns = quads, .rows = quads, .width = side, .depth = side});
     for (Vec3d& x : mesh.x) x = place(x);
     return mesh;
 }
@@ -132,8 +133,8 @@ ContactScene twist() {
     constexpr double kRadius = 0.12, kLength = 0.6;  // m
     constexpr int kRings = 30, kAround = 37;
     ContactScene scene{.name = "twist", .mesh = {}, .body = nothing(), .gravity = Vec3f::Zero(), .damping = 2};
-    sim::GarmentMesh flat =
-        make_square({.columns = kAround, .rows = kRings, .width = 2 * std::numbers::pi * kRadius, .depth = kLength});
+    sim::GarmentMesh flat = sim::make_square(
+        {.columns = kAround, .rows = kRings, .width = 2 * std::numbers::pi * kRadius, .depth = kLength});
     // Rolls the square up along its columns: the last one is the first.
     const auto rolled = [](int v) { return v / (kAround + 1) * kAround + v % (kAround + 1) % kAround; };
     sim::GarmentMesh tube;

@@ -12,6 +12,7 @@
 #include "bench/support/measured_mesh.h"
 #include "sim/collide/collider.h"
 #include "sim/core/math.h"
+#include "sim/mesh/square.h"
 
 namespace selvedge::bench {
 namespace {
@@ -105,7 +106,7 @@ sim::GarmentMesh drop_square(int base_quads, double shift, const DropScene& scen
 }
 
 sim::GarmentMesh flat_grid(int quads, const DropScene& scene) {
-    return make_square(
+    return sim::make_square(
         {.columns = quads, .rows = quads, .width = scene.side, .depth = scene.side, .height = scene.height});
 }
 
@@ -234,7 +235,7 @@ constexpr double kG = 9.81;  // m/s^2
 // One column of quads in the plane z = 0 that hangs down from y = 0. The lowest quad is the weight, a separate panel.
 sim::GarmentMesh hanging_strip(double width) {
     const int rows = kLength + 1;
-    sim::GarmentMesh strip = make_square({.columns = 1, .rows = rows, .width = width, .depth = width * rows});
+    sim::GarmentMesh strip = sim::make_square({.columns = 1, .rows = rows, .width = width, .depth = width * rows});
     for (Vec3d& x : strip.x) x = Vec3d(x.x(), -x.z() - width * rows / 2, 0);
     for (sim::GarmentTriangle& t : strip.triangles) {
         const double middle = (t.u[0].y() + t.u[1].y() + t.u[2].y()) / 3;

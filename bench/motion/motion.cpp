@@ -8,6 +8,7 @@
 #include "bench/tshirt/tshirt.h"
 #include "sim/body/tented.h"
 #include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/contact.h"
 #include "sim/cloth/standoff.h"
 #include "sim/cloth/step.h"
 #include "sim/collide/body_collider.h"

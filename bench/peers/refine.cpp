@@ -19,6 +19,7 @@
 #include "sim/core/file.h"
 #include "sim/core/json.h"
 #include "sim/core/math.h"
+#include "sim/mesh/square.h"
 
 namespace {
 
@@ -100,7 +101,7 @@ void coarsen(sim::AdaptiveMesh& mesh) {
 }
 
 Times measure(const Options& options) {
-    const sim::GarmentMesh base = make_square({.columns = kQuads, .rows = kQuads});
+    const sim::GarmentMesh base = sim::make_square({.columns = kQuads, .rows = kQuads});
     sim::AdaptiveMesh steady(base, {.max_level = kLevels});
     refine(steady);
     const std::size_t made = triangles_made(steady);

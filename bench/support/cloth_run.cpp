@@ -9,6 +9,7 @@
 #include "sim/adaptive/criteria.h"
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/contact.h"
 #include "sim/cloth/step.h"
 #include "sim/core/math.h"
 

@@ -56,6 +56,10 @@ bool run_to_rest(ClothRun& run, const sim::Collider& body, const RestOptions& op
 // oscillations about the rest position.
 double mean_reading(ClothRun& run, const sim::Collider& body, double damping, const std::function<double()>& read);
 
+inline Vec3f position_of(const sim::Cloth& cloth, sim::VertexId vertex) {  // m
+    return cloth.x[vertex.value].head<3>();
+}
+
 std::vector<Vec3d> positions(const ClothRun& run);   // m, by vertex id
 std::vector<Vec3d> velocities(const ClothRun& run);  // m/s, by vertex id; 0 where pinned
 std::vector<double> masses(const ClothRun& run);     // kg, by vertex id; 0 where pinned

@@ -89,19 +89,4 @@ double bias_stiffness(const sim::Fabric& fabric);
 // 1 % strain the result is 1.5 % below the small-strain formula. Pre: 0 <= force < 2 G.
 double bias_strain(const sim::Fabric& fabric, double force);
 
-// Makes the mesh of a square of cloth, the test piece of the thesis (3.8).
-
-struct SquareOptions {
-    int columns = 4;  // quads of two triangles each
-    int rows = 4;
-    double width = 1.0;   // m, along x
-    double depth = 1.0;   // m, along y in material coordinates, -z in the world
-    double height = 0.0;  // m, world y of all vertices
-};
-
-// One horizontal panel, right side up, centred on the y axis. The index of vertex (column, row) is
-// row * (columns + 1) + column. The diagonals of the quads alternate, so that no direction is preferred.
-// Pre: columns, rows >= 1.
-sim::GarmentMesh make_square(const SquareOptions& options = {});
-
 }  // namespace selvedge::bench

@@ -11,7 +11,7 @@ std::string number(double value) {
     return text;
 }
 
-std::string escaped(std::string_view text) {
+std::string escaped_text(std::string_view text) {
     std::string out;
     for (const char c : text) out += c == '&' ? "&amp;" : (c == '<' ? "&lt;" : (c == '>' ? "&gt;" : std::string(1, c)));
     return out;
@@ -53,7 +53,7 @@ void SvgDrawing::dot(const Vec2d& centre, double radius_px, std::string_view fil
 void SvgDrawing::text(const Vec2d& at, std::string_view text, const SvgText& options) {
     body_ += "<text x=\"" + number(at.x()) + "\" y=\"" + number(at.y()) + "\" font-size=\"" + number(options.size_px) +
              "\" fill=\"" + std::string(options.fill) + "\" text-anchor=\"" + std::string(options.anchor) + "\"" +
-             (options.is_bold ? " font-weight=\"600\"" : "") + ">" + escaped(text) + "</text>\n";
+             (options.is_bold ? " font-weight=\"600\"" : "") + ">" + escaped_text(text) + "</text>\n";
 }
 
 std::string SvgDrawing::to_text() const {

@@ -7,6 +7,7 @@
 
 #include "bench/support/cloth_run.h"
 #include "bench/tshirt/dressing.h"
+#include "sim/cloth/resting.h"
 #include "sim/core/math.h"
 #include "sim/dress/drape.h"
 #include "sim/dress/dressing.h"

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "sim/cloth/cloth.h"
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 

@@ -9,11 +9,14 @@
 #include "render/surface/curved_surface.h"
 #include "render/surface/edge_curve.h"
 #include "sim/adaptive/adaptive_mesh.h"
-#include "sim/adaptive/back_face.h"
-#include "sim/cloth/cloth.h"
 #include "sim/core/math.h"
+#include "sim/core/view_point.h"
 #include "sim/mesh/draw_mesh.h"
 #include "sim/mesh/garment_mesh.h"
+
+namespace selvedge::sim {
+struct Cloth;
+}
 
 namespace selvedge::render {
 

@@ -10,13 +10,9 @@
 
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/core/math.h"
+#include "sim/core/view_point.h"
 
 namespace selvedge::sim {
-
-struct ViewPoint {
-    Vec3f eye = Vec3f::UnitZ();  // position of the viewer, m; orthographic: unit vector from the cloth to the viewer
-    bool is_orthographic = false;
-};
 
 struct BackFaceOptions {
     float split_margin = 0.10F;   // rad beyond the silhouette that still count as visible: splits are not vetoed there

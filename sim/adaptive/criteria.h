@@ -12,16 +12,10 @@
 
 #include "sim/adaptive/adapt.h"
 #include "sim/adaptive/adaptive_mesh.h"
+#include "sim/adaptive/criteria_options.h"
 #include "sim/core/math.h"
 
 namespace selvedge::sim {
-
-struct CurvatureOptions {
-    float split_angle = 0.35F;   // rad, a larger angle between the normals of an edge's ends requests a split
-    float rejoin_angle = 0.10F;  // rad, below split_angle (hysteresis)
-
-    bool operator==(const CurvatureOptions&) const = default;
-};
 
 // Split edges where the cloth bends, rejoin them where it lies flat. A rejoin compares the normals at both ends and at
 // the centre; otherwise it would remove a symmetric bump.  (thesis 3.4.2) The sign of a normal on a cut means nothing
@@ -60,13 +54,6 @@ class CurvatureCriterion {
     const std::vector<Normal>& normals_;
     float split_cosine_;
     float rejoin_cosine_;
-};
-
-struct LengthOptions {
-    // Share of the rest length; an edge compressed by more requests a split. Cloth that must buckle is never compressed
-    // by much, because its edges turn aside instead: drops and a worn T-shirt reach 1 to 2 %, hardly ever 5 %.
-    float split_compression = 0.01F;
-    float rejoin_compression = 0.004F;  // below split_compression (hysteresis)
 };
 
 // Split edges that are shorter than their rest length: there the cloth must wrinkle.  (thesis 3.4.2)
@@ -108,11 +95,6 @@ class LengthCriterion {
 // for the simulated cloth, where a split lets it wrinkle: at c = 0.01 (r = 1.010). Buckling is meant for the drawn
 // curved surface, whose curves bulge with r already: at r = 1.02. These are two classes so that each has its own name
 // and thresholds; only LengthCriterion has the comparison.
-
-struct BucklingOptions {
-    float split_ratio = 1.02F;   // rest length / length; a larger ratio requests a split
-    float rejoin_ratio = 1.01F;  // 1 or more, below split_ratio
-};
 
 template <class Position>
 class BucklingCriterion {

@@ -7,6 +7,7 @@
 #include "sim/cloth/contact_guard.h"
 #include "sim/cloth/contact_surface.h"
 #include "sim/cloth/moving_contact.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/state_transfer.h"
 #include "sim/collide/collider.h"
 
@@ -29,7 +30,7 @@ struct ClothObserver {
     void after(TriangleId t) {
         biases.after(t);
         note_children(cloth, t);
-        cloth.solver.adapting.shape.forget(cloth.mesh, t);
+        cloth.solver->adapting.shape.forget(cloth.mesh, t);
     }
 
     void on_capacity(std::size_t capacity) {
@@ -40,7 +41,7 @@ struct ClothObserver {
     // On a body that moves, the new vertex stays on the side that its ends are on.
     Vec3f outside_body(const Vec3f& middle, const Vec3f& normal, VertexId c, const std::array<VertexId, 2>& ends) {
         if (!body.moving()) return outside(middle, normal, body, contact.offset);
-        MovingContacts& moving = cloth.solver.contacts.moving;
+        MovingContacts& moving = cloth.solver->contacts.moving;
         note_split(moving, c, ends[0], ends[1]);
         const auto distance = distance_between(moving, ends, std::array{0.5F, 0.5F}, middle);
         return distance ? Vec3f(middle + moving.last[c.value].normal * std::max(0.0F, contact.offset - *distance))
@@ -57,9 +58,9 @@ struct ClothObserver {
         cloth.x_prev[c.value] = cloth.x[c.value] - velocity;
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();
         cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // e.g. on a pinned waistband
-        cloth.solver.contacts.standoff[c.value] = 0;
-        cloth.solver.adapting.shape.forget_children(cloth.mesh, cloth.mesh.vertex(c).parent);
-        cloth.solver.self_contact->contact.on_split(c.value, a.value, b.value);
+        cloth.solver->contacts.standoff[c.value] = 0;
+        cloth.solver->adapting.shape.forget_children(cloth.mesh, cloth.mesh.vertex(c).parent);
+        cloth.solver->self_contact->contact.on_split(c.value, a.value, b.value);
         guard.note_split(cloth.mesh.vertex(c).parent);
         if (visibility != nullptr) visibility->on_split(c, a, b);
         if (budget != nullptr) budget->on_split();
@@ -86,11 +87,11 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     const SplitLimits limits = split_limits(options);
     const CollisionCriterion collision{.x = cloth.x,
                                        .body = observer.body,
-                                       .batch = cloth.solver.adapting.collision,
+                                       .batch = cloth.solver->adapting.collision,
                                        .limits = limits,
                                        .offset = observer.contact.offset,
-                                       .standoff = &cloth.solver.contacts.standoff,
-                                       .moving = observer.body.moving() ? &cloth.solver.contacts.moving : nullptr,
+                                       .standoff = &cloth.solver->contacts.standoff,
+                                       .moving = observer.body.moving() ? &cloth.solver->contacts.moving : nullptr,
                                        .spacing = observer.contact.sample_spacing};
     const CurvatureCriterion curvature(cloth.normals, scaled(options.curvature, scale));
     const LengthCriterion<Vec4f> length(cloth.x, scaled(options.length, scale));
@@ -98,8 +99,8 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     const AnyOf shape(OptionalCriterion(on.curvature, curvature), OptionalCriterion(on.length, length),
                       OptionalCriterion(on.buckling, buckling));
     const bool tests_shape = on.curvature || on.length || on.buckling;
-    if (tests_shape) cloth.solver.adapting.shape.ask(cloth.mesh, shape);
-    const LookAheadCriterion look_ahead(shape, limits, cloth.solver.adapting.shape);
+    if (tests_shape) cloth.solver->adapting.shape.ask(cloth.mesh, shape);
+    const LookAheadCriterion look_ahead(shape, limits, cloth.solver->adapting.shape);
     const MinimumLevelCriterion minimum{options.minimum_levels};
     const PinnedVertexCriterion kept{options.kept_vertices};
     const BackFaceCriterion back_face{options.visibility};
@@ -142,8 +143,8 @@ AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOpti
                                    : adapt_switched(MinimalChange{}, cloth, observer, options);
     if (report.changed()) {
         update_solver(cloth);
-        cloth.solver.self_contact->has_surface = false;
-        if (observer.guard.is_doubtful()) cloth.solver.self_contact->contact.doubt();
+        cloth.solver->self_contact->has_surface = false;
+        if (observer.guard.is_doubtful()) cloth.solver->self_contact->contact.doubt();
     }
     const SplitOnContact split = split_on_contact(options, body);
     if (report.changed() || !are_contacts_made_for(cloth, contact, split)) update_contacts(cloth, contact, split);

@@ -7,9 +7,11 @@
 #include "sim/adaptive/adapt.h"
 #include "sim/adaptive/back_face.h"
 #include "sim/adaptive/criteria.h"
+#include "sim/adaptive/criteria_options.h"
 #include "sim/adaptive/triangle_budget.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/collision_criterion.h"
+#include "sim/cloth/contact_options.h"
 
 namespace selvedge::sim {
 
@@ -42,15 +44,6 @@ struct PinnedVertexCriterion {
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId edge) const {
         return std::ranges::find(vertices, mesh.centre(edge)) == vertices.end();
     }
-};
-
-struct CriteriaOptions {
-    bool collision = true;
-    bool curvature = true;
-    bool length = true;
-    bool buckling = false;
-
-    bool operator==(const CriteriaOptions&) const = default;
 };
 
 struct AdaptClothOptions {

@@ -6,10 +6,22 @@
 
 #include "sim/adaptive/surface_normals.h"
 #include "sim/cloth/material_frame.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/state_transfer.h"
 #include "sim/core/assert.h"
 
 namespace selvedge::sim {
+
+SolverHandle::SolverHandle() : state_(std::make_unique<SolverState>()) {}
+SolverHandle::~SolverHandle() = default;
+SolverHandle::SolverHandle(const SolverHandle& other)
+    : state_(other.state_ ? std::make_unique<SolverState>(*other.state_) : nullptr) {}
+SolverHandle::SolverHandle(SolverHandle&& other) noexcept = default;
+SolverHandle& SolverHandle::operator=(const SolverHandle& other) {
+    if (this != &other) state_ = other.state_ ? std::make_unique<SolverState>(*other.state_) : nullptr;
+    return *this;
+}
+SolverHandle& SolverHandle::operator=(SolverHandle&& other) noexcept = default;
 namespace {
 
 constexpr float kRoom = 100;  // m: a larger coordinate is the result of an error
@@ -26,16 +38,16 @@ float mean_damping(const Cloth& cloth) {
 }
 
 void set_inverse_mass(Cloth& cloth, std::uint32_t v) {
-    const auto mass = static_cast<float>(cloth.solver.mass_sums[v]);
+    const auto mass = static_cast<float>(cloth.solver->mass_sums[v]);
     cloth.inverse_mass[v] = mass > 0 && !cloth.is_pinned[v] ? 1 / mass : 0.0F;
 }
 
 // Each leaf contributes a third of its mass to each of its corners. The total mass is constant up to rounding.
 void refresh_masses(Cloth& cloth) {
-    cloth.solver.mass_sums.assign(cloth.x.size(), 0.0);
+    cloth.solver->mass_sums.assign(cloth.x.size(), 0.0);
     for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
         const auto third = static_cast<double>(third_of_mass(cloth, triangle.u, triangle.panel));
-        for (const VertexId v : triangle.v) cloth.solver.mass_sums[v.value] += third;
+        for (const VertexId v : triangle.v) cloth.solver->mass_sums[v.value] += third;
     }
     for (std::uint32_t v = 0; v < cloth.x.size(); ++v) set_inverse_mass(cloth, v);
 }
@@ -43,7 +55,7 @@ void refresh_masses(Cloth& cloth) {
 // Removed leaves still have their vertices and masses in the solver's slots.
 void update_masses(Cloth& cloth) {
     const LeafChanges& changes = cloth.mesh.changes();
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     solver.mass_sums.resize(cloth.x.size(), 0.0);
     for (const TriangleId t : changes.triangles_removed) {
         const std::uint32_t slot = solver.constraints.stretch.slot_of(t);
@@ -72,7 +84,7 @@ void size_state(Cloth& cloth, std::size_t capacity) {
     cloth.inverse_mass.resize(capacity, 0.0F);
     cloth.normals.resize(capacity, Vec3f::Zero());
     cloth.is_pinned.resize(capacity, false);
-    cloth.solver.contacts.standoff.resize(capacity + 1, 0.0F);
+    cloth.solver->contacts.standoff.resize(capacity + 1, 0.0F);
 }
 
 Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const ClothOptions& options) {
@@ -101,16 +113,16 @@ void refresh_solver(Cloth& cloth) {
     ++cloth.adaptations;
     size_state(cloth, cloth.mesh.vertex_capacity());
     refresh_masses(cloth);
-    cloth.solver.damping = mean_damping(cloth);
+    cloth.solver->damping = mean_damping(cloth);
     make_blocks(cloth);
     reactivate(cloth);
 }
 
 void update_solver(Cloth& cloth) {
     for (const VertexId v : cloth.mesh.changes().vertices_added) {
-        if (v.value >= cloth.solver.lost.size()) continue;
-        cloth.solver.lost[v.value].setZero();
-        cloth.solver.correction[v.value].setZero();
+        if (v.value >= cloth.solver->lost.size()) continue;
+        cloth.solver->lost[v.value].setZero();
+        cloth.solver->correction[v.value].setZero();
     }
     update_masses(cloth);
     change_blocks(cloth);
@@ -123,7 +135,7 @@ void set_substep(Cloth& cloth, float substep) {
     }
     const float ratio = substep / cloth.substep;
     rescale_biases(cloth, ratio);
-    for (Vec4f& correction : cloth.solver.correction) correction *= ratio * ratio;
+    for (Vec4f& correction : cloth.solver->correction) correction *= ratio * ratio;
     cloth.substep = substep;
     refresh_solver(cloth);
 }

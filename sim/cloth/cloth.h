@@ -3,13 +3,14 @@
 //
 // Topology (the mesh) and state (flat arrays indexed by VertexId, sized to the mesh's capacity) are kept apart. During
 // a step the solver reads only blocks of constraints, which are updated after each adaptation.  (thesis 3.6)
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/adaptive/adaptive_mesh.h"
-#include "sim/cloth/solver_state.h"
 #include "sim/core/math.h"
 #include "sim/mesh/draw_mesh.h"
 #include "sim/mesh/garment_mesh.h"
@@ -23,6 +24,28 @@ struct ClothMaterial {
     std::vector<float> grain_angles;  // one per panel, rad: from the panel's +y to the warp
     std::vector<Vec2f> sett_offsets;  // one per panel or none, m: see Panel::sett_offset
     std::vector<int> layers{};        // one per panel or none: a higher layer lies farther out
+};
+
+struct SolverState;  // sim/cloth/solver_state.h
+
+// Owns the state of a cloth's solver, into which only sim/cloth looks: what uses cloth does not depend on its parts. A
+// copy of the cloth has a state of its own; a cloth that was moved from has none.
+class SolverHandle {
+ public:
+    SolverHandle();
+    ~SolverHandle();
+    SolverHandle(const SolverHandle& other);
+    SolverHandle(SolverHandle&& other) noexcept;
+    SolverHandle& operator=(const SolverHandle& other);
+    SolverHandle& operator=(SolverHandle&& other) noexcept;
+
+    SolverState& operator*() { return *state_; }
+    const SolverState& operator*() const { return *state_; }
+    SolverState* operator->() { return state_.get(); }
+    const SolverState* operator->() const { return state_.get(); }
+
+ private:
+    std::unique_ptr<SolverState> state_;
 };
 
 struct Cloth {
@@ -39,7 +62,7 @@ struct Cloth {
     float substep = 0;              // s, the length that x_prev and the solver's constraints refer to
     std::uint32_t adaptations = 0;  // number of adaptations and complete rebuilds so far
 
-    SolverState solver{};
+    SolverHandle solver{};
 };
 
 struct ClothOptions {

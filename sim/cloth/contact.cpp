@@ -8,6 +8,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/solver_blocks.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/standoff.h"
 #include "sim/collide/collider.h"
 #include "sim/core/blocks.h"
@@ -91,7 +92,7 @@ void for_each_in_rows(const std::array<Vec2f, 3>& u, float spacing, const Take& 
 // Adds and removes the samples of edges and triangles.
 class SampleLists {
  public:
-    explicit SampleLists(Cloth& cloth) : cloth_(cloth), contacts_(cloth.solver.contacts) {}
+    explicit SampleLists(Cloth& cloth) : cloth_(cloth), contacts_(cloth.solver->contacts) {}
 
     void make_all() {
         contacts_.vertices = cloth_.mesh.vertex_capacity();
@@ -335,21 +336,21 @@ void forget_skips(ContactState& contacts) {
 
 // Adds the motion of the vertices since the last call.
 void follow_motion(Cloth& cloth, const Kernels& loops) {
-    SampleSkips& skips = cloth.solver.contacts.skips;
-    std::vector<Vec4f>& points = cloth.solver.points;
-    if (skips.last.size() == points.size() && skips.skip_until.size() == cloth.solver.contacts.samples.size()) {
+    SampleSkips& skips = cloth.solver->contacts.skips;
+    std::vector<Vec4f>& points = cloth.solver->points;
+    if (skips.last.size() == points.size() && skips.skip_until.size() == cloth.solver->contacts.samples.size()) {
         skips.moved += static_cast<double>(loops.longest_motion(floats(points), floats(skips.last), cloth.x.size()));
         return;
     }
     skips.last = points;
     skips.moved = 0;
-    skips.skip_until.assign(cloth.solver.contacts.samples.size(), 0);
+    skips.skip_until.assign(cloth.solver->contacts.samples.size(), 0);
 }
 
 }  // namespace
 
 void refresh_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnContact& split) {
-    ContactState& contacts = cloth.solver.contacts;
+    ContactState& contacts = cloth.solver->contacts;
     reactivate(cloth);
     contacts.faces.clear();
     size_contacts(cloth, contacts);
@@ -363,13 +364,13 @@ void refresh_contacts(Cloth& cloth, const ContactOptions& options, const SplitOn
 }
 
 bool are_contacts_made_for(const Cloth& cloth, const ContactOptions& options, const SplitOnContact& split) {
-    const ContactState& contacts = cloth.solver.contacts;
+    const ContactState& contacts = cloth.solver->contacts;
     return contacts.vertices == cloth.mesh.vertex_capacity() && contacts.spacing == options.sample_spacing &&
            contacts.sampled_edge == options.sampled_edge && contacts.split == split;
 }
 
 void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnContact& split) {
-    ContactState& contacts = cloth.solver.contacts;
+    ContactState& contacts = cloth.solver->contacts;
     if (!are_contacts_made_for(cloth, options, split) ||
         contacts.inserted > 2 * cloth.mesh.leaf_triangles().size() + 64 * kBlock) {
         refresh_contacts(cloth, options, split);
@@ -389,12 +390,12 @@ void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnC
 
 void forget_contacts(Cloth& cloth) {
     keep_far_contacts(cloth, std::numeric_limits<float>::infinity());
-    cloth.solver.contacts.moving.last.clear();
+    cloth.solver->contacts.moving.last.clear();
 }
 
 void keep_far_contacts(Cloth& cloth, float by) {
     reactivate(cloth);
-    ContactState& contacts = cloth.solver.contacts;
+    ContactState& contacts = cloth.solver->contacts;
     forget_skips(contacts);
     // Entries that are left have no tangent plane in reach when their slack is used up.
     const auto lower = [by](float slack) {
@@ -410,7 +411,7 @@ void keep_far_contacts(Cloth& cloth, float by) {
 }
 
 void set_contact_offset(Cloth& cloth, float offset) {
-    ContactState& contacts = cloth.solver.contacts;
+    ContactState& contacts = cloth.solver->contacts;
     const float lower = contacts.offset - offset;
     contacts.offset = offset;
     if (lower == 0) return;
@@ -448,7 +449,7 @@ std::optional<Vec3f> sample_at(const ContactState& contacts, std::size_t slot, c
 
 std::size_t push_out_samples(Cloth& cloth, const Kernels& loops, const Collider& body, const ContactOptions& options) {
     constexpr double kRounding = 0.00001;  // m, more than the rounding errors of positions within 10 m of the origin
-    ContactState& contacts = cloth.solver.contacts;
+    ContactState& contacts = cloth.solver->contacts;
     if (contacts.samples.empty()) return 0;
     const ContactLimits limits = limits_for(body, options);
     follow_motion(cloth, loops);
@@ -457,7 +458,7 @@ std::size_t push_out_samples(Cloth& cloth, const Kernels& loops, const Collider&
     for (std::size_t i = 0; i < contacts.samples.size(); ++i) {
         if (skips.moved < skips.skip_until[i]) continue;
         ++seen;
-        const float free = meet_samples(cloth.solver, contacts.samples[i], loops, body, limits);
+        const float free = meet_samples(*cloth.solver, contacts.samples[i], loops, body, limits);
         skips.skip_until[i] = skips.moved + static_cast<double>(free) - kRounding;
     }
     return seen;
@@ -465,8 +466,8 @@ std::size_t push_out_samples(Cloth& cloth, const Kernels& loops, const Collider&
 
 void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, float longest_move,
                    const ContactOptions& options) {
-    ContactState& contacts = cloth.solver.contacts;
-    SolverState& solver = cloth.solver;
+    ContactState& contacts = cloth.solver->contacts;
+    SolverState& solver = *cloth.solver;
     ContactLimits limits = limits_for(body, options);
     limits.longest_move = longest_move;
     const ContactCacheArrays known{floats(contacts.query_point), floats(contacts.plane)};

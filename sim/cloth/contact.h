@@ -12,6 +12,7 @@
 
 #include "sim/adaptive/adapt.h"
 #include "sim/cloth/constraint_set.h"
+#include "sim/cloth/contact_options.h"
 #include "sim/cloth/face_contact.h"
 #include "sim/cloth/moving_contact_state.h"
 #include "sim/cloth/solver_blocks.h"
@@ -64,16 +65,6 @@ struct SampleSkips {
 
 struct Cloth;
 struct Kernels;
-
-struct ContactOptions {
-    float offset = 0.003F;          // m, distance kept from the body; not below the error of the collision field
-    float friction_scale = 1.0F;    // factor on the fabrics' friction; 0 while sewing
-    float sample_spacing = 0.025F;  // m, maximum distance between samples along an edge
-    float sampled_edge = 0.02F;     // m: triangles with shorter edges dip less than the offset (L^2 / 8R, R over 2 cm)
-    float floor = 0.0F;             // m, height of the floor
-
-    bool operator==(const ContactOptions&) const = default;
-};
 
 // The edges that the adaptation splits if they, or their triangles, penetrate the offset surface; nullopt: no edges.
 using SplitOnContact = std::optional<SplitLimits>;

@@ -6,6 +6,7 @@
 
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/self_contact_state.h"
+#include "sim/cloth/solver_state.h"
 
 namespace selvedge::sim {
 namespace {
@@ -109,7 +110,7 @@ ContactSurface contact_surface(const Cloth& cloth) {
 }
 
 void update_contact_surface(Cloth& cloth) {
-    SelfContactState& state = *cloth.solver.self_contact;
+    SelfContactState& state = *cloth.solver->self_contact;
     if (state.has_surface) return;
     if (state.base_order.size() != cloth.mesh.base_triangle_count()) state.base_order = order_of_base_triangles(cloth);
     ContactSurface surface = contact_surface(cloth, state.base_order);
@@ -124,7 +125,7 @@ void update_contact_surface(Cloth& cloth) {
 
 std::vector<float> self_contact_clearances(Cloth& cloth) {
     const MovingPoints points{cloth.x.front().data(), cloth.x_prev.front().data(), cloth.x.size()};
-    return cloth.solver.self_contact->contact.clearances(points);
+    return cloth.solver->self_contact->contact.clearances(points);
 }
 
 SelfContactHolder::SelfContactHolder() : state_(std::make_unique<SelfContactState>()) {}

@@ -10,6 +10,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/cloth_penetration.h"
 #include "sim/cloth/contact.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/standoff.h"
 #include "sim/collide/surface_bvh.h"
 #include "sim/collide/thin_parts.h"
@@ -140,7 +141,7 @@ void push_out(FaceContact& face, SolverState& solver, const Collider& body, cons
 }
 
 FaceContact& watch(Cloth& cloth, const LeafTriangle& leaf) {
-    FaceContact& face = cloth.solver.contacts.faces.emplace_back();
+    FaceContact& face = cloth.solver->contacts.faces.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) face.vertices[k] = leaf.v[k].value;
     face.friction = static_cast<float>(cloth.material.fabrics[leaf.panel].friction);
     return face;
@@ -158,7 +159,7 @@ NearestOfFace nearest_of_face(const SurfaceBvh& surface, const std::array<Vec3f,
 
 void watch_faces_near_thin_parts(Cloth& cloth, const Collider& body, float seconds) {
     constexpr float kUnexpected = 0.01F;  // m, in a frame: twice what a free fall from rest adds
-    ContactState& contacts = cloth.solver.contacts;
+    ContactState& contacts = cloth.solver->contacts;
     contacts.faces.clear();
     const std::span<const ThinPart> parts = body.thin_parts();
     if (parts.empty() || !contacts.is_trunk_only.empty()) return;
@@ -180,7 +181,7 @@ int watch_faces_inside(Cloth& cloth, const Collider& body, float depth) {
     const SurfaceBvh* const surface = body.exact_surface();
     if (surface == nullptr) return 0;
     const Penetration found = find_penetration(cloth, *surface, {.depth = depth});
-    std::vector<FaceContact>& faces = cloth.solver.contacts.faces;
+    std::vector<FaceContact>& faces = cloth.solver->contacts.faces;
     std::map<std::array<std::uint32_t, 3>, std::size_t> watched;
     for (std::size_t i = 0; i < faces.size(); ++i) watched.emplace(faces[i].vertices, i);
     for (const DeepFace& deep : found.deep_faces) {
@@ -195,13 +196,13 @@ int watch_faces_inside(Cloth& cloth, const Collider& body, float depth) {
 }
 
 void push_out_faces(Cloth& cloth, const Collider& body, const ContactOptions& options) {
-    for (FaceContact& face : cloth.solver.contacts.faces) push_out(face, cloth.solver, body, options);
+    for (FaceContact& face : cloth.solver->contacts.faces) push_out(face, *cloth.solver, body, options);
 }
 
 float deepest_watched_face(const Cloth& cloth, const Collider& body) {
     float least = 0;
-    for (const FaceContact& face : cloth.solver.contacts.faces) {
-        const Corners x = corners_of(face, cloth.solver.points);
+    for (const FaceContact& face : cloth.solver->contacts.faces) {
+        const Corners x = corners_of(face, cloth.solver->points);
         least = std::min(least, nearest_point(contacts_with(body), x, face.shares).nearest.contact.distance);
     }
     return -least;

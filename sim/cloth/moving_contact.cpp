@@ -9,16 +9,15 @@
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/contact.h"
 #include "sim/cloth/kernels.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/core/morton.h"
 
 namespace selvedge::sim {
 namespace {
 
 constexpr float kFar = 1e6F;             // m, the slack of a point that cannot touch
-constexpr float kUnforeseen = 0.002F;    // m, that forces may add to the way of a vertex until it searches again
 constexpr float kCrease = 0.3F;          // cosine: normals of two sides of a crease enclose more than 73 degrees
 constexpr float kFacing = -0.5F;         // cosine: two sides face each other from 120 degrees on
-constexpr float kRecovery = 1;           // m/s, at which vertices rise to their contact offset, without velocity
 constexpr float kSampleRecovery = 0.1F;  // m/s, the same of points between them, with velocity: cloth hops by 0.5 mm
 
 void set_plane(MovingPlaneBlock& block, std::size_t at, const MovingPlane& plane) {
@@ -89,8 +88,8 @@ class ContactFinder {
     ContactFinder(Cloth& cloth, const MovingBodyCollider& body, const ContactOptions& options, float substeps,
                   float share)
         : cloth_(cloth),
-          contacts_(cloth.solver.contacts),
-          moving_(cloth.solver.contacts.moving),
+          contacts_(cloth.solver->contacts),
+          moving_(cloth.solver->contacts.moving),
           body_(body),
           offset_(options.offset),
           substeps_(substeps),
@@ -119,7 +118,7 @@ class ContactFinder {
     // For the free vertices that have left their balls.
     void find_again() {
         const auto has_left = [&](const FreeVertex& free) {
-            const Vec3f x = position(free.vertex), move = x - cloth_.solver.before[free.vertex].head<3>();
+            const Vec3f x = position(free.vertex), move = x - cloth_.solver->before[free.vertex].head<3>();
             return (x - share_ * body_.surface().drift() - free.centre).norm() + move.norm() > free.radius;
         };
         const auto left = std::partition(moving_.free.begin(), moving_.free.end(), std::not_fn(has_left));
@@ -147,12 +146,12 @@ class ContactFinder {
     }
 
     Vec3f position(std::uint32_t v) const {
-        return share_ > 0 ? cloth_.solver.points[v].head<3>() : cloth_.x[v].head<3>();
+        return share_ > 0 ? cloth_.solver->points[v].head<3>() : cloth_.x[v].head<3>();
     }
 
     // That the vertex goes until the end of the step, m, if its velocity stays as it is.
     Vec3f way_of(std::uint32_t v) const {
-        const Vec4f& before = share_ > 0 ? cloth_.solver.before[v] : cloth_.x_prev[v];
+        const Vec4f& before = share_ > 0 ? cloth_.solver->before[v] : cloth_.x_prev[v];
         return (position(v) - before.head<3>()) * substeps_ * (1 - share_);
     }
 
@@ -432,18 +431,18 @@ void note_split(MovingContacts& contacts, VertexId c, VertexId a, VertexId b) {
 
 void push_out_samples_on_planes(Cloth& cloth, const Kernels& loops, const StepShare& share,
                                 const ContactOptions& options) {
-    ContactState& contacts = cloth.solver.contacts;
+    ContactState& contacts = cloth.solver->contacts;
     const MovingContacts& moving = contacts.moving;
     for (std::size_t i = 0; i < contacts.samples.size(); ++i) {
         if (moving.is_sample_near[i] == 0) continue;
         loops.push_samples_on_planes(contacts.samples[i], moving.samples[i], share, options.friction_scale,
-                                     floats(cloth.solver.points), floats(cloth.solver.before));
+                                     floats(cloth.solver->points), floats(cloth.solver->before));
     }
 }
 
 void hold_vertices_on_planes(Cloth& cloth, const MovingBodyCollider& body, const Kernels& loops, const StepShare& share,
                              float longest_move, const ContactOptions& options) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     ContactState& contacts = solver.contacts;
     const ContactLimits limits{.longest_move = longest_move,
                                .floor = options.floor + options.offset,
@@ -462,10 +461,10 @@ void hold_vertices_on_planes(Cloth& cloth, const MovingBodyCollider& body, const
 }
 
 void end_moving_contacts(Cloth& cloth, const ContactOptions& options) {
-    ContactState& contacts = cloth.solver.contacts;
+    ContactState& contacts = cloth.solver->contacts;
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         const LastContact& last = contacts.moving.last[v.value];
-        const Vec4f& x = cloth.solver.points[v.value];
+        const Vec4f& x = cloth.solver->points[v.value];
         contacts.query_point[v.value] = {x.x(), x.y(), x.z(), ContactCacheArrays::kUnknown};
         if (last.triangle == LastContact::kNone) {
             contacts.plane[v.value] = {0, 1, 0, kFar};

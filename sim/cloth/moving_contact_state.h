@@ -10,6 +10,10 @@
 
 namespace selvedge::sim {
 
+inline constexpr float kRecovery =
+    1;  // m/s, at which vertices and faces rise to their contact offset, without velocity
+inline constexpr float kUnforeseen = 0.002F;  // m, that forces may add to a way until the next search
+
 // The time of a sub-step within its step, as shares of the step.
 struct StepShare {
     float end = 1;     // passed at the sub-step's end

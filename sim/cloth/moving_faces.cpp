@@ -9,12 +9,10 @@
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/contact.h"
 #include "sim/cloth/face_contact.h"
+#include "sim/cloth/solver_state.h"
 
 namespace selvedge::sim {
 namespace {
-
-constexpr float kRecovery = 1;         // m/s, at which faces rise to their contact offset, without velocity
-constexpr float kUnforeseen = 0.002F;  // m, that forces may add to the way of a face in a step
 
 // A leaf triangle at the start of a step, m.
 struct Face {
@@ -94,7 +92,7 @@ void shift(const MovingFace& face, const Vec3f& by, std::vector<Vec4f>& points) 
 }  // namespace
 
 void find_moving_faces(Cloth& cloth, const MovingBodyCollider& body, const ContactOptions& options, int substeps) {
-    MovingContacts& moving = cloth.solver.contacts.moving;
+    MovingContacts& moving = cloth.solver->contacts.moving;
     moving.faces.clear();
     const auto count = static_cast<float>(substeps);
     const float margin = options.offset + kUnforeseen;
@@ -111,7 +109,7 @@ void find_moving_faces(Cloth& cloth, const MovingBodyCollider& body, const Conta
 }
 
 void push_out_faces_on_planes(Cloth& cloth, const StepShare& share, const ContactOptions& options) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     for (const MovingFace& face : solver.contacts.moving.faces) {
         const Vec3f at = mixed(face, solver.points), from = mixed(face, solver.before);
         const auto [normal, above] = plane_now(face.plane, at, share.end);

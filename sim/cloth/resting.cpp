@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/step.h"
 
 namespace selvedge::sim {
@@ -24,7 +25,7 @@ bool has_kinematic_target(const Cloth& cloth, std::span<const KinematicVertex> a
 }
 
 bool has_left_reach(const Cloth& cloth) {
-    const std::vector<Vec4f>& anchors = cloth.solver.resting.anchors;
+    const std::vector<Vec4f>& anchors = cloth.solver->resting.anchors;
     return std::ranges::any_of(cloth.mesh.leaf_vertices(), [&](VertexId v) {
         return (cloth.x[v.value] - anchors[v.value]).squaredNorm() > kRestReach * kRestReach;
     });
@@ -32,21 +33,21 @@ bool has_left_reach(const Cloth& cloth) {
 
 // A cloth at rest has x = x_prev = anchors; any difference means that something else moved it.
 bool was_touched(const Cloth& cloth) {
-    const std::vector<Vec4f>& anchors = cloth.solver.resting.anchors;
+    const std::vector<Vec4f>& anchors = cloth.solver->resting.anchors;
     return std::ranges::any_of(cloth.mesh.leaf_vertices(), [&](VertexId v) {
         return cloth.x[v.value] != anchors[v.value] || cloth.x_prev[v.value] != anchors[v.value];
     });
 }
 
 bool has_moved(const Cloth& cloth) {
-    if (cloth.solver.resting.anchors.size() != cloth.x.size()) return true;
+    if (cloth.solver->resting.anchors.size() != cloth.x.size()) return true;
     return is_at_rest(cloth) ? was_touched(cloth) : has_left_reach(cloth);
 }
 
 }  // namespace
 
 bool stays_at_rest(Cloth& cloth, const Collider& body, const StepOptions& options) {
-    RestingState& resting = cloth.solver.resting;
+    RestingState& resting = cloth.solver->resting;
     const bool is_elsewhere = has_other_surroundings(resting, body, options);
     const bool may_rest = options.may_rest && !options.solve_more;
     if (!may_rest || is_elsewhere || !options.seams.empty() || has_kinematic_target(cloth, options.kinematic))
@@ -63,11 +64,11 @@ bool stays_at_rest(Cloth& cloth, const Collider& body, const StepOptions& option
 }
 
 bool is_at_rest(const Cloth& cloth) {
-    return cloth.solver.resting.still_seconds >= kRestSeconds;
+    return cloth.solver->resting.still_seconds >= kRestSeconds;
 }
 
 void reactivate(Cloth& cloth) {
-    cloth.solver.resting.still_seconds = 0;
+    cloth.solver->resting.still_seconds = 0;
 }
 
 }  // namespace selvedge::sim

@@ -7,6 +7,7 @@
 
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/kernels.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/state_transfer.h"
 #include "sim/cloth/triangle_bending.h"
 #include "sim/mesh/sew.h"
@@ -48,7 +49,7 @@ bool is_gathered(const AdaptiveMesh& mesh, const AdaptiveTriangle& leaf) {
 // Fills everything but the gains. t: a leaf.
 void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     const AdaptiveTriangle& leaf = cloth.mesh.triangle(t);
-    Constraints& constraints = cloth.solver.constraints;
+    Constraints& constraints = cloth.solver->constraints;
     StretchBlock& block = constraints.stretch.blocks[slot / kBlock];
     StretchRecord& record = constraints.stretch.records[slot / kBlock];
     const std::size_t at = slot % kBlock;
@@ -56,7 +57,7 @@ void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     const MaterialFrame frame = material_frame(leaf.u, cloth.material.grain_angles[leaf.panel]);
     set_frame(block, at, leaf.vertices, frame);
     block.longest[at] = 1 + static_cast<float>(fabric.strain_limit);
-    block.push[at] = cloth.solver.lists.has_gathers && is_gathered(cloth.mesh, leaf) ? 0.0F : 1.0F;
+    block.push[at] = cloth.solver->lists.has_gathers && is_gathered(cloth.mesh, leaf) ? 0.0F : 1.0F;
     block.slip[at] = static_cast<float>(fabric.shear_hysteresis / (2 * fabric.shear)) / kStick;
     const SavedBias kept = saved_bias_of(cloth, t);
     set_values(block.bias, at, kept.value);
@@ -64,7 +65,7 @@ void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     record.compliance[0][at] = compliance_of(cloth, frame, fabric.stretch_warp);
     record.compliance[1][at] = compliance_of(cloth, frame, fabric.stretch_weft);
     record.compliance[2][at] = compliance_of(cloth, frame, fabric.shear);
-    const ParentOf& parent = cloth.solver.lists.parent_of[t.value];
+    const ParentOf& parent = cloth.solver->lists.parent_of[t.value];
     record.parent[at] = parent.offset;
     record.of_area[at] = parent.of_area;
     constraints.triangle_of.resize(constraints.stretch.blocks.size() * kBlock, kNoBlockSlot);
@@ -74,7 +75,7 @@ void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t slot) {
 }
 
 void make_stretch(Cloth& cloth) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     solver.constraints.triangle_of.clear();
     solver.constraints.thirds.clear();
     solver.constraints.stretch.make(
@@ -84,8 +85,8 @@ void make_stretch(Cloth& cloth) {
 }
 
 void change_stretch(Cloth& cloth, const LeafChanges& changes) {
-    Constraints& constraints = cloth.solver.constraints;
-    const std::size_t dummy_vertex = cloth.solver.lists.vertices;
+    Constraints& constraints = cloth.solver->constraints;
+    const std::size_t dummy_vertex = cloth.solver->lists.vertices;
     for (const TriangleId t : changes.triangles_removed) {
         save_bias(cloth, t);
         constraints.triangle_of[constraints.stretch.slot_of(t)] = kNoBlockSlot;
@@ -98,7 +99,7 @@ void change_stretch(Cloth& cloth, const LeafChanges& changes) {
 }
 
 void size_triangles(Cloth& cloth) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     const std::size_t capacity = cloth.mesh.triangles().capacity();
     solver.lists.parent_of.resize(capacity);
     solver.lists.bearable_shear.resize(capacity + 1, 0.0F);
@@ -138,7 +139,7 @@ void forget_stress(LevelStress& stress, TriangleId t) {
 // Fills everything but the values that depend on masses. t: refined.
 void set_limit(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
-    Limits& limits = cloth.solver.constraints.parents[triangle.level].limits;
+    Limits& limits = cloth.solver->constraints.parents[triangle.level].limits;
     LimitRecord& record = limits.records[slot / kBlock];
     const std::size_t at = slot % kBlock;
     const Fabric& fabric = cloth.material.fabrics[triangle.panel];
@@ -150,11 +151,11 @@ void set_limit(Cloth& cloth, TriangleId t, std::uint32_t slot) {
         record.compliance[k][at] = compliance_of(cloth, frame, stiffness[k]);
         if (k < 2) record.free_length[k][at] = longest_of(stiffness[k], fabric);
     }
-    const ParentOf& parent = cloth.solver.lists.parent_of[t.value];
+    const ParentOf& parent = cloth.solver->lists.parent_of[t.value];
     record.offset[at] = stress_offset(t);
     record.parent[at] = parent.offset;
     record.of_area[at] = parent.of_area;
-    LevelStress& stress = cloth.solver.constraints.stress;
+    LevelStress& stress = cloth.solver->constraints.stress;
     for (std::vector<Vec4f>* sums : {&stress.below, &stress.off}) (*sums)[t.value + 1].setZero();
 }
 
@@ -189,7 +190,7 @@ void add_bearable_shear_of_limits(SolverState& solver, ParentLevel& parents) {
 }
 
 void make_limits(Cloth& cloth, int level) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     solver.constraints.parents[static_cast<std::size_t>(level)].limits.make(
         cloth.mesh.refined_triangles(level), solver.lists.vertices, std::identity{},
         [&](TriangleId t) { return indices(cloth.mesh.triangle(t).vertices); },
@@ -198,8 +199,8 @@ void make_limits(Cloth& cloth, int level) {
 
 // A released triangle was a leaf by then. An id that is in use again is treated as its new triangle.
 void change_limits(Cloth& cloth, const LeafChanges& changes) {
-    Constraints& constraints = cloth.solver.constraints;
-    const std::size_t dummy_vertex = cloth.solver.lists.vertices;
+    Constraints& constraints = cloth.solver->constraints;
+    const std::size_t dummy_vertex = cloth.solver->lists.vertices;
     for (const TriangleId t : changes.refined_changed) {
         for (ParentLevel& level : constraints.parents) {
             if (level.limits.slot_of(t) == kNoBlockSlot) continue;
@@ -219,7 +220,7 @@ void change_limits(Cloth& cloth, const LeafChanges& changes) {
 // Lists the centres of split edges that can move, level by level.
 void list_centres(Cloth& cloth) {
     for (int level = 0; level < cloth.mesh.max_level(); ++level) {
-        std::vector<EdgeCentre>& centres = cloth.solver.constraints.parents[static_cast<std::size_t>(level)].centres;
+        std::vector<EdgeCentre>& centres = cloth.solver->constraints.parents[static_cast<std::size_t>(level)].centres;
         centres.clear();
         for (const EdgeId e : cloth.mesh.split_edges(level)) {
             const AdaptiveEdge& edge = cloth.mesh.edge(e);
@@ -235,7 +236,7 @@ void list_centres(Cloth& cloth) {
 // that follow it: its own mass plus half of the effective mass of each edge centre between it and another vertex. Then
 // corrections conserve linear momentum. Floats are summed in doubles, so the order does not matter.
 void list_limit_masses(Cloth& cloth) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     SolverLists& lists = solver.lists;
     lists.masses.resize(solver.constraints.parents.size());
     lists.masses_now.resize(solver.constraints.parents.size());
@@ -263,7 +264,7 @@ void list_limit_masses(Cloth& cloth) {
 // of the leaves' blocks are up to date. bearable_shear is recomputed for all triangles, because nearly every sum
 // contains a changed value.
 void update_limit_masses(Cloth& cloth, const Kernels& loops) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     add_bearable_shear_of_leaves(solver);
     for (std::size_t level = solver.constraints.parents.size(); level-- > 0;) {
         ParentLevel& parents = solver.constraints.parents[level];
@@ -277,7 +278,7 @@ void update_limit_masses(Cloth& cloth, const Kernels& loops) {
 // Whether all blocks should be made anew: inserting slots one by one gives a worse memory layout than make().
 bool is_fragmented(const Cloth& cloth) {
     const std::size_t leaves = cloth.mesh.leaf_triangles().size();
-    const SolverState& solver = cloth.solver;
+    const SolverState& solver = *cloth.solver;
     return solver.lists.vertices != cloth.mesh.vertex_capacity() || solver.lists.inserted > leaves ||
            solver.constraints.stretch.blocks.size() * kBlock > 2 * leaves + 64 * kBlock;
 }
@@ -291,7 +292,7 @@ float compliance_of(const Cloth& cloth, const MaterialFrame& frame, double stiff
 
 void note_children(Cloth& cloth, TriangleId t) {
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
-    std::vector<ParentOf>& parent_of = cloth.solver.lists.parent_of;
+    std::vector<ParentOf>& parent_of = cloth.solver->lists.parent_of;
     const float area = material_area(triangle.u);
     for (std::size_t i = 0; i < layout(triangle.configuration).triangle_count; ++i) {
         const TriangleId child = triangle.internal_triangles[i];
@@ -301,7 +302,7 @@ void note_children(Cloth& cloth, TriangleId t) {
 }
 
 void make_blocks(Cloth& cloth) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     save_biases(cloth);
     save_bends(cloth);
     solver.lists.vertices = cloth.mesh.vertex_capacity();
@@ -324,7 +325,7 @@ void make_blocks(Cloth& cloth) {
 
 void change_blocks(Cloth& cloth) {
     const LeafChanges& changes = cloth.mesh.changes();
-    cloth.solver.lists.inserted += changes.triangles_added.size();
+    cloth.solver->lists.inserted += changes.triangles_added.size();
     if (is_fragmented(cloth)) {
         make_blocks(cloth);
         return;
@@ -362,7 +363,7 @@ void mark(Set& set, TriangleId t) {
 
 // Marks the leaves round a leaf vertex, and their neighbours opposite to it, in whose bending it is an apex.
 void mark_leaves_round(Cloth& cloth, VertexId v) {
-    Constraints& constraints = cloth.solver.constraints;
+    Constraints& constraints = cloth.solver->constraints;
     for (const TriangleId t : cloth.mesh.triangles_at(v)) {
         mark(constraints.stretch, t);
         mark(constraints.bend, t);
@@ -389,7 +390,7 @@ void mark_blocks_with(Set& set, const std::vector<std::uint8_t>& is_changed) {
 }
 
 void mark_round_changed_masses(Cloth& cloth) {
-    SolverLists& lists = cloth.solver.lists;
+    SolverLists& lists = cloth.solver->lists;
     lists.inverse_masses.resize(cloth.inverse_mass.size());
     for_changed(cloth.inverse_mass, lists.inverse_masses, [&](VertexId v) {
         if (cloth.inverse_mass[v.value] > 0) mark_leaves_round(cloth, v);  // else removed, or all constraints are new
@@ -403,7 +404,7 @@ void mark_round_changed_masses(Cloth& cloth) {
             has_changed = true;
         });
         if (!has_changed) continue;
-        ParentLevel& parents = cloth.solver.constraints.parents[level];
+        ParentLevel& parents = cloth.solver->constraints.parents[level];
         mark_blocks_with(parents.limits, lists.is_changed);
         mark_blocks_with(parents.bend, lists.is_changed);
     }
@@ -413,7 +414,7 @@ void mark_round_changed_masses(Cloth& cloth) {
 
 void update_effective_masses(Cloth& cloth) {
     const Kernels& loops = kernels(simd_level());
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     list_limit_masses(cloth);
     mark_round_changed_masses(cloth);
     Constraints& constraints = solver.constraints;

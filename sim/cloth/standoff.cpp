@@ -11,6 +11,7 @@
 
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/moving_contact.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/collide/collider.h"
 #include "sim/collide/moving_body.h"
 
@@ -51,7 +52,7 @@ class Lacks {
     // between them may be deepest beside its middle.
     bool is_at_moving_body(std::span<const VertexId> vertices) const {
         if (!body_.moving()) return false;
-        const std::vector<LastContact>& last = cloth_.solver.contacts.moving.last;
+        const std::vector<LastContact>& last = cloth_.solver->contacts.moving.last;
         return std::ranges::any_of(vertices, [&](VertexId v) {
             return v.value < last.size() && last[v.value].triangle != LastContact::kNone;
         });
@@ -63,7 +64,7 @@ class Lacks {
         Vec3f x = Vec3f::Zero();
         for (std::size_t k = 0; k < 3; ++k) x += shares[k] * cloth_.x[corners[k].value].head<3>();
         const std::optional<float> known =
-            body_.moving() ? distance_between(cloth_.solver.contacts.moving, corners, shares, x) : std::nullopt;
+            body_.moving() ? distance_between(cloth_.solver->contacts.moving, corners, shares, x) : std::nullopt;
         if (known && *known > kMaxStandoff) {
             note(corners, *known);
             return true;
@@ -94,7 +95,7 @@ class Lacks {
 
     // The triangle of the body that is nearest to the first of the corners that is near the body.
     std::uint32_t triangle_near(const Corners& corners) const {
-        const std::vector<LastContact>& last = cloth_.solver.contacts.moving.last;
+        const std::vector<LastContact>& last = cloth_.solver->contacts.moving.last;
         for (const VertexId v : corners)
             if (v.value < last.size() && last[v.value].triangle != LastContact::kNone) return last[v.value].triangle;
         return LastContact::kNone;
@@ -114,7 +115,7 @@ class Lacks {
 
 // The height of a vertex above its offset surface, m, by the cached plane; nothing is known where it is far away.
 float height_of(const Cloth& cloth, std::size_t v) {
-    const ContactState& contacts = cloth.solver.contacts;
+    const ContactState& contacts = cloth.solver->contacts;
     if (contacts.query_point[v].w() < ContactCacheArrays::kInvalidBelow) return std::numeric_limits<float>::max();
     const Vec3f moved = (cloth.x[v] - contacts.query_point[v]).head<3>();
     if (moved.squaredNorm() > kPlaneReach * kPlaneReach) return std::numeric_limits<float>::max();
@@ -122,7 +123,7 @@ float height_of(const Cloth& cloth, std::size_t v) {
 }
 
 void set_standoff(Cloth& cloth, std::size_t v, float standoff) {
-    ContactState& contacts = cloth.solver.contacts;
+    ContactState& contacts = cloth.solver->contacts;
     const float raise = standoff - contacts.standoff[v];
     contacts.standoff[v] = standoff;
     contacts.plane[v].w() -= raise;
@@ -137,7 +138,7 @@ void set_standoff(Cloth& cloth, std::size_t v, float standoff) {
 }  // namespace
 
 void free_standoffs(Cloth& cloth, const StandoffOptions& options) {
-    cloth.solver.contacts.standoff.assign(cloth.x.size() + 1, options.free);
+    cloth.solver->contacts.standoff.assign(cloth.x.size() + 1, options.free);
     forget_contacts(cloth);
 }
 
@@ -145,7 +146,7 @@ void update_standoffs(Cloth& cloth, const Collider& body, const StandoffOptions&
     constexpr float kLowering = 0.5F;    // share of the room that is given back at once: neighbours give back theirs
     constexpr float kTouching = 0.001F;  // m, height above which a vertex does not touch
     const std::vector<float> lacks = Lacks(cloth, body).find();
-    std::vector<float>& standoff = cloth.solver.contacts.standoff;
+    std::vector<float>& standoff = cloth.solver->contacts.standoff;
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         const float lack = lacks[v.value], now = standoff[v.value];
         const float height = lack <= -kMaxStandoff ? kMaxStandoff + kTouching : height_of(cloth, v.value);

@@ -4,6 +4,7 @@
 
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/solver_blocks.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/triangle_bending.h"
 
 namespace selvedge::sim {
@@ -14,7 +15,7 @@ std::span<const TriangleId> inside(const AdaptiveTriangle& triangle) {
 }
 
 void restore_saved(Cloth& cloth, TriangleId t, const SavedBias& bias) {
-    cloth.solver.saved_bias.save(t, cloth.adaptations, bias);
+    cloth.solver->saved_bias.save(t, cloth.adaptations, bias);
 }
 
 // The initial bias of the coarse strain limit of a leaf that becomes refined. The triangle continues to bear its
@@ -34,11 +35,11 @@ Vec3f leaf_of_limit(const Vec3f& mean, const Vec3f& limit) {
 }
 
 bool is_kept(const Cloth& cloth, TriangleId t) {
-    return cloth.solver.saved_bias.find(t, cloth.adaptations) != nullptr;
+    return cloth.solver->saved_bias.find(t, cloth.adaptations) != nullptr;
 }
 
 SavedBias bias_in(const Cloth& cloth, std::uint32_t slot) {
-    const StretchBlock& block = cloth.solver.constraints.stretch.blocks[slot / kBlock];
+    const StretchBlock& block = cloth.solver->constraints.stretch.blocks[slot / kBlock];
     return {.value = values_at(block.bias, slot % kBlock), .anchor = block.anchor[slot % kBlock]};
 }
 
@@ -93,7 +94,7 @@ void fit_slot(LimitRecord& record, std::size_t at, const Vec4f& stress, float ra
 }  // namespace
 
 void rescale_biases(Cloth& cloth, float ratio) {
-    Constraints& constraints = cloth.solver.constraints;
+    Constraints& constraints = cloth.solver->constraints;
     for (std::size_t slot = 0; slot < constraints.triangle_of.size(); ++slot) {
         if (constraints.triangle_of[slot] == kNoBlockSlot) continue;
         fit_slot(constraints.stretch.blocks[slot / kBlock], constraints.stretch.records[slot / kBlock], slot % kBlock,
@@ -110,15 +111,15 @@ void rescale_biases(Cloth& cloth, float ratio) {
 }
 
 SavedBias saved_bias_of(const Cloth& cloth, TriangleId t) {
-    if (const SavedBias* const kept = cloth.solver.saved_bias.find(t, cloth.adaptations)) return *kept;
-    const std::uint32_t slot = cloth.solver.constraints.stretch.slot_of(t, indices(cloth.mesh.triangle(t).vertices));
+    if (const SavedBias* const kept = cloth.solver->saved_bias.find(t, cloth.adaptations)) return *kept;
+    const std::uint32_t slot = cloth.solver->constraints.stretch.slot_of(t, indices(cloth.mesh.triangle(t).vertices));
     return slot == kNoBlockSlot ? SavedBias{} : bias_in(cloth, slot);
 }
 
 Vec3f saved_limit_of(const Cloth& cloth, TriangleId t) {
-    if (const SavedBias* const kept = cloth.solver.saved_bias.find(t, cloth.adaptations)) return kept->limit;
+    if (const SavedBias* const kept = cloth.solver->saved_bias.find(t, cloth.adaptations)) return kept->limit;
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
-    const std::vector<ParentLevel>& parents = cloth.solver.constraints.parents;
+    const std::vector<ParentLevel>& parents = cloth.solver->constraints.parents;
     if (triangle.level >= parents.size()) return Vec3f::Zero();
     const std::uint32_t slot = parents[triangle.level].limits.slot_of(t, indices(triangle.vertices));
     return slot == kNoBlockSlot ? Vec3f(Vec3f::Zero()) : limit_in(parents[triangle.level], slot);
@@ -126,7 +127,7 @@ Vec3f saved_limit_of(const Cloth& cloth, TriangleId t) {
 
 void save_bias(Cloth& cloth, TriangleId t) {
     if (is_kept(cloth, t)) return;
-    const SavedBias kept = bias_in(cloth, cloth.solver.constraints.stretch.slot_of(t));
+    const SavedBias kept = bias_in(cloth, cloth.solver->constraints.stretch.slot_of(t));
     set_leaf(cloth, t, kept.value, kept.anchor);
 }
 
@@ -180,7 +181,7 @@ void StateTransfer::before(TriangleId t) {
 
 void StateTransfer::after(TriangleId t) {
     const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
-    cloth_.solver.saved_bend.save(t, cloth_.adaptations, is_leaf(triangle) ? mean_bend_ : bend_);
+    cloth_.solver->saved_bend.save(t, cloth_.adaptations, is_leaf(triangle) ? mean_bend_ : bend_);
     if (is_leaf(triangle)) return set_leaf(cloth_, t, leaf_of_limit(mean_, limit_), mean_anchor_);
     restore_saved(cloth_, t, {.limit = limit_});
     for (const TriangleId child : inside(triangle)) {
@@ -190,20 +191,20 @@ void StateTransfer::after(TriangleId t) {
                                              cloth_.mesh.triangle(child).vertices;
         if (stays) continue;
         set_leaf(cloth_, child, mean_, mean_anchor_);
-        cloth_.solver.saved_bend.save(child, cloth_.adaptations, mean_bend_);
+        cloth_.solver->saved_bend.save(child, cloth_.adaptations, mean_bend_);
     }
 }
 
 SavedBend saved_bend_of(const Cloth& cloth, TriangleId t) {
-    if (const SavedBend* const kept = cloth.solver.saved_bend.find(t, cloth.adaptations)) return *kept;
+    if (const SavedBend* const kept = cloth.solver->saved_bend.find(t, cloth.adaptations)) return *kept;
     const BendSlot slot = bend_slot(cloth, t);
     if (slot.block == nullptr) return {};
     return {.anchor = values_at(slot.block->anchor, slot.at), .is_known = slot.block->realised[slot.at] > 0};
 }
 
 void save_bend(Cloth& cloth, TriangleId t) {
-    const bool is_kept = cloth.solver.saved_bend.find(t, cloth.adaptations) != nullptr;
-    if (!is_kept) cloth.solver.saved_bend.save(t, cloth.adaptations, saved_bend_of(cloth, t));
+    const bool is_kept = cloth.solver->saved_bend.find(t, cloth.adaptations) != nullptr;
+    if (!is_kept) cloth.solver->saved_bend.save(t, cloth.adaptations, saved_bend_of(cloth, t));
 }
 
 void save_bends(Cloth& cloth) {

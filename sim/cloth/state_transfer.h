@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/core/math.h"
 #include "sim/core/pool.h"
 

@@ -8,6 +8,7 @@
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/moving_contact.h"
 #include "sim/cloth/moving_faces.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/core/assert.h"
 
 namespace selvedge::sim {
@@ -38,10 +39,10 @@ struct Stepper {
     const Collider& body;
     const StepOptions& options;
 
-    float* points() const { return floats(cloth.solver.points); }
-    float* before() const { return floats(cloth.solver.before); }
+    float* points() const { return floats(cloth.solver->points); }
+    float* before() const { return floats(cloth.solver->before); }
     CorrectedPoints corrected() const {
-        SolverState& solver = cloth.solver;
+        SolverState& solver = *cloth.solver;
         return {points(), floats(solver.predicted), floats(solver.start), floats(solver.correction)};
     }
     // The share of a difference that decays within a step at that rate (1/s): 1 - exp(-rate * seconds).
@@ -52,7 +53,7 @@ struct Stepper {
     void end_contacts();
     void substep(int i);
     // In even sub-steps all bending constraints are solved; in odd ones only those with an interval of 1.
-    int bend_interval(int i) const { return (cloth.solver.substeps + i) % 2 == 0 ? 2 : 1; }
+    int bend_interval(int i) const { return (cloth.solver->substeps + i) % 2 == 0 ? 2 : 1; }
     void load_points();
     void store_points();
     void predict(int i);
@@ -80,11 +81,11 @@ void Stepper::step() {
         substep(i);
         if (!options.self_contact) continue;
         const CollisionClock clock(options.times);
-        cloth.solver.self_contact->contact.substep(moving_points(), *options.self_contact);
+        cloth.solver->self_contact->contact.substep(moving_points(), *options.self_contact);
     }
     if (options.self_contact) {
         const CollisionClock clock(options.times);
-        cloth.solver.self_contact->contact.end_step(moving_points(), *options.self_contact);
+        cloth.solver->self_contact->contact.end_step(moving_points(), *options.self_contact);
     }
     apply_internal_damping();
     end_contacts();
@@ -98,10 +99,10 @@ void Stepper::begin_contacts() {
         find_moving_contacts(cloth, *body.moving(), options.contact, options.substeps);
         find_moving_faces(cloth, *body.moving(), options.contact, options.substeps);
     }
-    SelfContact& self_contact = cloth.solver.self_contact->contact;
+    SelfContact& self_contact = cloth.solver->self_contact->contact;
     if (options.self_contact) {
         update_contact_surface(cloth);
-        if (body.moving()) self_contact.excuse(pinched_vertices(cloth.solver.contacts.moving));
+        if (body.moving()) self_contact.excuse(pinched_vertices(cloth.solver->contacts.moving));
         self_contact.begin_step(moving_points(), *options.self_contact);
     } else {
         self_contact.forget();
@@ -143,7 +144,7 @@ void Stepper::substep(int i) {
 
 // Copies positions and inverse masses. The dummy vertex is placed 10 km away.
 void Stepper::load_points() {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     for (std::size_t v = 0; v < cloth.x.size(); ++v) {
         solver.points[v] = cloth.x[v];
         solver.points[v].w() = cloth.inverse_mass[v];
@@ -155,23 +156,23 @@ void Stepper::load_points() {
 
 void Stepper::store_points() {
     for (std::size_t v = 0; v < cloth.x.size(); ++v) {
-        cloth.x[v] = with_zero_w(cloth.solver.points[v].head<3>());
-        cloth.x_prev[v] = with_zero_w(cloth.solver.before[v].head<3>());
+        cloth.x[v] = with_zero_w(cloth.solver->points[v].head<3>());
+        cloth.x_prev[v] = with_zero_w(cloth.solver->before[v].head<3>());
     }
 }
 
 void Stepper::predict(int i) {
     const Vec3f fall = options.gravity * (cloth.substep * cloth.substep);
-    const Motion motion{.keep = std::max(0.0F, 1 - (cloth.solver.damping + options.extra_damping) * cloth.substep),
+    const Motion motion{.keep = std::max(0.0F, 1 - (cloth.solver->damping + options.extra_damping) * cloth.substep),
                         .fall = {fall.x(), fall.y(), fall.z()}};
-    loops.predict(points(), before(), floats(cloth.solver.lost), cloth.x.size(), motion);
+    loops.predict(points(), before(), floats(cloth.solver->lost), cloth.x.size(), motion);
     move_kinematic(i);
 }
 
 void Stepper::move_kinematic(int i) {
     const float share = 1 / static_cast<float>(options.substeps - i);
     for (const KinematicVertex& kinematic : options.kinematic) {
-        Vec4f& x = cloth.solver.points[kinematic.vertex];
+        Vec4f& x = cloth.solver->points[kinematic.vertex];
         x.head<3>() += (kinematic.to - x.head<3>()) * share;
     }
 }
@@ -187,7 +188,7 @@ void Stepper::store_corrections() {
 // Coarse to fine: after each level, the centres of its split edges follow the displacements of the ends, and the next
 // level starts from these positions. Returns early if no bending was passed up to coarse triangles, as for most cloths.
 void Stepper::solve_coarse_bend(int interval) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     const auto bends = [&](const ParentLevel& level) { return level.interval <= static_cast<float>(interval); };
     if (std::ranges::none_of(solver.constraints.parents, bends)) return;
     std::copy_n(solver.points.begin(), cloth.x.size(), solver.start.begin());
@@ -201,7 +202,7 @@ void Stepper::solve_coarse_bend(int interval) {
 }
 
 void Stepper::solve_coarse_limits(bool is_last) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     for (std::size_t level = 0; level < solver.constraints.parents.size(); ++level) {
         ParentLevel& parents = solver.constraints.parents[level];
         parents.limits.for_colors([&](auto blocks, auto records) {
@@ -212,20 +213,20 @@ void Stepper::solve_coarse_limits(bool is_last) {
 }
 
 void Stepper::prolong_centres(std::size_t level) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     loops.prolong_centres(solver.constraints.parents[level].centres, floats(solver.start), points());
 }
 
 void Stepper::solve_bend(int interval) {
-    cloth.solver.constraints.bend.for_colors([&](auto blocks, auto) { loops.solve_bend(blocks, points(), interval); });
+    cloth.solver->constraints.bend.for_colors([&](auto blocks, auto) { loops.solve_bend(blocks, points(), interval); });
 }
 
 // Copies of constraints beyond the fabric's strain limit are stored in lists.over, for each run of blocks from the
 // index of its first block.
 void Stepper::solve_stretch(bool is_last) {
-    SolverLists& lists = cloth.solver.lists;
+    SolverLists& lists = cloth.solver->lists;
     std::size_t run = 0, first = 0;
-    cloth.solver.constraints.stretch.for_colors([&](auto blocks, auto records) {
+    cloth.solver->constraints.stretch.for_colors([&](auto blocks, auto records) {
         lists.over_counts[run++] =
             loops.solve_stretch(blocks, is_last ? records.data() : nullptr, points(), &lists.over[first], lists.dummy);
         first += blocks.size();
@@ -233,8 +234,8 @@ void Stepper::solve_stretch(bool is_last) {
 }
 
 void Stepper::limit_stretch() {
-    const SolverLists& lists = cloth.solver.lists;
-    const std::vector<BlockColoring::Run>& runs = cloth.solver.constraints.stretch.coloring.runs();
+    const SolverLists& lists = cloth.solver->lists;
+    const std::vector<BlockColoring::Run>& runs = cloth.solver->constraints.stretch.coloring.runs();
     for (std::size_t i = 0; i < runs.size(); ++i) {
         loops.limit_stretch({&lists.over[runs[i].first], lists.over_counts[i]}, points());
     }
@@ -243,7 +244,7 @@ void Stepper::limit_stretch() {
 // Updates the biases from the present strain and stress. The stress of the refined triangles is first
 // summed coarse to fine (`above`); then leaves and refined triangles are updated fine to coarse (`below`, `off`).
 void Stepper::update_bias() {
-    Constraints& constraints = cloth.solver.constraints;
+    Constraints& constraints = cloth.solver->constraints;
     const BiasGains gains{.stretch = share_at(options.stretch_bias_rate), .shear = share_at(options.shear_bias_rate)};
     LevelStress& stress = constraints.stress;
     for (const ParentLevel& level : constraints.parents) {
@@ -259,7 +260,7 @@ void Stepper::update_bias() {
 }
 
 void Stepper::pull_seams(float gap) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     for (const SeamPull& pull : options.seams) {
         Vec4f& a = solver.points[pull.a];
         Vec4f& b = solver.points[pull.b];
@@ -292,7 +293,7 @@ void Stepper::hold(const ContactOptions& contact, const StepShare& share) {
 
 void Stepper::apply_internal_damping() {
     const float share = share_at(options.internal_damping);
-    cloth.solver.constraints.stretch.for_colors(
+    cloth.solver->constraints.stretch.for_colors(
         [&](auto blocks, auto) { loops.apply_internal_damping(blocks, points(), before(), share); });
 }
 
@@ -303,9 +304,9 @@ float step_seconds(const Cloth& cloth, const StepOptions& options) {
 }
 
 StepReport step(Cloth& cloth, const Collider& body, const StepOptions& options) {
-    SELVEDGE_ASSERT(cloth.solver.contacts.friction.size() >= cloth.x.size());
+    SELVEDGE_ASSERT(cloth.solver->contacts.friction.size() >= cloth.x.size());
     if (stays_at_rest(cloth, body, options)) return {};
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     const std::size_t count = cloth.x.size() + 1;
     solver.points.resize(count);
     solver.before.resize(count);

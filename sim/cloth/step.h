@@ -6,7 +6,7 @@
 #include <span>
 
 #include "sim/cloth/cloth.h"
-#include "sim/cloth/contact.h"
+#include "sim/cloth/contact_options.h"
 #include "sim/selfcontact/options.h"
 
 namespace selvedge::sim {

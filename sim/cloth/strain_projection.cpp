@@ -8,6 +8,7 @@
 #include "sim/cloth/contact_surface.h"
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/material_frame.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/core/assert.h"
 
 namespace selvedge::sim {
@@ -107,7 +108,7 @@ class Yarns {
 class StillPoints {
  public:
     explicit StillPoints(Cloth& cloth) : cloth_(cloth) {
-        SolverState& solver = cloth.solver;
+        SolverState& solver = *cloth.solver;
         for (std::size_t v = 0; v < cloth.x.size(); ++v) {
             solver.points[v] = cloth.x[v];
             solver.points[v].w() = cloth.inverse_mass[v];
@@ -116,7 +117,7 @@ class StillPoints {
     }
     void store() {
         for (std::size_t v = 0; v < cloth_.x.size(); ++v) {
-            const Vec4f moved = with_zero_w(cloth_.solver.points[v].head<3>()) - cloth_.x[v];
+            const Vec4f moved = with_zero_w(cloth_.solver->points[v].head<3>()) - cloth_.x[v];
             cloth_.x[v] += moved;
             cloth_.x_prev[v] += moved;
         }
@@ -140,7 +141,7 @@ double total_excess(const Cloth& cloth) {
 
 StrainProjectionReport project_strain(Cloth& cloth, const Collider& body, const StepOptions& stepping,
                                       const StrainProjectionOptions& options) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     SELVEDGE_ASSERT(solver.points.size() == cloth.x.size() + 1);
     StrainProjectionReport report;
     Yarns yarns(cloth, options.tolerance);

@@ -10,6 +10,7 @@
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/material_frame.h"
 #include "sim/cloth/solver_blocks.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/state_transfer.h"
 
 namespace selvedge::sim {
@@ -175,7 +176,7 @@ void set_element(const Cloth& cloth, TriangleId t, Level level, Fits& fits, Bend
     set_values(record.rigidity, at, (time * rigidity).cast<float>());
     set_values(record.friction, at, (time * friction).cast<float>());
     block.has_friction[at] = hysteresis > 0 && std::max(warp, weft) > kMinRigidity ? 1.0F : 0.0F;
-    const ParentOf& parent = cloth.solver.lists.parent_of[t.value];
+    const ParentOf& parent = cloth.solver->lists.parent_of[t.value];
     record.parent[at] = parent.offset;
     record.of_area[at] = parent.of_area;
     record.requested[at] = level == Level::Leaves ? 1.0F : 0.0F;
@@ -199,7 +200,7 @@ struct BendLists {
     }
     void insert(Cloth& cloth, TriangleId t, Fits& fits) const {
         const Points points = points_about(cloth.mesh, t, level).points;
-        bend.insert(t, points, cloth.solver.lists.vertices,
+        bend.insert(t, points, cloth.solver->lists.vertices,
                     [&](std::uint32_t slot) { set(cloth, t, slot, points, fits); });
     }
     // For a triangle with the same shape and vertices as before, but with changed neighbours.
@@ -218,11 +219,11 @@ BendLists<CoarseBendBlock> refined_lists(SolverState& solver, int level) {
 }
 
 void erase(Cloth& cloth, TriangleId t) {
-    Constraints& constraints = cloth.solver.constraints;
+    Constraints& constraints = cloth.solver->constraints;
     const auto remove_from = [&](auto& bend) {
         if (bend.slot_of(t) == kNoBlockSlot) return;
         save_bend(cloth, t);
-        bend.remove(t, cloth.solver.lists.vertices);
+        bend.remove(t, cloth.solver->lists.vertices);
     };
     remove_from(constraints.bend);
     for (ParentLevel& level : constraints.parents) remove_from(level.bend);
@@ -259,7 +260,7 @@ class Touched {
 
 void change_leaves(Cloth& cloth, const LeafChanges& changes) {
     const AdaptiveMesh& mesh = cloth.mesh;
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     Touched touched(solver.lists.touched);
     for (const TriangleId t : changes.triangles_added) touched.add_moved(t);
     for (const std::vector<EdgeId>* edges : {&changes.edges_added, &changes.hinges_changed}) {
@@ -286,7 +287,7 @@ void change_leaves(Cloth& cloth, const LeafChanges& changes) {
 // The neighbour of a refined triangle at its level may be a leaf, a refined triangle, or an irregular inner triangle.
 void change_refined(Cloth& cloth, const LeafChanges& changes) {
     const AdaptiveMesh& mesh = cloth.mesh;
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     Touched touched(solver.lists.touched);
     const auto is_refined = [&](TriangleId t) { return t && !is_leaf(mesh.triangle(t)); };
     const auto for_beside = [&](TriangleId t, const auto& act) {
@@ -329,7 +330,7 @@ void size_lists(SolverState& solver, const AdaptiveMesh& mesh) {
 }  // namespace
 
 void make_bending(Cloth& cloth) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     const AdaptiveMesh& mesh = cloth.mesh;
     size_lists(solver, mesh);
     FitScratch& scratch = solver.lists.fits;
@@ -347,7 +348,7 @@ void make_bending(Cloth& cloth) {
 }
 
 void change_bending(Cloth& cloth, const LeafChanges& changes) {
-    size_lists(cloth.solver, cloth.mesh);
+    size_lists(*cloth.solver, cloth.mesh);
     for (const TriangleId t : changes.triangles_removed) erase(cloth, t);
     for (const TriangleId t : changes.refined_changed) erase(cloth, t);
     change_leaves(cloth, changes);
@@ -355,7 +356,7 @@ void change_bending(Cloth& cloth, const LeafChanges& changes) {
 }
 
 BendSlot bend_slot(const Cloth& cloth, TriangleId t) {
-    const Constraints& constraints = cloth.solver.constraints;
+    const Constraints& constraints = cloth.solver->constraints;
     const std::array<std::uint32_t, 3> corners = indices(cloth.mesh.triangle(t).vertices);
     const auto slot_in = [&](const auto& bend) -> BendSlot {
         const std::uint32_t slot = bend.slot_of(t, corners);
@@ -400,7 +401,7 @@ void hand_up(SolverLists& lists, const std::vector<BendRecord>& records) {
 }  // namespace
 
 void update_bending_masses(Cloth& cloth, const Kernels& loops) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     solver.constraints.bend.update_dirty_masses([&](auto blocks, auto records) {
         loops.update_bend_masses(blocks, records, solver.lists.inverse_masses.data());
     });
@@ -412,7 +413,7 @@ void update_bending_masses(Cloth& cloth, const Kernels& loops) {
 // zero. The anchors of a triangle without rigidity have no meaning, because a solve of its block may write them. They
 // are cleared, so that the bits of a block do not depend on its history.
 void update_coarse_bending_masses(Cloth& cloth, const Kernels& loops, int level) {
-    SolverState& solver = cloth.solver;
+    SolverState& solver = *cloth.solver;
     ParentLevel& parents = solver.constraints.parents[static_cast<std::size_t>(level)];
     auto& bend = parents.bend;
     std::vector<std::uint32_t>& idle = solver.lists.idle_bends;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/adaptive/criteria.h"
+#include "sim/cloth/contact.h"
 #include "sim/collide/collider.h"
 #include "sim/core/assert.h"
 #include "sim/mesh/sew.h"

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "sim/cloth/contact.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/step.h"
 #include "sim/dress/drape.h"
 
@@ -27,7 +28,7 @@ std::vector<Vec4f> after_substep(Cloth cloth, const Collider& body, StepOptions 
     stepping.substeps = 1;
     stepping.self_contact.reset();  // it would follow what the body does
     if (is_other_body) {
-        cloth.solver.contacts.faces.clear();
+        cloth.solver->contacts.faces.clear();
         forget_contacts(cloth);
     }
     step(cloth, body, stepping);

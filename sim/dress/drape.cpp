@@ -1,30 +1,24 @@
 #include "sim/dress/drape.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/standoff.h"
 #include "sim/cloth/strain_projection.h"
 #include "sim/core/assert.h"
+#include "sim/core/stopwatch.h"
 
 namespace selvedge::sim {
 namespace {
 
-constexpr float kRelaxDamping = 12;    // 1/s, while seam tension relaxes
 constexpr float kFinishDamping = 100;  // 1/s, while residual stretch is removed
 constexpr float kFallDamping = 2;      // 1/s, air drag
 constexpr float kFloorSpeed = 0.2F;    // m/s: slow against falling cloth, so that it folds what it meets as a fall does
 
 constexpr int kCalmInterval = 3;  // frames between adaptations of calm cloth, which moves 5 mm (rms) at most meanwhile
-
-using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 // Number of sub-steps that replace one in the final phase: more for a smaller minimum edge length.
 int finishing_substeps(float shortest_edge) {
@@ -198,7 +192,7 @@ double DrapeRun::half_frame() const {
 void DrapeRun::project(Cloth& cloth, const Collider& body, const StepOptions& stepping) {
     constexpr float kDepth = 0.0004F;  // m: less than the depth that a report counts, FaultLimits::depth
     constexpr int kTests = 6;
-    cloth.solver.contacts.faces.clear();
+    cloth.solver->contacts.faces.clear();
     project_strain(cloth, body, stepping);
     for (int test = 0; test < kTests && watch_faces_inside(cloth, body, kDepth) > 0; ++test)
         project_strain(cloth, body, stepping);

@@ -10,8 +10,11 @@
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/standoff.h"
 #include "sim/cloth/step.h"
+#include "sim/dress/dress_options.h"
 
 namespace selvedge::sim {
+
+inline constexpr float kRelaxDamping = 12;  // 1/s, of cloth whose seam tension relaxes
 
 struct DrapeOptions {
     double max_seconds = 12;  // of simulated time
@@ -24,7 +27,7 @@ struct DrapeOptions {
     double relax_time = 0.6;              // s without gravity and friction, at the start
     double coarse_time = 0.2;             // s of relax_time at level 0
     double lowering_time = 1;             // s after relax_time, if any, in which gravity grows to its full value
-    double finish_time = 0.2;             // s of max_seconds, kept for finer sub-steps at the end, to half a frame;
+    double finish_time = kFinishTime;     // s of max_seconds, kept for finer sub-steps at the end, to half a frame;
                                           // they may take up to 3 x as long
     Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
     bool may_rest = false;                // whether steps skip a cloth at rest during the fall (sim/cloth/resting.h)

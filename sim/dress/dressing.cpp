@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/cloth/contact_surface.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 #include "sim/dress/carry_over.h"
@@ -393,7 +394,7 @@ void Dressing::change_cloth(const Pattern& pattern) {
     for (const Panel& panel : pattern.panels) layers.push_back(panel.layer);
     if (layers != cloth.material.layers) {
         cloth.material.layers = std::move(layers);
-        cloth.solver.self_contact->has_surface = false;
+        cloth.solver->self_contact->has_surface = false;
         reactivate();
     }
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {

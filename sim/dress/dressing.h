@@ -21,6 +21,7 @@
 #include "sim/dress/anchor.h"
 #include "sim/dress/drag_constraint.h"
 #include "sim/dress/drape.h"
+#include "sim/dress/dress_options.h"
 #include "sim/dress/garment_sewing.h"
 #include "sim/dress/sewing.h"
 #include "sim/dress/wearer.h"
@@ -30,34 +31,6 @@
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::sim {
-
-struct DressOptions {
-    MeshOptions mesh{};
-    std::optional<double> edge_length{};  // m, of the base mesh; overrides the pattern's
-    int max_level = 3;
-    std::optional<int> deepest_level{};  // to which max_level may be raised while the garment hangs; none: max_level
-    double shortest_edge = 0.02;         // m, shorter edges are not split, regardless of max_level
-    CriteriaOptions criteria{};
-    CurvatureOptions curvature{};
-    std::optional<int> triangle_budget{};             // target number of leaf triangles; none: no limit
-    std::optional<Vec3f> seen_from{};                 // unit, to a viewer: coarse where cloth faces away; none: nowhere
-    std::optional<Fabric> fabric{};                   // overrides the pattern's
-    double max_seconds = 12;                          // of simulated time, without sewing
-    double finish_time = DrapeOptions{}.finish_time;  // s, see DrapeOptions
-    bool has_gravity = true;
-    bool self_collision = true;  // whether the cloth collides with itself
-    bool may_rest = false;       // whether steps skip a cloth at rest (sim/cloth/resting.h)
-
-    bool operator==(const DressOptions&) const = default;
-};
-
-enum class DressingStage {
-    Place,  // the panels stand around the body, unsewn
-    Sew,    // the seams are closing
-    Relax,  // sewn, without gravity and friction: the tension of the seams relaxes
-    Fall,   // under gravity until at rest, at the end in finer sub-steps
-    Done    // at rest, out of time, or a value is not finite
-};
 
 // Throws InputError if the garment has layers and the options leave out the contact that keeps them in order.
 void check_layers(const Pattern& pattern, const DressOptions& options);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "sim/cloth/contact.h"
 #include "sim/collide/body_collider.h"
 #include "sim/core/assert.h"
 #include "sim/dress/drape.h"
@@ -11,8 +12,6 @@
 
 namespace selvedge::sim {
 namespace {
-
-constexpr float kRelaxDamping = 12;  // 1/s, as while a garment relaxes after it was sewn
 
 // Some panels of a mesh, and its vertex for each vertex of theirs. Order is kept.
 struct MeshPart {

@@ -8,6 +8,7 @@
 
 #include "sim/cloth/cloth_penetration.h"
 #include "sim/cloth/moving_contact.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/core/math.h"
 #include "sim/dress/inspection.h"
 
@@ -86,7 +87,7 @@ void MotionQuality::note_stretch(const Cloth& cloth, double seconds) {
 }
 
 void MotionQuality::note_depths(const Cloth& cloth, const MovingBodyCollider& body) {
-    const MovingContacts& contacts = cloth.solver.contacts.moving;
+    const MovingContacts& contacts = cloth.solver->contacts.moving;
     const auto pinches = [&](VertexId v) { return is_pinched(contacts, v); };
     const auto& vertices = cloth.mesh.leaf_vertices();
     pinched = std::max(pinched, static_cast<int>(std::ranges::count_if(vertices, pinches)));

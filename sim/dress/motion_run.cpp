@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/standoff.h"
 #include "sim/core/assert.h"
 
@@ -79,7 +80,7 @@ void MotionRun::step_once(Cloth& cloth, MotionFrame& frame) {
     }
     ++steps_;
     ++frame.steps;
-    frame.pinched = cloth.solver.contacts.moving.pinched;
+    frame.pinched = cloth.solver->contacts.moving.pinched;
 }
 
 void MotionRun::adapt(Cloth& cloth, MotionFrame& frame) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/body/yielding_flesh.h"
+#include "sim/cloth/contact.h"
 #include "sim/dress/animation.h"
 #include "sim/dress/motion_run.h"
 

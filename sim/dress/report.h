@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/core/json.h"
-#include "sim/dress/dressing.h"
+#include "sim/dress/dress_options.h"
 #include "sim/place/fit_table.h"
 
 namespace selvedge::sim {

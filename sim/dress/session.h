@@ -7,22 +7,26 @@
 // can be put back into it, and a pattern that changes is dressed on the body at rest, which then goes on from there.
 // A body whose arms are not where patterns expect them is dressed with lowered arms (dressing_pose()), and goes into
 // its own pose when the garment hangs.
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "sim/adaptive/back_face.h"
 #include "sim/body/body.h"
 #include "sim/body/clip.h"
 #include "sim/body/pose.h"
+#include "sim/core/view_point.h"
 #include "sim/dress/body_mover.h"
-#include "sim/dress/dressing.h"
+#include "sim/dress/dress_options.h"
 #include "sim/mesh/draw_mesh.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::sim {
+
+class Collider;
+struct Cloth;
 
 enum class SessionStage {
     Empty,    // no panels, or they cannot be meshed: see SessionFrame::problem

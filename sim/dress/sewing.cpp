@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/cloth/contact_surface.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/step.h"
 #include "sim/mesh/sew.h"
 
@@ -68,7 +69,7 @@ SewingRun::SewingRun(GarmentMesh unsewn, const std::vector<Fabric>& fabrics, con
     options_.contact.floor = std::min(options.contact.floor, lowest_height(cloth_));
     refresh_contacts(cloth_, options_.contact);
     const std::vector<int> as_sewn = representatives_of_links(mesh_.x.size(), links_);
-    cloth_.solver.self_contact->sewn.assign(as_sewn.begin(), as_sewn.end());
+    cloth_.solver->self_contact->sewn.assign(as_sewn.begin(), as_sewn.end());
 }
 
 bool SewingRun::advance(const Collider& body) {
@@ -86,6 +87,14 @@ bool SewingRun::advance(const Collider& body) {
     if (bad_vertex_) return false;
     if (stepping.seam_gap <= 0 && is_closed()) return false;
     return seconds_ < limit_;
+}
+
+void SewingRun::forget_contacts() {
+    selvedge::sim::forget_contacts(cloth_);
+}
+
+void SewingRun::keep_far_contacts(float by) {
+    selvedge::sim::keep_far_contacts(cloth_, by);
 }
 
 bool SewingRun::is_closed() const {
@@ -118,7 +127,7 @@ void SewingRun::step_held(const Collider& body, const StepOptions& stepping) {
 
 void SewingRun::meet_trunk_only(std::vector<bool> vertices) {
     if (!vertices.empty()) vertices.resize(cloth_.x.size() + 1, false);  // the cloth may have room for more vertices
-    cloth_.solver.contacts.is_trunk_only = std::move(vertices);
+    cloth_.solver->contacts.is_trunk_only = std::move(vertices);
     selvedge::sim::forget_contacts(cloth_);
 }
 

@@ -58,8 +58,8 @@ class SewingRun {
     // none do.
     void meet_trunk_only(std::vector<bool> vertices);
     // One of these is to be called when the collider has moved, the second if by at most that (m).
-    void forget_contacts() { selvedge::sim::forget_contacts(cloth_); }
-    void keep_far_contacts(float by) { selvedge::sim::keep_far_contacts(cloth_, by); }
+    void forget_contacts();
+    void keep_far_contacts(float by);
     float rms_speed() const { return rms_speed_; }  // m/s, in the last step of the fall
     float seconds() const { return seconds_; }
     bool has_bad_number() const { return bad_vertex_.has_value(); }

@@ -14,6 +14,8 @@
 #include "bench/thesis/thesis.h"
 #include "sim/body/motion_file.h"
 #include "sim/cloth/cloth_penetration.h"
+#include "sim/cloth/solver_state.h"
+#include "tests/bench/support.h"
 #include "tests/support/checkout.h"
 #include "tests/support/mannequin.h"
 
@@ -27,10 +29,6 @@ ThesisOptions quick() {
 const DressedCharacter& character() {
     static const DressedCharacter dressed = make_dressed_character(quick());
     return dressed;
-}
-
-double number(const Table& table, std::size_t row, std::size_t column) {
-    return table.rows[row][column].to_json().number();
 }
 
 double angle_between(const sim::Pose& a, const sim::Pose& b) {
@@ -99,7 +97,7 @@ TEST(Character, whose_dress_touches_at_vertices_has_no_contact_points_between_th
         CharacterRun run(character(), {.level = 0, .touches_at_vertices = at_vertices});
         CharacterTimes times;
         run.frame(times);
-        const sim::ContactState& contacts = run.cloth().solver.contacts;
+        const sim::ContactState& contacts = run.cloth().solver->contacts;
         return std::pair(sample_count(contacts), *std::ranges::max_element(contacts.standoff));
     };
     EXPECT_GT(most(false).first, 100U);
@@ -165,7 +163,7 @@ TEST(Character, wears_its_dress_on_the_thesis_cylinders_and_spheres_as_well) {
     while (run.seconds() < kWalkStart + 0.5) run.frame(times);
     EXPECT_GT((run.body_x()[0] - start[0]).norm(), 0.1F) << "it walks";
     ASSERT_EQ(find_bad_vertex(run.cloth()), std::nullopt);
-    EXPECT_TRUE(run.cloth().solver.contacts.moving.last.empty()) << "nothing follows planes of the hierarchy";
+    EXPECT_TRUE(run.cloth().solver->contacts.moving.last.empty()) << "nothing follows planes of the hierarchy";
     const auto found = find_penetration(run.cloth(), run.collider().surface(), {.depth = 0.001F});
     EXPECT_LT(found.faces, 0.01 * static_cast<double>(run.cloth().mesh.leaf_triangles().size()));
     EXPECT_LT(found.deepest_vertex, 0.01F);

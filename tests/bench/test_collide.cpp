@@ -205,12 +205,12 @@ TEST_P(GroupsAtLevel, have_the_bits_of_every_other_level) {
     EXPECT_EQ(distances_at(GetParam()), distances_at(sim::SimdLevel::Plain));
 }
 
-std::string level_name(const testing::TestParamInfo<sim::SimdLevel>& info) {
+std::string simd_level_name(const testing::TestParamInfo<sim::SimdLevel>& info) {
     return std::string(name_of(info.param));
 }
 INSTANTIATE_TEST_SUITE_P(Kernels, GroupsAtLevel,
                          testing::Values(sim::SimdLevel::Plain, sim::SimdLevel::Avx2, sim::SimdLevel::Avx512),
-                         level_name);
+                         simd_level_name);
 
 }  // namespace
 

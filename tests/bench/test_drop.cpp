@@ -5,14 +5,15 @@
 #include "bench/drop/drop.h"
 #include "bench/drop/report.h"
 #include "bench/support/measured_mesh.h"
+#include "sim/cloth/solver_state.h"
 
 namespace selvedge::bench {
 namespace {
 
-constexpr DropScene kCoarse{.level = 1};
+constexpr DropScene kCoarseScene{.level = 1};
 
 SphereDropOptions coarse(int substeps) {
-    return {.base_quads = 3, .substeps = substeps, .scene = kCoarse};
+    return {.base_quads = 3, .substeps = substeps, .scene = kCoarseScene};
 }
 
 TEST(Drop, has_the_four_sizes_of_the_comparison) {
@@ -48,9 +49,9 @@ TEST(Drop, is_looked_at_seven_times) {
 TEST(Drop, holds_vertices_alone_unless_samples_are_asked_for) {
     SphereDropOptions options = coarse(4);
     options.scene.frames = 1;
-    EXPECT_EQ(sample_count(run_sphere_drop(options).run.cloth.solver.contacts), 0U);
+    EXPECT_EQ(sample_count(run_sphere_drop(options).run.cloth.solver->contacts), 0U);
     options.has_contact_samples = true;
-    EXPECT_EQ(sample_count(run_sphere_drop(options).run.cloth.solver.contacts), 72U);
+    EXPECT_EQ(sample_count(run_sphere_drop(options).run.cloth.solver->contacts), 72U);
 }
 
 TEST(Drop, pins_the_middle_of_even_and_of_odd_grids_and_nothing_else) {
@@ -184,13 +185,13 @@ TEST(DropReport, says_which_gates_the_last_setting_missed_when_none_meets_them) 
 
 namespace {
 
-struct Search {
+struct LeastSearch {
     std::optional<int> found;
     std::vector<int> asked;
 };
 
-Search search_for(int least, int most) {
-    Search search;
+LeastSearch search_for(int least, int most) {
+    LeastSearch search;
     search.found = find_least(most, [&](int n) {
         search.asked.push_back(n);
         return n >= least;
@@ -200,7 +201,7 @@ Search search_for(int least, int most) {
 
 TEST(FindLeast, finds_every_least_number_and_asks_none_twice) {
     for (int least = 1; least <= 64; ++least) {
-        Search search = search_for(least, 64);
+        LeastSearch search = search_for(least, 64);
         EXPECT_EQ(search.found, least);
         std::ranges::sort(search.asked);
         EXPECT_EQ(std::ranges::unique(search.asked).size(), 0U) << least;
@@ -209,7 +210,7 @@ TEST(FindLeast, finds_every_least_number_and_asks_none_twice) {
 }
 
 TEST(FindLeast, gives_up_where_it_should) {
-    const Search search = search_for(101, 100);
+    const LeastSearch search = search_for(101, 100);
     EXPECT_FALSE(search.found);
     EXPECT_EQ(*std::ranges::max_element(search.asked), 100);
 }

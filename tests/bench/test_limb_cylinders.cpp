@@ -269,7 +269,7 @@ TEST(LimbCylinders, find_the_nearest_triangles_of_a_body_from_a_file) {
     const char* data = std::getenv("SELVEDGE_TEST_DATA");
     if (data == nullptr) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set: without a body of other origin";
     const std::filesystem::path file = std::filesystem::path(data) / "bodies" / "mh_female_cmu01_01.glb";
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " does not exist";
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << "SELVEDGE_TEST_DATA has no " << file;
     const sim::BodyClips moving = sim::load_moving_body(file);
     const Search found = search(moving.body, sample(moving.body, moving.clips.at(0), 0.5), {}, 0.006F);
     EXPECT_LE(found.missed, found.points / 1000) << "worst " << found.worst;

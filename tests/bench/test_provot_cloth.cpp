@@ -9,6 +9,7 @@
 #include "bench/support/measured_mesh.h"
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/collide/collider.h"
+#include "sim/mesh/square.h"
 
 namespace selvedge::bench {
 namespace {

@@ -7,6 +7,7 @@
 #include "bench/support/cloth_run.h"
 #include "bench/support/measured_mesh.h"
 #include "bench/support/table.h"
+#include "sim/mesh/square.h"
 
 namespace selvedge::bench {
 namespace {

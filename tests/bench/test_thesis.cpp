@@ -18,19 +18,16 @@
 #include "bench/thesis/thesis.h"
 #include "bench/thesis/thesis_drop.h"
 #include "bench/thesis/traversal.h"
+#include "sim/cloth/solver_state.h"
+#include "sim/mesh/square.h"
+#include "tests/bench/support.h"
 
 namespace selvedge::bench {
 namespace {
 
-const ThesisOptions kQuick{.is_quick = true};
-
 const Table& table_named(const ThesisResult& result, const std::string& name) {
     const auto is_it = [&](const Table& table) { return table.name == name; };
     return *std::find_if(result.tables.begin(), result.tables.end(), is_it);
-}
-
-double number(const Table& table, std::size_t row, std::size_t column) {
-    return table.rows[row][column].to_json().number();
 }
 
 std::set<std::string> table_names(const ThesisResult& result) {
@@ -295,7 +292,7 @@ TEST(Drop, of_vertices_only_has_no_contact_points_between_them) {
     const auto samples = [](DropCloth cloth) {
         std::size_t most = 0;
         run_thesis_drop({.cloth = cloth, .uniform_level = 1, .seconds = 0.1, .watch = [&](const sim::Cloth& c, double) {
-                             most = std::max(most, sample_count(c.solver.contacts));
+                             most = std::max(most, sample_count(c.solver->contacts));
                          }});
         return most;
     };

@@ -4,17 +4,10 @@
 #include <string>
 
 #include "bench/thesis/thesis.h"
+#include "tests/bench/support.h"
 
 namespace selvedge::bench {
 namespace {
-
-const ThesisOptions kQuick{.is_quick = true};
-
-std::size_t occurrences(const std::string& text, const std::string& part) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-    return count;
-}
 
 std::string drawing_named(const ThesisResult& result, const std::string& name) {
     const auto found = std::ranges::find(result.drawings, name, &Drawing::name);

@@ -7,6 +7,7 @@
 #include "bench/thesis/captions.h"
 #include "bench/thesis/page.h"
 #include "bench/thesis/thesis.h"
+#include "tests/bench/support.h"
 #include "tests/support/checkout.h"
 
 namespace selvedge::bench {
@@ -107,12 +108,6 @@ TEST(Thesis, every_table_has_the_columns_and_units_that_its_caption_names) {
     for (int i = 1; i <= 14; ++i) EXPECT_TRUE(checked.contains("3." + std::to_string(i))) << i;
     for (const char* name : {"4.1", "5.1", "5.2", "5.3", "5.4", "6.1", "6.2", "6.3", "6.4"})
         EXPECT_TRUE(checked.contains(name)) << name;
-}
-
-std::size_t occurrences(const std::string& text, const std::string& part) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-    return count;
 }
 
 // The part of the page that shows an item.

@@ -1,5 +1,6 @@
 // Parts of the T-shirt experiment: denser bodies, swaying cloth and the JSON.
 #include "bench/tshirt/tshirt.h"
+#include "sim/cloth/contact.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +8,7 @@
 
 #include "bench/support/measured_mesh.h"
 #include "sim/collide/collider.h"
+#include "sim/mesh/square.h"
 
 namespace selvedge::bench {
 namespace {

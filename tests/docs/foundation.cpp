@@ -2,6 +2,7 @@
 
 #include "sim/cloth/material_frame.h"
 #include "sim/cloth/solver_lists.h"
+#include "sim/cloth/solver_state.h"
 
 namespace selvedge::sim {
 // [make]
@@ -24,7 +25,7 @@ void set_foundation(Foundation& foundation, const Cloth& cloth, TriangleId t, st
 // Pre: the solver's masses are those of the present leaves.
 void update_gains(Foundation& foundation, const Cloth& cloth) {
     foundation.set.update_dirty_masses([&](auto blocks, auto records) {
-        foundation_kernels().update_masses(blocks, records, cloth.solver.lists.inverse_masses.data());
+        foundation_kernels().update_masses(blocks, records, cloth.solver->lists.inverse_masses.data());
     });
 }
 

@@ -2,10 +2,11 @@
 #include <gtest/gtest.h>
 #include <cstring>
 
-#include "bench/support/measured_mesh.h"
 #include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/contact.h"
 #include "sim/cloth/step.h"
 #include "sim/collide/collider.h"
+#include "sim/mesh/square.h"
 #include "tests/docs/foundation.h"
 
 namespace selvedge::sim {
@@ -14,7 +15,7 @@ namespace {
 constexpr float kNoFloor = -1000;  // m
 
 Cloth horizontal_square() {
-    Cloth cloth = make_cloth(bench::make_square(), {find_fabric("cotton_shirting")});
+    Cloth cloth = make_cloth(sim::make_square(), {find_fabric("cotton_shirting")});
     refresh_contacts(cloth);
     return cloth;
 }

@@ -52,7 +52,7 @@ std::string letters(const Image& image) {
     return text;
 }
 
-std::string fault_of(const std::string& bytes) {
+std::string photo_fault_of(const std::string& bytes) {
     try {
         decode_photo(bytes, "mine.jpg");
     } catch (const sim::InputError& error) {
@@ -107,14 +107,15 @@ TEST(Photo, takes_the_size_of_a_pixel_from_a_png) {
 }
 
 TEST(Photo, says_what_is_wrong) {
-    EXPECT_EQ(fault_of("GIF89a"), "neither a PNG nor a JPEG picture");
-    EXPECT_EQ(fault_of(""), "neither a PNG nor a JPEG picture");
-    EXPECT_TRUE(fault_of(encode_jpeg(quarters(64, 64), 90).substr(0, 20)).starts_with("not a whole JPEG picture"));
+    EXPECT_EQ(photo_fault_of("GIF89a"), "neither a PNG nor a JPEG picture");
+    EXPECT_EQ(photo_fault_of(""), "neither a PNG nor a JPEG picture");
+    EXPECT_TRUE(
+        photo_fault_of(encode_jpeg(quarters(64, 64), 90).substr(0, 20)).starts_with("not a whole JPEG picture"));
     std::string vast = encode_jpeg(quarters(16, 16), 90);
     const std::size_t frame = vast.find("\xFF\xC0");  // start of frame: height and width are 5 and 7 bytes on
     ASSERT_NE(frame, std::string::npos);
     vast.replace(frame + 5, 4, big_endian(65000, 2) + big_endian(65000, 2));
-    EXPECT_EQ(fault_of(vast), "picture of 65000x65000 pixels is over the limit");
+    EXPECT_EQ(photo_fault_of(vast), "picture of 65000x65000 pixels is over the limit");
 }
 
 TEST(Photo, no_damage_harms) {
@@ -122,10 +123,10 @@ TEST(Photo, no_damage_harms) {
     for (std::size_t i = 0; i < whole.size(); ++i) {
         std::string damaged = whole;
         damaged[i] = static_cast<char>(damaged[i] ^ 0x5A);
-        fault_of(damaged);
-        fault_of(whole.substr(0, i));
+        photo_fault_of(damaged);
+        photo_fault_of(whole.substr(0, i));
     }
-    EXPECT_EQ(fault_of(whole), "");
+    EXPECT_EQ(photo_fault_of(whole), "");
 }
 
 TEST(Photo, is_reduced_to_half_until_it_fits) {

@@ -6,15 +6,15 @@
 #include <tuple>
 #include <vector>
 
-#include "bench/support/measured_mesh.h"
 #include "render/surface/adapt_surface.h"
 #include "sim/mesh/garment_mesh.h"
+#include "sim/mesh/square.h"
 
 namespace selvedge::render::test {
 
 // A mesh of the unit square; `shape` gives the position of the material point (x, y), both in -0.5..0.5.
 inline sim::GarmentMesh shaped_square(int quads, const std::function<Vec3d(double, double)>& shape) {
-    sim::GarmentMesh mesh = bench::make_square({.columns = quads, .rows = quads});
+    sim::GarmentMesh mesh = sim::make_square({.columns = quads, .rows = quads});
     for (Vec3d& x : mesh.x) x = shape(x.x(), -x.z());
     return mesh;
 }

@@ -10,6 +10,7 @@
 namespace selvedge::sim::test {
 
 GarmentMesh one_triangle();
+inline constexpr TriangleId kOwner{0};  // its triangle, on level 0
 // Two triangles that share the edge from vertex 1 to vertex 2.
 GarmentMesh two_triangles();
 // Two triangles that share one vertex and no edge.

@@ -6,10 +6,10 @@
 #include <random>
 #include <set>
 
-#include "bench/support/measured_mesh.h"
 #include "sim/adaptive/adapt.h"
 #include "sim/adaptive/check.h"
 #include "sim/adaptive/criteria.h"
+#include "sim/mesh/square.h"
 #include "tests/sim/adaptive/fixtures.h"
 #include "tests/support/right_wrong.h"
 
@@ -75,7 +75,7 @@ TEST(Criteria, a_veto_alone_asks_for_nothing) {
 }
 
 TEST(Adapt, that_changes_nothing_asks_each_edge_at_most_once) {
-    AdaptiveMesh mesh(bench::make_square());
+    AdaptiveMesh mesh(sim::make_square());
     NoState state;
     std::mt19937 random(5);
     for (int i = 0; i < 4; ++i) adapt(mesh, state, {}, RandomCriterion{random, 0.7, 0.1});
@@ -92,7 +92,7 @@ TEST(Adapt, that_changes_nothing_asks_each_edge_at_most_once) {
 }
 
 TEST(Adapt, makes_one_transition_per_triangle_however_many_edges_change) {
-    AdaptiveMesh mesh(bench::make_square(), {.max_level = 1});
+    AdaptiveMesh mesh(sim::make_square(), {.max_level = 1});
     NoState state;
     TransitionCounts counts;
     const AdaptReport up = adapt(mesh, state, {.transitions = &counts}, AlwaysSplit{});
@@ -119,7 +119,7 @@ TEST(Adapt, counts_transitions_by_configuration_and_by_state) {
 }
 
 TEST(Adapt, rejoins_what_lies_deeper_than_a_lowered_limit) {
-    AdaptiveMesh mesh(bench::make_square());
+    AdaptiveMesh mesh(sim::make_square());
     NoState state;
     set_uniform_level(mesh, state, 3);
     adapt(mesh, state, {.max_level = 1}, Fixed{.split = true, .rejoin = false});
@@ -128,7 +128,7 @@ TEST(Adapt, rejoins_what_lies_deeper_than_a_lowered_limit) {
 }
 
 TEST(Adapt, tells_the_observer_of_more_room_before_it_uses_it) {
-    const GarmentMesh base = bench::make_square({.columns = 8, .rows = 8});
+    const GarmentMesh base = sim::make_square({.columns = 8, .rows = 8});
     AdaptiveMesh mesh(base);
     PositionState state(base, mesh);
     const std::size_t before = state.x.size();
@@ -139,7 +139,7 @@ TEST(Adapt, tells_the_observer_of_more_room_before_it_uses_it) {
 }
 
 TEST(Adapt, finds_the_same_ids_when_it_splits_again_what_it_just_rejoined) {
-    AdaptiveMesh mesh(bench::make_square(), {.max_level = 1});
+    AdaptiveMesh mesh(sim::make_square(), {.max_level = 1});
     NoState state;
     const EdgeId e(7);
     adapt(mesh, state, {}, ChosenEdges{{e}});
@@ -208,7 +208,7 @@ void follow_random_adaptations(const GarmentMesh& base, unsigned seed) {
 }
 
 TEST(Changes, let_a_copy_of_the_lists_follow_them) {
-    for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) follow_random_adaptations(bench::make_square(), seed);
+    for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) follow_random_adaptations(sim::make_square(), seed);
     follow_random_adaptations(tube(5, 2), 6);
     follow_random_adaptations(octahedron(), 7);
     follow_random_adaptations(bow_tie(), 8);
@@ -216,7 +216,7 @@ TEST(Changes, let_a_copy_of_the_lists_follow_them) {
 }
 
 TEST(Changes, are_all_of_the_lists_of_a_fresh_mesh) {
-    const AdaptiveMesh mesh(bench::make_square());
+    const AdaptiveMesh mesh(sim::make_square());
     EXPECT_EQ(mesh.changes().vertices_added.size(), 25U);
     EXPECT_EQ(mesh.changes().edges_added.size(), 56U);
     EXPECT_EQ(mesh.changes().triangles_added.size(), 32U);
@@ -224,7 +224,7 @@ TEST(Changes, are_all_of_the_lists_of_a_fresh_mesh) {
 }
 
 TEST(Changes, are_none_when_nothing_changes) {
-    AdaptiveMesh mesh(bench::make_square());
+    AdaptiveMesh mesh(sim::make_square());
     NoState state;
     set_uniform_level(mesh, state, 1);
     EXPECT_FALSE(mesh.changes().triangles_added.empty());
@@ -238,7 +238,7 @@ TEST(Changes, are_none_when_nothing_changes) {
 // One split edge of a square: only elements at its two triangles change, whatever the size of the square.
 TEST(Changes, of_one_split_are_as_few_in_a_large_mesh_as_in_a_small_one) {
     for (const int quads : {4, 40}) {
-        AdaptiveMesh mesh(bench::make_square({.columns = quads, .rows = quads}));
+        AdaptiveMesh mesh(sim::make_square({.columns = quads, .rows = quads}));
         NoState state;
         EdgeId inner;
         for (const Hinge& h : mesh.hinges()) inner = h.edge;
@@ -253,7 +253,7 @@ TEST(Changes, of_one_split_are_as_few_in_a_large_mesh_as_in_a_small_one) {
 }
 
 TEST(Changes, leave_what_did_not_change_in_its_place) {
-    AdaptiveMesh mesh(bench::make_square());
+    AdaptiveMesh mesh(sim::make_square());
     NoState state;
     const std::vector<LeafTriangle> before(mesh.leaf_triangles().begin(), mesh.leaf_triangles().end());
     adapt(mesh, state, {}, ChosenEdges{{mesh.hinges()[3].edge}});
@@ -294,7 +294,7 @@ void expect_cycles_to_come_back(const GarmentMesh& base, int cycles, int max_lev
 }
 
 TEST(Cycles, bring_a_square_back) {
-    expect_cycles_to_come_back(bench::make_square(), 60);
+    expect_cycles_to_come_back(sim::make_square(), 60);
 }
 
 TEST(Cycles, bring_one_triangle_back) {
@@ -332,7 +332,7 @@ TEST(Cycles, bring_a_moebius_band_back) {
 }
 
 TEST(Cycles, with_the_same_seed_give_the_same_bits) {
-    const GarmentMesh base = bench::make_square();
+    const GarmentMesh base = sim::make_square();
     AdaptiveMesh first(base), second(base);
     PositionState first_state(base, first), second_state(base, second);
     adapt_at_random(first, first_state, 11, 20);
@@ -346,7 +346,7 @@ TEST(Cycles, with_the_same_seed_give_the_same_bits) {
 // Between two retriangulations edges are either only split or only rejoined. So of two successive states of a triangle,
 // the split edges of one include those of the other.
 TEST(Cycles, reach_every_transition_that_a_pass_can_ask_for) {
-    AdaptiveMesh mesh(bench::make_square(), {.max_level = 2});
+    AdaptiveMesh mesh(sim::make_square(), {.max_level = 2});
     NoState state;
     TransitionCounts counts;
     std::mt19937 random(3);

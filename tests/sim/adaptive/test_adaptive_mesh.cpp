@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "bench/support/measured_mesh.h"
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/adaptive/check.h"
 #include "sim/adaptive/criteria.h"
 #include "sim/core/error.h"
 #include "sim/mesh/sew.h"
+#include "sim/mesh/square.h"
 #include "tests/sim/adaptive/fixtures.h"
 #include "tests/support/right_wrong.h"
 
@@ -253,7 +253,7 @@ TEST(RightWrong, the_walk_round_a_vertex_tells_which_triangles_look_the_other_wa
 }
 
 TEST(BaseMesh, keeps_the_indices_of_vertices_and_triangles_as_ids) {
-    const GarmentMesh base = bench::make_square();
+    const GarmentMesh base = sim::make_square();
     const AdaptiveMesh mesh(base);
     for (std::uint32_t t = 0; t < base.triangles.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -264,7 +264,6 @@ TEST(BaseMesh, keeps_the_indices_of_vertices_and_triangles_as_ids) {
     }
 }
 
-constexpr TriangleId kOwner{0};
 constexpr SplitMask kTwoSplits[] = {0b011, 0b110, 0b101};
 
 TEST(AmbiguousSplit, gives_the_two_configurations_of_a_state_and_their_own_diagonals) {
@@ -330,7 +329,7 @@ TEST_F(Choice, leaves_a_triangle_as_it_is_when_its_edges_do_not_change) {
 }
 
 TEST(Choices, keep_a_mesh_sound_in_random_adaptations) {
-    const GarmentMesh base = bench::make_square();
+    const GarmentMesh base = sim::make_square();
     AdaptiveMesh mesh(base);
     PositionState state(base, mesh);
     std::mt19937 random(9);
@@ -399,7 +398,7 @@ constexpr Row kTable[] = {
 
 TEST(Hierarchy, has_the_counts_of_the_thesis_under_uniform_refinement) {
     for (const Row& row : kTable) {
-        AdaptiveMesh mesh(bench::make_square({.columns = row.quads, .rows = row.quads}));
+        AdaptiveMesh mesh(sim::make_square({.columns = row.quads, .rows = row.quads}));
         NoState state;
         set_uniform_level(mesh, state, row.level);
         EXPECT_EQ(mesh.vertices().size(), row.vertices);
@@ -411,7 +410,7 @@ TEST(Hierarchy, has_the_counts_of_the_thesis_under_uniform_refinement) {
 }
 
 TEST(Hierarchy, is_sound_at_every_uniform_level_and_comes_back) {
-    AdaptiveMesh mesh(bench::make_square({.columns = 5, .rows = 3}));
+    AdaptiveMesh mesh(sim::make_square({.columns = 5, .rows = 3}));
     NoState state;
     for (const int level : {0, 1, 2, 3, 2, 1, 0, 3, 0}) {
         set_uniform_level(mesh, state, level);
@@ -430,7 +429,7 @@ TEST(Hierarchy, costs_fewer_bytes_per_element_than_the_thesis) {
 }
 
 TEST(Hierarchy, halves_rest_lengths_and_takes_internal_ones_from_the_material) {
-    AdaptiveMesh mesh(bench::make_square({.columns = 2, .rows = 2, .width = 0.8, .depth = 0.8}));
+    AdaptiveMesh mesh(sim::make_square({.columns = 2, .rows = 2, .width = 0.8, .depth = 0.8}));
     NoState state;
     set_uniform_level(mesh, state, 2);
     for (const LeafEdge& e : mesh.leaf_edges()) {
@@ -440,7 +439,7 @@ TEST(Hierarchy, halves_rest_lengths_and_takes_internal_ones_from_the_material) {
 }
 
 TEST(Hierarchy, shares_the_material_area_out_to_the_vertices) {
-    AdaptiveMesh mesh(bench::make_square({.columns = 3, .rows = 4, .width = 0.6, .depth = 0.5}));
+    AdaptiveMesh mesh(sim::make_square({.columns = 3, .rows = 4, .width = 0.6, .depth = 0.5}));
     NoState state;
     for (int level = 0; level <= 3; ++level) {
         set_uniform_level(mesh, state, level);
@@ -451,7 +450,7 @@ TEST(Hierarchy, shares_the_material_area_out_to_the_vertices) {
 }
 
 TEST(Hinges, unfold_a_flat_square_into_itself) {
-    AdaptiveMesh mesh(bench::make_square({.columns = 3, .rows = 3}), {.max_level = 1});
+    AdaptiveMesh mesh(sim::make_square({.columns = 3, .rows = 3}), {.max_level = 1});
     NoState state;
     set_uniform_level(mesh, state, 1);
     const auto u = [&](VertexId v) {

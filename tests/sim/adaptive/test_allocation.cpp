@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "bench/support/measured_mesh.h"
 #include "sim/adaptive/criteria.h"
+#include "sim/mesh/square.h"
 
 namespace {
 std::atomic<std::size_t> allocations{0};
@@ -57,7 +57,7 @@ int wander(AdaptiveMesh& mesh, NoState& state) {
 }
 
 TEST(Allocation, happens_while_the_mesh_first_grows_and_never_again) {
-    AdaptiveMesh mesh(bench::make_square({.columns = 8, .rows = 8}));
+    AdaptiveMesh mesh(sim::make_square({.columns = 8, .rows = 8}));
     NoState state;
     const std::size_t at_start = allocations;
     refine_and_coarsen(mesh, state);
@@ -68,7 +68,7 @@ TEST(Allocation, happens_while_the_mesh_first_grows_and_never_again) {
 }
 
 TEST(Allocation, does_not_happen_in_adaptations_once_the_mesh_was_as_large) {
-    AdaptiveMesh mesh(bench::make_square({.columns = 8, .rows = 8}));
+    AdaptiveMesh mesh(sim::make_square({.columns = 8, .rows = 8}));
     NoState state;
     refine_and_coarsen(mesh, state);
     const std::size_t after_growth = allocations;
@@ -77,7 +77,7 @@ TEST(Allocation, does_not_happen_in_adaptations_once_the_mesh_was_as_large) {
 }
 
 TEST(Allocation, does_not_happen_when_one_edge_splits_and_rejoins) {
-    AdaptiveMesh mesh(bench::make_square({.columns = 8, .rows = 8}));
+    AdaptiveMesh mesh(sim::make_square({.columns = 8, .rows = 8}));
     const auto split_and_rejoin = [&](EdgeId e) {
         mesh.split(e);
         mesh.retriangulate(0);

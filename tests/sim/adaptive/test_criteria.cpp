@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/support/measured_mesh.h"
 #include "sim/adaptive/adapt.h"
 #include "sim/adaptive/check.h"
 #include "sim/adaptive/criteria.h"
+#include "sim/mesh/square.h"
 #include "tests/sim/adaptive/fixtures.h"
 
 namespace selvedge::sim::test {
@@ -57,7 +57,7 @@ int deepest_level_beyond(const AdaptiveMesh& mesh, const HillState& state, float
 }
 
 TEST(Curvature, refines_a_hill_and_leaves_the_plain_coarse) {
-    const GarmentMesh base = bench::make_square({.columns = 8, .rows = 8, .width = 2.0, .depth = 2.0});
+    const GarmentMesh base = sim::make_square({.columns = 8, .rows = 8, .width = 2.0, .depth = 2.0});
     AdaptiveMesh mesh(base);
     HillState state = make_hill(base, mesh);
     const CurvatureCriterion curvature(state.normals, {.split_angle = 0.15F, .rejoin_angle = 0.05F});
@@ -69,7 +69,7 @@ TEST(Curvature, refines_a_hill_and_leaves_the_plain_coarse) {
 }
 
 TEST(Curvature, comes_back_when_the_hill_is_gone) {
-    const GarmentMesh base = bench::make_square({.columns = 8, .rows = 8, .width = 2.0, .depth = 2.0});
+    const GarmentMesh base = sim::make_square({.columns = 8, .rows = 8, .width = 2.0, .depth = 2.0});
     AdaptiveMesh mesh(base);
     HillState state = make_hill(base, mesh);
     const CurvatureCriterion curvature(state.normals, {.split_angle = 0.15F, .rejoin_angle = 0.05F});
@@ -177,7 +177,7 @@ class Folds : public testing::Test {
         return false;
     }
 
-    GarmentMesh base = bench::make_square({.columns = 8, .rows = 8});
+    GarmentMesh base = sim::make_square({.columns = 8, .rows = 8});
     AdaptiveMesh mesh{base};
     FoldedState state{base, mesh};
     CurvatureCriterion<Vec3f> curvature{state.normals};
@@ -242,7 +242,7 @@ TEST(DistanceToTriangle, is_nothing_inside_and_the_way_to_the_nearest_side_or_co
 }
 
 TEST(MinimumLevel, makes_every_leaf_that_touches_the_disc_fine_enough_and_leaves_the_rest_coarse) {
-    const GarmentMesh base = bench::make_square({.columns = 8, .rows = 8});
+    const GarmentMesh base = sim::make_square({.columns = 8, .rows = 8});
     const Vec2f middle = (base.triangles[60].u[0]).cast<float>();
     for (const int level : {1, 2, 3}) {
         for (const float radius : {0.0F, 0.05F, 0.2F}) {
@@ -260,7 +260,7 @@ TEST(MinimumLevel, makes_every_leaf_that_touches_the_disc_fine_enough_and_leaves
 }
 
 TEST(MinimumLevel, holds_its_region_when_all_others_agree_to_rejoin) {
-    AdaptiveMesh mesh(bench::make_square({.columns = 4, .rows = 4}));
+    AdaptiveMesh mesh(sim::make_square({.columns = 4, .rows = 4}));
     NoState state;
     set_uniform_level(mesh, state, 3);
     const MinimumLevelDisc disc{.panel = 0, .centre = Vec2f::Zero(), .radius = 0.1F, .level = 2};
@@ -283,7 +283,7 @@ TEST(MinimumLevel, is_of_one_panel_only) {
 }
 
 TEST(MinimumLevel, does_nothing_without_discs) {
-    AdaptiveMesh mesh(bench::make_square());
+    AdaptiveMesh mesh(sim::make_square());
     NoState state;
     EXPECT_FALSE(adapt(mesh, state, {}, MinimumLevelCriterion{}).changed());
 }

@@ -12,8 +12,6 @@
 namespace selvedge::sim::test {
 namespace {
 
-constexpr TriangleId kOwner{0};
-
 std::vector<Configuration> all_configurations() {
     std::vector<Configuration> all;
     for (std::size_t i = 0; i < kConfigurations; ++i) all.push_back(static_cast<Configuration>(i));

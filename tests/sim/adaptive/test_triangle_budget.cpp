@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "bench/support/measured_mesh.h"
 #include "sim/adaptive/adapt.h"
 #include "sim/adaptive/check.h"
+#include "sim/mesh/square.h"
 
 namespace selvedge::sim::test {
 namespace {
@@ -19,14 +19,14 @@ namespace {
 // A sheet with waves that grow steeper to one side. A new vertex gets the mean of its neighbours' normals, as in cloth,
 // and the true normal at the next adaptation.
 struct WavySheet {
-    AdaptiveMesh mesh{bench::make_square({.columns = 12, .rows = 12, .width = 2.0, .depth = 2.0})};
+    AdaptiveMesh mesh{sim::make_square({.columns = 12, .rows = 12, .width = 2.0, .depth = 2.0})};
     TriangleBudget budget;
     std::vector<Vec3f> x, normals;
     std::size_t max_vertices = 0;  // the maximum at any time, also during an adaptation
 
     explicit WavySheet(const BudgetOptions& options) : budget(options) {
         on_capacity(mesh.vertex_capacity());
-        const GarmentMesh base = bench::make_square({.columns = 12, .rows = 12, .width = 2.0, .depth = 2.0});
+        const GarmentMesh base = sim::make_square({.columns = 12, .rows = 12, .width = 2.0, .depth = 2.0});
         for (std::size_t v = 0; v < base.x.size(); ++v) x[v] = base.x[v].cast<float>();
     }
 

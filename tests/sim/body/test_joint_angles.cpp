@@ -7,6 +7,7 @@
 
 #include "sim/body/joint_angles.h"
 #include "sim/body/motion_file.h"
+#include "tests/sim/body/support.h"
 #include "tests/support/mannequin.h"
 #include "tests/support/temporary_folder.h"
 
@@ -29,10 +30,6 @@ Vec3d& angles_of(PoseAngles& angles, Joint joint) {
 
 int bone_of(const Body& body, Joint joint) {
     return find_joints(body.bones)[joint];
-}
-
-Vec3d joint_at(const Body& body, const Pose& pose, Joint joint) {
-    return bone_frames(body, pose)[std::size_t(bone_of(body, joint))].translation();
 }
 
 TEST(JointAngles, are_read_back_from_the_rotation_that_they_make) {

@@ -11,15 +11,12 @@
 #include "sim/body/motion_file.h"
 #include "sim/body/skin.h"
 #include "sim/core/error.h"
+#include "tests/sim/body/support.h"
 #include "tests/support/mannequin.h"
 #include "tests/support/temporary_folder.h"
 
 namespace selvedge::sim {
 namespace {
-
-Vec3d joint_at(const Body& body, const Pose& pose, Joint joint) {
-    return bone_frames(body, pose)[std::size_t(find_joints(body.bones)[joint])].translation();
-}
 
 Vec3d direction(const Body& body, const Pose& pose, Joint from, Joint to) {
     return (joint_at(body, pose, to) - joint_at(body, pose, from)).normalized();

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/support/measured_mesh.h"
 #include "sim/adaptive/criteria.h"
+#include "sim/cloth/contact.h"
 #include "sim/mesh/sew.h"
+#include "sim/mesh/square.h"
 #include "tests/support/bodies.h"
 
 namespace selvedge::sim::test {
@@ -77,11 +78,11 @@ Fabric undamped(std::string_view name) {
 }
 
 Cloth make_patch(const Fabric& fabric, const PatchOptions& options) {
-    const GarmentMesh square = bench::make_square({.columns = options.quads,
-                                                   .rows = options.quads,
-                                                   .width = options.side,
-                                                   .depth = options.side,
-                                                   .height = options.height});
+    const GarmentMesh square = sim::make_square({.columns = options.quads,
+                                                 .rows = options.quads,
+                                                 .width = options.side,
+                                                 .depth = options.side,
+                                                 .height = options.height});
     Cloth cloth = make_cloth(square, {fabric}, {.max_level = options.max_level, .substep = options.substep});
     update_normals(cloth);
     refresh_contacts(cloth);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <random>
 
+#include "sim/adaptive/criteria.h"
 #include "sim/body/body.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/step.h"
@@ -40,6 +41,9 @@ struct PatchOptions {
     float substep = 1.0F / 960.0F;  // s
 };
 Cloth make_patch(const Fabric& fabric, const PatchOptions& options = {});
+
+// Where a patch is painted: there its triangles are split once.
+inline const MinimumLevelDisc kDab{.panel = 0, .centre = Vec2f(0.05F, 0.03F), .radius = 0.04F, .level = 1};
 
 // A vertical rectangle meshed by the garment mesher and pinned at its upper edge. The warp runs along the length.
 // mesh_angle (rad): rotation of the mesher's grid against the length.

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/support/measured_mesh.h"
 #include "sim/adaptive/check.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/curvature_map.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/triangle_bending.h"
+#include "sim/mesh/square.h"
 
 namespace selvedge::sim::test {
 namespace {
@@ -17,7 +18,7 @@ constexpr double kGravity = 9.81;
 
 // Upper bound of the energy of warp, weft and shear of each leaf, with the bias added to the strain or not.
 double strain_energy(const Cloth& cloth) {
-    const Constraints& constraints = cloth.solver.constraints;
+    const Constraints& constraints = cloth.solver->constraints;
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
     const std::span<const LeafTriangle> leaves = cloth.mesh.leaf_triangles();
     double sum = 0;
@@ -67,7 +68,7 @@ double limit_energy(const Cloth& cloth) {
             sum += taken_back(double(strain) - fabric.strain_limit, area * fabric.area_density, area, cloth.substep);
         }
     }
-    for (const ParentLevel& level : cloth.solver.constraints.parents) {
+    for (const ParentLevel& level : cloth.solver->constraints.parents) {
         for (const LimitBlock& block : level.limits.blocks) {
             for (std::size_t at = 0; at < kBlock; ++at) sum += limit_energy(cloth, block, at);
         }
@@ -97,7 +98,7 @@ Cloth any_patch(Choices& choices) {
     const int quads = 2 + static_cast<int>(choices.next(4));
     const double side = choices.log_between(0.1, 0.8);
     const GarmentMesh square =
-        bench::make_square({.columns = quads, .rows = quads, .width = side, .depth = side, .height = 0.45});
+        sim::make_square({.columns = quads, .rows = quads, .width = side, .depth = side, .height = 0.45});
     Cloth cloth = make_cloth(square, {any_fabric(choices)}, {.max_level = 1 + static_cast<int>(choices.next(3))});
     cloth.material.grain_angles = {choices.between(-3, 3)};
     refresh_solver(cloth);
@@ -236,8 +237,8 @@ double RandomRun::depth() const {
         least = std::min({least, body().contact(x.head<3>()).distance, x.y() - stepping_.contact.floor});
     };
     for (const VertexId v : cloth_.mesh.leaf_vertices()) look(cloth_.x[v.value]);
-    for (std::size_t lane = 0; lane < kBlock * cloth_.solver.contacts.samples.size(); ++lane) {
-        const std::optional<Vec3f> sample = sample_at(cloth_.solver.contacts, lane, cloth_.x);
+    for (std::size_t lane = 0; lane < kBlock * cloth_.solver->contacts.samples.size(); ++lane) {
+        const std::optional<Vec3f> sample = sample_at(cloth_.solver->contacts, lane, cloth_.x);
         if (sample) look(with_zero_w(*sample));
     }
     return double(stepping_.contact.offset - least);

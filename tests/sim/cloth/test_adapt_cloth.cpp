@@ -1,5 +1,6 @@
 // The criteria that the options of adapt_cloth switch on, on moving cloth.
 #include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/solver_state.h"
 
 #include <gtest/gtest.h>
 
@@ -144,7 +145,7 @@ TEST_F(Drape, stays_outside_of_the_ball_between_vertices_whoever_keeps_it_there)
         cloth_ = flat;
         options_.criteria.collision = splits_on_contact;
         run(1.5);
-        samples.push_back(sample_count(cloth_.solver.contacts));
+        samples.push_back(sample_count(cloth_.solver->contacts));
         float deepest = 0;
         for (const LeafTriangle& t : cloth_.mesh.leaf_triangles()) {
             for (const Vec3f& share : {Vec3f(0.5F, 0.5F, 0), Vec3f(0, 0.5F, 0.5F), Vec3f(0.5F, 0, 0.5F),

@@ -8,6 +8,7 @@
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/material_frame.h"
+#include "sim/cloth/solver_state.h"
 #include "tests/sim/cloth/fixtures.h"
 #include "tests/support/bodies.h"
 
@@ -44,7 +45,7 @@ TEST(Cloth, weighs_the_same_after_any_number_of_adaptations) {
         EXPECT_TRUE(check(cloth.mesh).empty()) << check(cloth.mesh).front();
     }
     EXPECT_GT(changes, 100) << "the waves made hardly anything split, so nothing was tested";
-    const std::vector<std::uint32_t>& lanes = cloth.solver.constraints.triangle_of;
+    const std::vector<std::uint32_t>& lanes = cloth.solver->constraints.triangle_of;
     const auto dummy = std::count(lanes.begin(), lanes.end(), kNoBlockSlot);
     EXPECT_EQ(lanes.size() - static_cast<std::size_t>(dummy), cloth.mesh.leaf_triangles().size());
 }
@@ -129,7 +130,7 @@ TEST_F(BallUnderAPatch, lets_the_edges_rejoin_once_it_is_away) {
     move_to(cloth_, Eigen::Matrix3f::Identity(), Vec3f(0, 1, 0));
     for (int i = 0; i <= cloth_.mesh.max_level(); ++i) adapt_once();
     EXPECT_EQ(cloth_.mesh.leaf_triangles().size(), cloth_.mesh.base_triangle_count());
-    EXPECT_EQ(sample_count(cloth_.solver.contacts), 0U) << "it is split where it dips";
+    EXPECT_EQ(sample_count(cloth_.solver->contacts), 0U) << "it is split where it dips";
 }
 
 TEST_F(BallUnderAPatch, does_not_flicker_while_nothing_moves) {

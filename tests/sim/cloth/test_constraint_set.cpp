@@ -213,7 +213,7 @@ void expect_sound_blocks(const Cloth& cloth) {
         bent.insert(sorted(
             {t.v[0], t.v[1], t.v[2], beyond(cloth.mesh, t, 0), beyond(cloth.mesh, t, 1), beyond(cloth.mesh, t, 2)}));
     }
-    const Constraints& constraints = cloth.solver.constraints;
+    const Constraints& constraints = cloth.solver->constraints;
     EXPECT_EQ(constraints_of(constraints.stretch.blocks, cloth), leaves);
     EXPECT_EQ(constraints_of(constraints.bend.blocks, cloth), bent);
     EXPECT_EQ(constraints.stretch.records.size(), constraints.stretch.blocks.size());
@@ -231,7 +231,7 @@ void expect_sound_blocks(const Cloth& cloth) {
 }
 
 void expect_each_leaf_in_its_lane(const Cloth& cloth) {
-    const Constraints& constraints = cloth.solver.constraints;
+    const Constraints& constraints = cloth.solver->constraints;
     ASSERT_EQ(constraints.triangle_of.size(), constraints.stretch.blocks.size() * kBlock);
     std::set<std::uint32_t> seen;
     for (std::size_t slot = 0; slot < constraints.triangle_of.size(); ++slot) {
@@ -321,7 +321,7 @@ TEST(Constraints, hold_every_leaf_hinge_and_refined_triangle_once) {
         expect_sound_blocks(cloth);
         expect_each_leaf_in_its_lane(cloth);
     }
-    EXPECT_EQ(cloth.solver.constraints.parents[1].centres.size(), cloth.mesh.split_edges(1).size());
+    EXPECT_EQ(cloth.solver->constraints.parents[1].centres.size(), cloth.mesh.split_edges(1).size());
 }
 
 TEST(BlockColoring, gives_the_lanes_of_what_goes_to_what_comes_and_keeps_colours_apart) {
@@ -405,17 +405,17 @@ TEST(Constraints, that_change_with_the_mesh_hold_what_blocks_made_anew_hold) {
     std::size_t samples = 0;
     for (int i = 0; i < 40; ++i) {
         shake(cloth, 0.004F, random);
-        const std::size_t inserted = cloth.solver.lists.inserted;
+        const std::size_t inserted = cloth.solver->lists.inserted;
         // Without collision, so that there are samples.
         const CriteriaOptions criteria{.collision = false};
         if (!adapt_cloth(cloth, nothing_near(), {.criteria = criteria, .shortest_edge = 0}).changed()) continue;
-        in_place += cloth.solver.lists.inserted > inserted ? 1 : 0;
+        in_place += cloth.solver->lists.inserted > inserted ? 1 : 0;
         expect_sound_blocks(cloth);
         expect_each_leaf_in_its_lane(cloth);
         Cloth anew = cloth;
         refresh_solver(anew);
         refresh_contacts(anew);
-        const Constraints &now = cloth.solver.constraints, &then = anew.solver.constraints;
+        const Constraints &now = cloth.solver->constraints, &then = anew.solver->constraints;
         expect_alike(contents(now.stretch, cloth), contents(then.stretch, anew));
         expect_alike(contents(now.bend, cloth), contents(then.bend, anew));
         for (std::size_t level = 0; level < now.parents.size(); ++level) {
@@ -424,9 +424,9 @@ TEST(Constraints, that_change_with_the_mesh_hold_what_blocks_made_anew_hold) {
             expect_alike(contents(a.bend, cloth), contents(b.bend, anew));
             EXPECT_EQ(a.centres.size(), b.centres.size());
         }
-        EXPECT_EQ(cloth.solver.contacts.friction, anew.solver.contacts.friction);
-        EXPECT_EQ(sample_count(cloth.solver.contacts), sample_count(anew.solver.contacts));
-        samples += sample_count(anew.solver.contacts);
+        EXPECT_EQ(cloth.solver->contacts.friction, anew.solver->contacts.friction);
+        EXPECT_EQ(sample_count(cloth.solver->contacts), sample_count(anew.solver->contacts));
+        samples += sample_count(anew.solver->contacts);
     }
     EXPECT_GT(in_place, 5);
     EXPECT_GT(samples, 0U);

@@ -1,5 +1,6 @@
 // Contacts: no vertex or sample enters the body, and cloth sticks or slides according to Coulomb's law.
 #include "sim/cloth/contact.h"
+#include "sim/cloth/solver_state.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +52,7 @@ TEST(Outside, leaves_a_thin_part_on_the_side_that_the_cloth_is_on) {
 // A body that moves by 4 mm cannot touch what was 10 mm away: its cached distance is kept, less 4 mm.
 TEST(KeepFarContacts, forgets_only_what_a_moved_body_may_touch) {
     Cloth cloth = make_patch(find_fabric("silk"), {.side = 0.2, .quads = 2});
-    std::vector<Vec4f>& query = cloth.solver.contacts.query_point;
+    std::vector<Vec4f>& query = cloth.solver->contacts.query_point;
     ASSERT_GE(query.size(), 3U);
     query[0].w() = 0.01F;
     query[1].w() = 0.003F;
@@ -68,8 +69,8 @@ TEST(RefreshContacts, samples_every_edge_longer_than_the_spacing_and_triangles_t
         refine(cloth, level);
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<float>> samples;
         std::size_t middles = 0;
-        for (std::size_t lane = 0; lane < kBlock * cloth.solver.contacts.samples.size(); ++lane) {
-            const SampleBlock& block = cloth.solver.contacts.samples[lane / kBlock];
+        for (std::size_t lane = 0; lane < kBlock * cloth.solver->contacts.samples.size(); ++lane) {
+            const SampleBlock& block = cloth.solver->contacts.samples[lane / kBlock];
             const std::array<float, 3> shares{block.shares[0][lane % kBlock], block.shares[1][lane % kBlock],
                                               block.shares[2][lane % kBlock]};
             if (shares[0] == 0) continue;
@@ -110,8 +111,8 @@ TEST(RefreshContacts, samples_triangles_with_long_edges_by_their_area) {
     const float spacing = ContactOptions{}.sample_spacing;
     float nearest_edge = 1;
     std::size_t middles = 0;
-    for (std::size_t slot = 0; slot < kBlock * cloth.solver.contacts.samples.size(); ++slot) {
-        const SampleBlock& block = cloth.solver.contacts.samples[slot / kBlock];
+    for (std::size_t slot = 0; slot < kBlock * cloth.solver->contacts.samples.size(); ++slot) {
+        const SampleBlock& block = cloth.solver->contacts.samples[slot / kBlock];
         if (block.shares[2][slot % kBlock] <= 0) continue;
         ++middles;
         float sum = 0;
@@ -132,8 +133,8 @@ std::array<std::size_t, 2> samples_of(const Cloth& cloth, const SplitLimits& lim
         if (limits.allow(cloth.mesh, edge.edge)) near.insert({edge.a.value, edge.b.value});
     }
     std::array<std::size_t, 2> count{};
-    for (std::size_t slot = 0; slot < kBlock * cloth.solver.contacts.samples.size(); ++slot) {
-        const SampleBlock& block = cloth.solver.contacts.samples[slot / kBlock];
+    for (std::size_t slot = 0; slot < kBlock * cloth.solver->contacts.samples.size(); ++slot) {
+        const SampleBlock& block = cloth.solver->contacts.samples[slot / kBlock];
         if (block.shares[0][slot % kBlock] == 0) continue;
         ++count[near.contains(block.vertices[0][slot % kBlock] / 4) ? 0 : 1];
     }
@@ -159,12 +160,12 @@ TEST(RefreshContacts, samples_no_edge_that_is_split_where_it_dips_into_a_body) {
     refresh_contacts(cloth, {}, SplitLimits{.shortest_edge = 0.12F});  // at level 1 only diagonals may be split
     std::size_t sides = 0;
     for (const LeafEdge& edge : cloth.mesh.leaf_edges()) sides += edge.rest_length < 0.12F ? 1 : 0;
-    EXPECT_GE(sample_count(cloth.solver.contacts), 3 * sides);
-    EXPECT_LE(sample_count(cloth.solver.contacts), 4 * sides) << "sides alone, no triangles, which have diagonals";
+    EXPECT_GE(sample_count(cloth.solver->contacts), 3 * sides);
+    EXPECT_LE(sample_count(cloth.solver->contacts), 4 * sides) << "sides alone, no triangles, which have diagonals";
     refresh_contacts(cloth, {}, never);
-    const std::size_t sampled = sample_count(cloth.solver.contacts);
+    const std::size_t sampled = sample_count(cloth.solver->contacts);
     refresh_contacts(cloth, {}, std::nullopt);
-    EXPECT_EQ(sample_count(cloth.solver.contacts), sampled);
+    EXPECT_EQ(sample_count(cloth.solver->contacts), sampled);
 }
 
 // Two triangles whose long diagonal crosses a small ball between its ends.
@@ -188,8 +189,8 @@ TEST(PushOutSamples, keeps_the_middle_of_a_long_edge_out_of_a_small_ball) {
 // A square of coarse cloth, whose samples far outnumber its vertices, in the solver's arrays.
 Cloth coarse_cloth(double height) {
     Cloth cloth = make_patch(undamped(), {.side = 0.5, .quads = 2, .height = height});
-    cloth.solver.points = solver_points(cloth, cloth.x);
-    cloth.solver.before = cloth.solver.points;
+    cloth.solver->points = solver_points(cloth, cloth.x);
+    cloth.solver->before = cloth.solver->points;
     return cloth;
 }
 
@@ -199,13 +200,13 @@ std::size_t push_out(Cloth& cloth) {
 }
 
 void move_all(Cloth& cloth, const Vec3f& by) {
-    for (const VertexId v : cloth.mesh.leaf_vertices()) cloth.solver.points[v.value].head<3>() += by;
+    for (const VertexId v : cloth.mesh.leaf_vertices()) cloth.solver->points[v.value].head<3>() += by;
 }
 
 // The ball reaches up to 1.15 m.
 TEST(PushOutSamples, skips_what_is_far_from_the_body_until_it_may_have_come_near) {
     Cloth cloth = coarse_cloth(1.35);
-    const std::size_t blocks = cloth.solver.contacts.samples.size();
+    const std::size_t blocks = cloth.solver->contacts.samples.size();
     EXPECT_EQ(push_out(cloth), blocks) << "nothing is known yet";
     push_out(cloth);  // measures how far the samples in turn may move
     for (int i = 0; i < 20; ++i) {
@@ -241,17 +242,17 @@ TEST(PushOutSamples, skips_no_block_that_has_something_to_do) {
         for (const VertexId v : cloth.mesh.leaf_vertices()) {
             const Vec3f by(draw(random, -reach, reach), draw(random, -reach, reach), draw(random, -reach, reach));
             for (Cloth* each : {&cloth, &looks}) {
-                each->solver.before[v.value] = each->solver.points[v.value];
-                each->solver.points[v.value].head<3>() += by + drift;
+                each->solver->before[v.value] = each->solver->points[v.value];
+                each->solver->points[v.value].head<3>() += by + drift;
             }
         }
-        looks.solver.contacts.skips = {};
-        const std::vector<Vec4f> before = cloth.solver.points;
+        looks.solver->contacts.skips = {};
+        const std::vector<Vec4f> before = cloth.solver->points;
         seen += push_out(cloth);
         all += push_out(looks);
-        pushed += cloth.solver.points != before ? 1 : 0;
-        ASSERT_EQ(cloth.solver.points, looks.solver.points) << "in round " << round;
-        ASSERT_EQ(cloth.solver.before, looks.solver.before) << "in round " << round;
+        pushed += cloth.solver->points != before ? 1 : 0;
+        ASSERT_EQ(cloth.solver->points, looks.solver->points) << "in round " << round;
+        ASSERT_EQ(cloth.solver->before, looks.solver->before) << "in round " << round;
     }
     EXPECT_GT(pushed, 50U) << "it hardly touched the ball, so nothing was tested";
     EXPECT_LT(pushed, 390U) << "it always touched the ball";
@@ -293,20 +294,20 @@ TEST(PushOutSamples, asks_a_collider_that_costs_by_the_slot_for_what_it_needs_al
     Cloth cloth = coarse_cloth(1.16), other = coarse_cloth(1.16);
     std::size_t pushed = 0;
     for (int round = 0; round < 300; ++round) {
-        cloth.solver.before = cloth.solver.points;
+        cloth.solver->before = cloth.solver->points;
         for (const VertexId v : cloth.mesh.leaf_vertices()) {
             const Vec3f by(draw(random, -0.0005F, 0.0005F), draw(random, -0.0014F, 0.001F), 0);
-            cloth.solver.points[v.value].head<3>() += by;
+            cloth.solver->points[v.value].head<3>() += by;
         }
-        other.solver.points = cloth.solver.points;
-        other.solver.before = cloth.solver.before;
-        const std::vector<Vec4f> before = cloth.solver.points;
+        other.solver->points = cloth.solver->points;
+        other.solver->before = cloth.solver->before;
+        const std::vector<Vec4f> before = cloth.solver->points;
         push_out(cloth);
         set_contact_offset(other, kOffset);
         push_out_samples(other, kernels(simd_level()), by_slot, {.offset = kOffset, .floor = kNoFloor});
-        pushed += cloth.solver.points != before ? 1 : 0;
+        pushed += cloth.solver->points != before ? 1 : 0;
         for (std::size_t v = 0; v < cloth.x.size(); ++v)
-            ASSERT_LT((cloth.solver.points[v] - other.solver.points[v]).norm(), 1e-4F) << "in round " << round;
+            ASSERT_LT((cloth.solver->points[v] - other.solver->points[v]).norm(), 1e-4F) << "in round " << round;
     }
     EXPECT_GT(pushed, 50U) << "it hardly touched the ball";
     EXPECT_GT(by_slot.left_out(), 1000);
@@ -315,16 +316,16 @@ TEST(PushOutSamples, asks_a_collider_that_costs_by_the_slot_for_what_it_needs_al
 // A block in turn gives the same bits as a block for each of its samples.
 TEST(PushOutSamples, of_one_block_that_share_vertices_are_pushed_one_after_the_other) {
     Cloth in_turn = coarse_cloth(1.1535), alone = coarse_cloth(1.1535);
-    std::vector<SampleBlock>& blocks = in_turn.solver.contacts.samples;
+    std::vector<SampleBlock>& blocks = in_turn.solver->contacts.samples;
     const auto is_in_turn = [](const SampleBlock& block) { return block.in_turn[0] != 0; };
     ASSERT_TRUE(std::ranges::any_of(blocks, is_in_turn)) << "too few samples for the colours";
-    EXPECT_LT(blocks.size(), sample_count(in_turn.solver.contacts) / 4) << "they do not fill blocks";
-    std::vector<SampleBlock>& split = alone.solver.contacts.samples;
+    EXPECT_LT(blocks.size(), sample_count(in_turn.solver->contacts) / 4) << "they do not fill blocks";
+    std::vector<SampleBlock>& split = alone.solver->contacts.samples;
     split.clear();
     for (const SampleBlock& block : blocks) {
         if (!is_in_turn(block)) split.push_back(block);
         for (std::size_t at = 0; at < kBlock && is_in_turn(block); ++at) {
-            split.push_back(dummy_block<SampleBlock>(in_turn.solver.contacts.vertices));
+            split.push_back(dummy_block<SampleBlock>(in_turn.solver->contacts.vertices));
             split.back().slack.fill(1e6F);
             copy_slot(block, split.back(), at);
             split.back().in_turn.fill(0);
@@ -333,22 +334,22 @@ TEST(PushOutSamples, of_one_block_that_share_vertices_are_pushed_one_after_the_o
     Cloth untouched = in_turn;
     for (int round = 0; round < 60; ++round) {
         for (Cloth* each : {&in_turn, &alone}) {
-            each->solver.before = each->solver.points;
+            each->solver->before = each->solver->points;
             move_all(*each, Vec3f(0.0001F, -0.0003F, 0));
             push_out(*each);
         }
         move_all(untouched, Vec3f(0.0001F, -0.0003F, 0));
-        ASSERT_EQ(in_turn.solver.points, alone.solver.points) << "in round " << round;
+        ASSERT_EQ(in_turn.solver->points, alone.solver->points) << "in round " << round;
     }
-    EXPECT_NE(in_turn.solver.points, untouched.solver.points) << "nothing touched";
+    EXPECT_NE(in_turn.solver->points, untouched.solver->points) << "nothing touched";
 }
 
 // Calls hold_vertices() for the ball with the present positions.
 void hold(Cloth& cloth) {
-    cloth.solver.points = solver_points(cloth, cloth.x);
-    cloth.solver.before = solver_points(cloth, cloth.x_prev);
+    cloth.solver->points = solver_points(cloth, cloth.x);
+    cloth.solver->before = solver_points(cloth, cloth.x_prev);
     hold_vertices(cloth, kernels(simd_level()), ball(), 1, {.friction_scale = 0, .floor = kNoFloor});
-    for (std::size_t v = 0; v < cloth.x.size(); ++v) cloth.x[v] = with_zero_w(cloth.solver.points[v].head<3>());
+    for (std::size_t v = 0; v < cloth.x.size(); ++v) cloth.x[v] = with_zero_w(cloth.solver->points[v].head<3>());
 }
 
 // Random walks of vertices near the ball: whatever slack the cache contains, no vertex may end nearer than the offset.

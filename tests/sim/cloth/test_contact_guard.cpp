@@ -1,4 +1,5 @@
 // Adaptations do not move cloth through other cloth.
+#include "sim/cloth/contact.h"
 #include "sim/cloth/contact_guard.h"
 
 #include <gtest/gtest.h>

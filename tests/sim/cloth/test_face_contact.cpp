@@ -1,5 +1,6 @@
 // Contact of whole faces: what is thin does not pass through them between their vertices.
 #include "sim/cloth/face_contact.h"
+#include "sim/cloth/solver_state.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ namespace selvedge::sim::test {
 namespace {
 
 constexpr float kFrame = 1.0F / 30.0F;  // s, four steps
-constexpr float kOffset = 0.0003F;      // m, of the contact
+constexpr float kFaceOffset = 0.0003F;  // m, of the contact
 
 // A finger of 14 x 14 x 80 mm that points upward to 1 m, and lies neither below a vertex of the patch nor below an
 // edge.
@@ -30,7 +31,7 @@ const BodyCollider& finger() {
 // Without samples, as where the next adaptation will split the edges.
 StepOptions without_samples() {
     StepOptions stepping;
-    stepping.contact.offset = kOffset;
+    stepping.contact.offset = kFaceOffset;
     stepping.contact.floor = kNoFloor;
     stepping.contact.sample_spacing = stepping.contact.sampled_edge = 1;
     return stepping;
@@ -41,7 +42,7 @@ Cloth falling_patch() {
     Cloth cloth = make_patch(find_fabric("jersey"), {.side = 0.2, .quads = 4, .height = 1.015, .max_level = 2});
     for (const VertexId v : cloth.mesh.leaf_vertices()) cloth.x_prev[v.value].y() += 1.4F * cloth.substep;
     refresh_contacts(cloth, without_samples().contact);
-    free_standoffs(cloth, {.free = kMaxStandoff - kOffset});
+    free_standoffs(cloth, {.free = kMaxStandoff - kFaceOffset});
     return cloth;
 }
 
@@ -50,7 +51,7 @@ Penetration penetration(const Cloth& cloth, const BodyCollider& body) {
 }
 
 // The largest depth of a face in the finger until the next adaptation would split it.
-float fall(Cloth& cloth, bool is_watched) {
+float fall_on_finger(Cloth& cloth, bool is_watched) {
     float deepest = 0;
     for (int i = 0; i < 4; ++i) {
         if (is_watched && i == 0) watch_faces_near_thin_parts(cloth, finger(), kFrame);
@@ -62,29 +63,29 @@ float fall(Cloth& cloth, bool is_watched) {
 
 TEST(FaceContact, a_finger_does_not_pass_through_a_coarse_face) {
     Cloth watched = falling_patch(), unwatched = falling_patch();
-    EXPECT_GT(fall(unwatched, false), 0.005F);
-    EXPECT_LT(fall(watched, true), 0.0005F);
-    EXPECT_FALSE(watched.solver.contacts.faces.empty());
+    EXPECT_GT(fall_on_finger(unwatched, false), 0.005F);
+    EXPECT_LT(fall_on_finger(watched, true), 0.0005F);
+    EXPECT_FALSE(watched.solver->contacts.faces.empty());
 }
 
 TEST(FaceContact, watches_only_faces_that_can_meet_a_thin_part_in_time) {
     Cloth cloth = falling_patch();
     watch_faces_near_thin_parts(cloth, finger(), kFrame);
-    const std::size_t count = cloth.solver.contacts.faces.size();
+    const std::size_t count = cloth.solver->contacts.faces.size();
     EXPECT_GT(count, 0U);
     EXPECT_LT(count, cloth.mesh.leaf_triangles().size() / 2);
     watch_faces_near_thin_parts(cloth, finger(), 0.1F * kFrame);
-    EXPECT_TRUE(cloth.solver.contacts.faces.empty());
+    EXPECT_TRUE(cloth.solver->contacts.faces.empty());
     watch_faces_near_thin_parts(cloth, ball(), kFrame);
-    EXPECT_TRUE(cloth.solver.contacts.faces.empty());
+    EXPECT_TRUE(cloth.solver->contacts.faces.empty());
 }
 
 TEST(FaceContact, an_adaptation_that_changes_the_mesh_ends_the_watch) {
     Cloth cloth = falling_patch();
     watch_faces_near_thin_parts(cloth, finger(), kFrame);
-    ASSERT_FALSE(cloth.solver.contacts.faces.empty());
+    ASSERT_FALSE(cloth.solver->contacts.faces.empty());
     refine(cloth, 1);
-    EXPECT_TRUE(cloth.solver.contacts.faces.empty());
+    EXPECT_TRUE(cloth.solver->contacts.faces.empty());
 }
 
 // A patch of edges of 2.5 cm that lies still, with the tip of the finger 1.2 mm through one of its faces.
@@ -105,9 +106,9 @@ TEST(FaceContact, what_an_exact_test_finds_is_projected_out_without_a_crossing) 
     ASSERT_GT(before.deepest, 0.001F);
     const int found = watch_faces_inside(cloth, finger(), 0.0004F);
     EXPECT_EQ(found, before.faces);
-    EXPECT_EQ(cloth.solver.contacts.faces.size(), std::size_t(found));
+    EXPECT_EQ(cloth.solver->contacts.faces.size(), std::size_t(found));
     EXPECT_EQ(watch_faces_inside(cloth, finger(), 0.0004F), found) << "nothing has moved";
-    EXPECT_EQ(cloth.solver.contacts.faces.size(), std::size_t(found)) << "each is watched once";
+    EXPECT_EQ(cloth.solver->contacts.faces.size(), std::size_t(found)) << "each is watched once";
     StepOptions stepping = without_samples();
     stepping.self_contact.emplace();
     StrainProjectionReport report;

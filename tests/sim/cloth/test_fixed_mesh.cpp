@@ -32,7 +32,7 @@ Cloth cloth_of(const GarmentMesh& mesh, int max_level) {
                       {.max_level = max_level});
 }
 
-struct Midpoints {
+struct SpoilingMidpoints {
     Cloth& cloth;
 
     void on_capacity(std::size_t capacity) { size_state(cloth, capacity); }
@@ -41,7 +41,7 @@ struct Midpoints {
 };
 
 void adapt_at_random(Cloth& cloth, std::mt19937& random) {
-    Midpoints state{cloth};
+    SpoilingMidpoints state{cloth};
     adapt(cloth.mesh, state, {}, RandomCriterion{random, 0.5, 0.4});
     ASSERT_TRUE(check(cloth.mesh).empty());
 }

@@ -8,6 +8,7 @@
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/solver_blocks.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/triangle_bending.h"
 #include "tests/sim/cloth/fixtures.h"
 
@@ -62,7 +63,7 @@ struct Roll {
     // The displacements by one iteration over all triangles.
     std::vector<Vec4f> visit() {
         std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-        kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 2);
+        kernels(simd_level()).solve_bend(cloth.solver->constraints.bend.blocks, floats(points), 2);
         return points;
     }
     // The bending moment per width, N, from the virtual work of a small change of curvature.
@@ -83,7 +84,7 @@ struct Roll {
     }
     // The number of sub-steps between two solves; the same for all leaves, because they are large.
     double interval() const {
-        const std::vector<BendBlock>& blocks = cloth.solver.constraints.bend.blocks;
+        const std::vector<BendBlock>& blocks = cloth.solver->constraints.bend.blocks;
         float least = kNeverSolved, most = 0;
         for (const BendBlock& block : blocks) {
             for (const float interval : block.interval) {
@@ -115,7 +116,7 @@ Fabric heavy(Fabric fabric) {
     return fabric;
 }
 
-constexpr float kMax = 20;  // 1/m
+constexpr float kMaxCurvature = 20;  // 1/m
 
 void bend_slowly(Roll& strip, float from, float to) {
     constexpr int kSteps = 40;
@@ -124,12 +125,12 @@ void bend_slowly(Roll& strip, float from, float to) {
 
 double loop_width(double hysteresis) {
     Roll strip(heavy(rubbing(hysteresis)));
-    bend_slowly(strip, 0, kMax);
-    bend_slowly(strip, kMax, -kMax);
-    bend_slowly(strip, -kMax, 0);
+    bend_slowly(strip, 0, kMaxCurvature);
+    bend_slowly(strip, kMaxCurvature, -kMaxCurvature);
+    bend_slowly(strip, -kMaxCurvature, 0);
     const double going_up = strip.moment_at(0);
-    bend_slowly(strip, 0, kMax);
-    bend_slowly(strip, kMax, 0);
+    bend_slowly(strip, 0, kMaxCurvature);
+    bend_slowly(strip, kMaxCurvature, 0);
     return going_up - strip.moment_at(0);
 }
 
@@ -141,9 +142,9 @@ TEST(FrictionInside, makes_a_loop_of_moment_against_curvature_that_is_2hb_wide) 
 
 TEST(FrictionInside, leaves_the_slope_of_the_loop_to_the_rigidity) {
     Roll strip(heavy(rubbing(1e-4)));
-    bend_slowly(strip, 0, kMax);
-    const double before = strip.moment_at(kMax);
-    EXPECT_NEAR((strip.moment_at(kMax + 2) - before) / 2, 1e-5, 0.3e-5);
+    bend_slowly(strip, 0, kMaxCurvature);
+    const double before = strip.moment_at(kMaxCurvature);
+    EXPECT_NEAR((strip.moment_at(kMaxCurvature + 2) - before) / 2, 1e-5, 0.3e-5);
 }
 
 // Not exactly: chords of a roll are shorter than its arcs, and forces use the heights at rest.
@@ -161,9 +162,9 @@ TEST(FrictionInside, leaves_the_moment_of_sharp_folds_in_proportion_to_their_ang
 TEST(FrictionInside, costs_nothing_where_the_fabric_has_none) {
     const auto is_any = [](const BlockFloats& row) { return std::ranges::any_of(row, [](float f) { return f > 0; }); };
     const auto remember = [&](const Cloth& cloth) {
-        return std::ranges::any_of(cloth.solver.constraints.bend.blocks,
+        return std::ranges::any_of(cloth.solver->constraints.bend.blocks,
                                    [&](const BendBlock& b) { return is_any(b.has_friction); }) ||
-               std::ranges::any_of(cloth.solver.constraints.stretch.blocks,
+               std::ranges::any_of(cloth.solver->constraints.stretch.blocks,
                                    [&](const StretchBlock& b) { return is_any(b.stick); });
     };
     EXPECT_FALSE(remember(make_strip(rubbing(0), {.level = 2})));
@@ -173,7 +174,7 @@ TEST(FrictionInside, costs_nothing_where_the_fabric_has_none) {
 
 TEST(FrictionInside, does_not_hold_bent_cloth_back_from_turning) {
     Roll strip(heavy(rubbing(1e-4)));
-    bend_slowly(strip, 0, kMax);
+    bend_slowly(strip, 0, kMaxCurvature);
     const auto size = [&] {
         const std::vector<Vec4f> moved = strip.visit();
         double sum = 0;
@@ -209,7 +210,7 @@ TEST(FrictionInside, keeps_a_bend_that_was_let_go_in_proportion_to_2hb) {
     std::vector<double> kept;
     for (const double hysteresis : {0.0, 5e-5, 1e-4}) {
         Roll strip(rubbing(hysteresis));
-        roll(strip.cloth, strip.flat, kMax);
+        roll(strip.cloth, strip.flat, kMaxCurvature);
         kept.push_back(residual(strip, 3));
     }
     EXPECT_NEAR(kept[0], 0, 0.2);
@@ -221,7 +222,7 @@ TEST(FrictionInside, keeps_a_bend_that_was_let_go_in_proportion_to_2hb) {
 
 TEST(FrictionInside, brings_cloth_to_rest_and_does_not_let_it_creep) {
     Roll strip(rubbing(1e-4));
-    roll(strip.cloth, strip.flat, kMax);
+    roll(strip.cloth, strip.flat, kMaxCurvature);
     const double soon = residual(strip, 3);
     EXPECT_NEAR(residual(strip, 6), soon, 0.02 * soon);
 }
@@ -240,7 +241,7 @@ struct Shearing {
         for (const VertexId v : cloth.mesh.leaf_vertices()) {
             cloth.x[v.value] = flat[v.value] + Vec4f(shear * flat[v.value].z(), 0, 0, 0);
         }
-        Constraints& constraints = cloth.solver.constraints;
+        Constraints& constraints = cloth.solver->constraints;
         const Kernels& loops = kernels(simd_level());
         std::vector<Vec4f> points = solver_points(cloth, cloth.x);
         std::vector<Vec4f> before = points;
@@ -249,7 +250,7 @@ struct Shearing {
                               .off = floats(constraints.stress.off)};
         for (int i = 0; i < 20; ++i) {
             loops.solve_stretch(constraints.stretch.blocks, constraints.stretch.records.data(), floats(points),
-                                cloth.solver.lists.over.data(), cloth.solver.lists.dummy);
+                                cloth.solver->lists.over.data(), cloth.solver->lists.dummy);
             loops.update_bias(constraints.stretch.blocks, constraints.stretch.records, floats(points), floats(before),
                               {.shear = 1}, sums);
         }
@@ -305,7 +306,7 @@ void bend_at_random(Cloth& cloth, unsigned seed) {
     std::mt19937 random(seed);
     shake(cloth, 0.01F, random);
     std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-    kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 2);
+    kernels(simd_level()).solve_bend(cloth.solver->constraints.bend.blocks, floats(points), 2);
 }
 
 // The anchor of friction of a leaf or a refined triangle.
@@ -328,7 +329,6 @@ bool has_inside(const LeafTriangle& outer, const LeafTriangle& inner) {
     return distance_to_triangle((inner.u[0] + inner.u[1] + inner.u[2]) / 3, outer.u) <= 0;
 }
 
-const MinimumLevelDisc kDab{.panel = 0, .centre = Vec2f(0.05F, 0.03F), .radius = 0.04F, .level = 1};
 const AdaptClothOptions kCoarse{.criteria = {.collision = false, .curvature = false, .length = false}};
 const AdaptClothOptions kFine{.criteria = {.collision = false, .curvature = false, .length = false},
                               .minimum_levels = {&kDab, 1}};

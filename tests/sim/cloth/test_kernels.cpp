@@ -1,5 +1,6 @@
 // Internal constraints conserve linear and angular momentum, and kernels of all SIMD levels agree.
 #include "sim/cloth/kernels.h"
+#include "sim/cloth/solver_state.h"
 
 #include <gtest/gtest.h>
 
@@ -94,8 +95,8 @@ void limit_and_prolong(const Cloth& cloth, const Kernels& loops, std::span<const
     Points stress = points;
     loops.solve_coarse_limits(blocks, records, floats(points));
     loops.solve_coarse_bend(bend, floats(points), 2);
-    for (std::size_t below = level; below < cloth.solver.constraints.parents.size(); ++below) {
-        loops.prolong_centres(cloth.solver.constraints.parents[below].centres, floats(stress), floats(points));
+    for (std::size_t below = level; below < cloth.solver->constraints.parents.size(); ++below) {
+        loops.prolong_centres(cloth.solver->constraints.parents[below].centres, floats(stress), floats(points));
     }
 }
 
@@ -121,10 +122,10 @@ TEST_P(KernelsAtLevel, stretch_and_shear_push_and_turn_nothing_as_a_whole) {
     std::mt19937 random(11);
     const Cloth cloth = shaken_patch(random, 0.01F);
     expect_no_push<StretchBlock>(
-        cloth, with_gathers(cloth.solver.constraints.stretch.blocks),
+        cloth, with_gathers(cloth.solver->constraints.stretch.blocks),
         [&](auto one, Points& points) {
             std::vector<OverBlock> over(one.size());
-            loops().solve_stretch(one, nullptr, floats(points), over.data(), cloth.solver.lists.dummy);
+            loops().solve_stretch(one, nullptr, floats(points), over.data(), cloth.solver->lists.dummy);
         },
         0.01);
 }
@@ -147,7 +148,7 @@ Cloth rolled_patch(int level) {
 TEST_P(KernelsAtLevel, bending_pushes_nothing_and_turns_nothing) {
     const auto expect = [&](const Cloth& cloth, double torque_share) {
         expect_no_push<BendBlock>(
-            cloth, cloth.solver.constraints.bend.blocks,
+            cloth, cloth.solver->constraints.bend.blocks,
             [&](auto one, Points& points) { loops().solve_bend(one, floats(points), 2); }, torque_share);
     };
     std::mt19937 random(12);
@@ -159,12 +160,12 @@ TEST_P(KernelsAtLevel, bending_of_refined_triangles_pushes_nothing_and_turns_lit
     Cloth cloth = rolled_patch(2);
     for (const std::size_t level : {0U, 1U}) {
         expect_no_push<CoarseBendBlock>(
-            cloth, cloth.solver.constraints.parents[level].bend.blocks,
+            cloth, cloth.solver->constraints.parents[level].bend.blocks,
             [&](auto one, Points& points) {
                 Points stress = points;
                 loops().solve_coarse_bend(one, floats(points), 2);
-                for (std::size_t below = level; below < cloth.solver.constraints.parents.size(); ++below) {
-                    loops().prolong_centres(cloth.solver.constraints.parents[below].centres, floats(stress),
+                for (std::size_t below = level; below < cloth.solver->constraints.parents.size(); ++below) {
+                    loops().prolong_centres(cloth.solver->constraints.parents[below].centres, floats(stress),
                                             floats(points));
                 }
             },
@@ -181,7 +182,7 @@ TEST_P(KernelsAtLevel, limits_of_refined_triangles_push_nothing_and_turn_little)
     centre_split_edges(cloth);
     for (const std::size_t level : {0U, 1U}) {
         expect_no_push<LimitBlock>(
-            cloth, cloth.solver.constraints.parents[level].limits.blocks,
+            cloth, cloth.solver->constraints.parents[level].limits.blocks,
             [&](auto one, Points& points) { limit_and_prolong(cloth, loops(), one, level, points); }, 0.02);
     }
 }
@@ -191,7 +192,7 @@ TEST_P(KernelsAtLevel, bending_leaves_a_flat_patch_flat_however_it_lies) {
     refine(cloth, 2);
     move_to(cloth, Eigen::AngleAxisf(1.0F, Vec3f(1, 2, 3).normalized()).toRotationMatrix(), Vec3f(0.1F, 0.2F, 0.3F));
     Points points = solver_points(cloth, cloth.x);
-    loops().solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 2);
+    loops().solve_bend(cloth.solver->constraints.bend.blocks, floats(points), 2);
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         EXPECT_LT((points[v.value] - with_zero_w(cloth.x[v.value].head<3>())).head<3>().norm(), 1e-6F);
     }
@@ -207,7 +208,7 @@ TEST_P(KernelsAtLevel, a_limit_takes_back_what_is_longer_and_touches_nothing_sho
     std::mt19937 random(14);
     const Cloth cloth = shaken_patch(random, 0.01F);
     int longer = 0, shorter = 0;
-    for (const LimitBlock& block : cloth.solver.constraints.parents[0].limits.blocks) {
+    for (const LimitBlock& block : cloth.solver->constraints.parents[0].limits.blocks) {
         const Points before = solver_points(cloth, cloth.x);
         Points after = before;
         loops().solve_coarse_limits(std::span(&block, 1), nullptr, floats(after));
@@ -259,7 +260,7 @@ Sweep swept(const Kernels& loops) {
     shake(cloth, 0.004F, random);
     cloth.is_pinned[0] = cloth.is_pinned[7] = true;
     refresh_solver(cloth);
-    const Constraints& constraints = cloth.solver.constraints;
+    const Constraints& constraints = cloth.solver->constraints;
     Sweep s;
     s.points = s.before = solver_points(cloth, cloth.x);
     s.lost.assign(s.points.size(), Vec4f::Zero());
@@ -280,11 +281,11 @@ Sweep swept(const Kernels& loops) {
                           s.parents[level].limits.records.data(), s.parents[level].bend.blocks);
     }
     loops.solve_bend(s.bend, floats(s.points), 2);
-    for (const BlockColoring::Run& run : cloth.solver.constraints.stretch.coloring.runs()) {
+    for (const BlockColoring::Run& run : cloth.solver->constraints.stretch.coloring.runs()) {
         const std::span<StretchBlock> some = std::span(s.stretch).subspan(run.first, run.count);
         std::vector<OverBlock> over(run.count);
         over.resize(
-            loops.solve_stretch(some, &s.records[run.first], floats(s.points), over.data(), cloth.solver.lists.dummy));
+            loops.solve_stretch(some, &s.records[run.first], floats(s.points), over.data(), cloth.solver->lists.dummy));
         loops.limit_stretch(over, floats(s.points));
         for (const OverBlock& block : over)
             s.over.insert(s.over.end(), block.vertices[0].begin(), block.vertices[0].end());
@@ -355,8 +356,8 @@ TEST(Kernels, of_avx2_and_avx512_give_the_same_bits) {
 TEST(Kernels, of_avx2_and_avx512_weigh_bending_with_the_same_bits) {
     if (detected_simd_level() < SimdLevel::Avx512) GTEST_SKIP() << "no AVX-512 on this processor";
     const Cloth cloth = flat_patch(2);
-    const SolverLists& lists = cloth.solver.lists;
-    Constraints narrow = cloth.solver.constraints, wide = narrow;
+    const SolverLists& lists = cloth.solver->lists;
+    Constraints narrow = cloth.solver->constraints, wide = narrow;
     std::vector<float> inverse_masses = lists.inverse_masses;  // differ from those that the gains were made for
     for (float& w : inverse_masses) w *= 2;
     const auto update_masses = [&](const Kernels& loops, Constraints& constraints) {
@@ -371,7 +372,7 @@ TEST(Kernels, of_avx2_and_avx512_weigh_bending_with_the_same_bits) {
         0);
     const std::vector<CoarseBendBlock>&a = narrow.parents[1].bend.blocks, &b = wide.parents[1].bend.blocks;
     EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(CoarseBendBlock)), 0);
-    EXPECT_NE(std::memcmp(narrow.bend.blocks.data(), cloth.solver.constraints.bend.blocks.data(), sizeof(BendBlock)),
+    EXPECT_NE(std::memcmp(narrow.bend.blocks.data(), cloth.solver->constraints.bend.blocks.data(), sizeof(BendBlock)),
               0);
 }
 

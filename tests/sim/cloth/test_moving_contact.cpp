@@ -1,6 +1,7 @@
 // Contacts with a body that moves: cloth stays outside, goes along by friction, and is held in the middle where it is
 // pinched.
 #include "sim/cloth/moving_contact.h"
+#include "sim/cloth/solver_state.h"
 
 #include <gtest/gtest.h>
 
@@ -177,7 +178,7 @@ TEST(MovingFaces, are_those_near_to_what_is_thin) {
     Cloth cloth = make_patch(find_fabric("jersey"), {.side = 0.4, .quads = 16, .height = 1.0});
     refresh_contacts(cloth);
     scene.run(cloth, 1.0 / 120, stepping());
-    const std::vector<MovingFace>& faces = cloth.solver.contacts.moving.faces;
+    const std::vector<MovingFace>& faces = cloth.solver->contacts.moving.faces;
     ASSERT_FALSE(faces.empty());
     for (const MovingFace& face : faces)
         for (const std::uint32_t v : face.vertices) EXPECT_LT(cloth.x[v].x(), 0.055F);
@@ -196,7 +197,7 @@ TEST(MovingContact, cloth_that_two_sides_pinch_is_held_in_the_middle_and_counted
             if (cloth.inverse_mass[v.value] > 0) deepest = std::max(deepest, std::abs(cloth.x[v.value].x()) - wall);
     });
     EXPECT_LT(deepest, 0.0005F);
-    EXPECT_GT(cloth.solver.contacts.moving.pinched, 10);
+    EXPECT_GT(cloth.solver->contacts.moving.pinched, 10);
     EXPECT_FALSE(find_bad_vertex(cloth));
     EXPECT_LT(speed_now(cloth), 0.05F) << "held, not shaken";
 }
@@ -215,13 +216,13 @@ TEST(MovingContact, cloth_between_sides_that_overlap_is_neither_torn_nor_left_on
     int pinched = 0;
     scene.run(cloth, 0.5, options, [&] {
         for (const TriangleStrain& strain : measure_strain(cloth)) most = std::max({most, strain.warp, strain.weft});
-        pinched = std::max(pinched, cloth.solver.contacts.moving.pinched);
+        pinched = std::max(pinched, cloth.solver->contacts.moving.pinched);
     });
     EXPECT_GT(pinched, 10);
     EXPECT_LT(most, 0.1F);
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         EXPECT_LT(std::abs(cloth.x[v.value].x()), 0.0201F);
-        EXPECT_FALSE(is_pinched(cloth.solver.contacts.moving, v));
+        EXPECT_FALSE(is_pinched(cloth.solver->contacts.moving, v));
     }
 }
 
@@ -238,7 +239,7 @@ TEST(MovingContact, tells_the_distance_between_vertices_from_their_planes) {
         const std::array<float, 3> shares{0.5F, 0.3F, 0.2F};
         Vec3f p = Vec3f::Zero();
         for (std::size_t k = 0; k < 3; ++k) p += shares[k] * cloth.x[leaf.v[k].value].head<3>();
-        const auto distance = distance_between(cloth.solver.contacts.moving, leaf.v, shares, p);
+        const auto distance = distance_between(cloth.solver->contacts.moving, leaf.v, shares, p);
         if (!distance) continue;
         ++told;
         const auto exact = scene.collider.surface().closest(p, 1);

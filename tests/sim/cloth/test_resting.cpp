@@ -1,4 +1,5 @@
 // Cloth at rest costs no computation, every change that could move it reactivates it, and moving cloth never rests.
+#include "sim/cloth/contact.h"
 #include "sim/cloth/resting.h"
 
 #include <gtest/gtest.h>

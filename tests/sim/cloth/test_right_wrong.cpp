@@ -7,7 +7,6 @@
 #include <map>
 #include <vector>
 
-#include "bench/support/measured_mesh.h"
 #include "sim/adaptive/check.h"
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/triangle_bending.h"

@@ -6,6 +6,7 @@
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/solver_lists.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/step.h"
 #include "sim/mesh/sew.h"
 #include "tests/sim/cloth/fixtures.h"
@@ -51,13 +52,13 @@ int adapt_and_compare(Cloth& cloth, float strength, std::mt19937& random) {
     int in_place = 0;
     for (int i = 0; i < 40; ++i) {
         shake(cloth, strength, random);
-        const std::size_t inserted = cloth.solver.lists.inserted;
+        const std::size_t inserted = cloth.solver->lists.inserted;
         if (!adapt_cloth(cloth, nothing_near(), {.shortest_edge = 0}).changed()) continue;
-        in_place += cloth.solver.lists.inserted > inserted ? 1 : 0;
+        in_place += cloth.solver->lists.inserted > inserted ? 1 : 0;
         Cloth anew = cloth;
-        mark_all_dirty(anew.solver.constraints);
+        mark_all_dirty(anew.solver->constraints);
         update_effective_masses(anew);
-        expect_same_blocks(cloth.solver.constraints, anew.solver.constraints);
+        expect_same_blocks(cloth.solver->constraints, anew.solver->constraints);
         if (::testing::Test::HasFailure()) return in_place;
         for (int k = 0; k < 2; ++k) step(cloth, nothing_near(), {.contact = {.floor = kNoFloor}});
     }
@@ -88,9 +89,9 @@ TEST(EffectiveMasses, of_few_changes_leave_most_blocks_alone) {
         adapt_cloth(cloth, nothing_near(), {.shortest_edge = 0});
     }
     // Blocks that are not marked as dirty are not written.
-    for (StretchBlock& block : cloth.solver.constraints.stretch.blocks) block.warp.fill(-1);
+    for (StretchBlock& block : cloth.solver->constraints.stretch.blocks) block.warp.fill(-1);
     update_effective_masses(cloth);
-    for (const StretchBlock& block : cloth.solver.constraints.stretch.blocks) EXPECT_EQ(block.warp[0], -1);
+    for (const StretchBlock& block : cloth.solver->constraints.stretch.blocks) EXPECT_EQ(block.warp[0], -1);
 }
 
 constexpr double kBand = 0.2;  // m, the shorter side

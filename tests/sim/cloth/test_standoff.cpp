@@ -1,4 +1,5 @@
 // Standoffs: the chords of coarse cloth stay out of a round body, and the contact offset may change.
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/standoff.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ float least_clearance(const Cloth& cloth) {
 }
 
 float largest_standoff(const Cloth& cloth) {
-    return *std::ranges::max_element(cloth.solver.contacts.standoff);
+    return *std::ranges::max_element(cloth.solver->contacts.standoff);
 }
 
 void fall(Cloth& cloth, bool with_standoffs) {
@@ -104,7 +105,7 @@ TEST(Standoff, finds_cloth_that_is_deepest_beside_its_middle_on_a_body_that_move
     refresh_contacts(cloth, options);
     find_moving_contacts(cloth, moving, options, 12);
     update_standoffs(cloth, moving);
-    for (const VertexId v : on_top) EXPECT_EQ(cloth.solver.contacts.standoff[v.value], kMaxStandoff);
+    for (const VertexId v : on_top) EXPECT_EQ(cloth.solver->contacts.standoff[v.value], kMaxStandoff);
 }
 
 // What the corners of a patch know of the skin tells nothing of a bump between them.
@@ -126,7 +127,7 @@ TEST(Standoff, finds_a_bump_of_a_body_that_moves) {
     EXPECT_LT(clearance(), -0.001F);
     for (int i = 0; i < 6; ++i) {
         find_moving_contacts(cloth, moving, options, 12);
-        cloth.solver.points = solver_points(cloth, cloth.x);
+        cloth.solver->points = solver_points(cloth, cloth.x);
         end_moving_contacts(cloth, options);
         update_standoffs(cloth, moving);
     }

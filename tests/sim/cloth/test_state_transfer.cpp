@@ -1,5 +1,6 @@
 // The biases of warp, weft and shear survive an adaptation, and bring cloth to the strain of its
 // stiffness.
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/state_transfer.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ LeafTriangle leaf_of(const Cloth& cloth, std::uint32_t triangle) {
 
 // The leaves with the biases in the solver's blocks.
 std::vector<BiasedLeaf> biases(const Cloth& cloth) {
-    const Constraints& constraints = cloth.solver.constraints;
+    const Constraints& constraints = cloth.solver->constraints;
     std::vector<BiasedLeaf> found;
     for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
         if (constraints.triangle_of[lane] == kNoBlockSlot) continue;
@@ -42,7 +43,7 @@ std::vector<BiasedLeaf> biases(const Cloth& cloth) {
 
 // Gives each leaf a different bias.
 void accumulate(Cloth& cloth, float scale) {
-    Constraints& constraints = cloth.solver.constraints;
+    Constraints& constraints = cloth.solver->constraints;
     for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
         if (constraints.triangle_of[lane] == kNoBlockSlot) continue;
         const LeafTriangle leaf = leaf_of(cloth, constraints.triangle_of[lane]);
@@ -62,7 +63,6 @@ bool is_inside(const Vec2f& p, const LeafTriangle& leaf) {
     return distance_to_triangle(p, leaf.u) <= 0;
 }
 
-const MinimumLevelDisc kDab{.panel = 0, .centre = Vec2f(0.05F, 0.03F), .radius = 0.04F, .level = 1};
 constexpr CriteriaOptions kNone{.collision = false, .curvature = false, .length = false};
 
 AdaptReport split_under_dab(Cloth& cloth) {
@@ -209,7 +209,7 @@ TEST(Bias, of_refined_triangles_comes_of_what_their_leaves_are_off_by_and_not_of
     refresh_solver(cloth);
     run(cloth, nothing_near(), {.contact = {.floor = kNoFloor}}, 1.0);
     int looked_at = 0;
-    for (const ParentLevel& level : cloth.solver.constraints.parents) {
+    for (const ParentLevel& level : cloth.solver->constraints.parents) {
         for (const LimitRecord& record : level.limits.records) {
             for (std::size_t at = 0; at < kBlock; ++at) {
                 if (record.offset[at] == kNoOffset) continue;
@@ -227,7 +227,7 @@ TEST(Bias, of_a_leaf_is_what_it_goes_on_to_carry_with_as_a_refined_triangle) {
     const std::vector<BiasedLeaf> before = biases(cloth);
     ASSERT_GT(split_under_dab(cloth).splits, 0);
     int refined = 0;
-    for (const LimitRecord& record : cloth.solver.constraints.parents[0].limits.records) {
+    for (const LimitRecord& record : cloth.solver->constraints.parents[0].limits.records) {
         for (std::size_t at = 0; at < kBlock; ++at) {
             if (record.offset[at] == kNoOffset) continue;
             const auto was = std::find_if(before.begin(), before.end(), [&](const BiasedLeaf& old) {

@@ -9,6 +9,7 @@
 
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/step.h"
 #include "sim/cloth/wind.h"
 #include "tests/sim/cloth/fixtures.h"
@@ -129,7 +130,7 @@ TEST(Step, no_spare_lane_is_taken_for_a_triangle_beyond_its_strain_limit) {
     Cloth cloth = make_patch(find_fabric("denim"));
     refine(cloth, 1);
     step(cloth, nothing_near(), {.contact = kNoContact});
-    const Constraints& constraints = cloth.solver.constraints;
+    const Constraints& constraints = cloth.solver->constraints;
     std::size_t spares = 0;
     for (std::size_t slot = 0; slot < constraints.triangle_of.size(); ++slot) {
         if (constraints.triangle_of[slot] != kNoBlockSlot) continue;
@@ -202,7 +203,7 @@ TEST(Step, a_soft_strip_stretches_under_its_weight_as_theory_says) {
     EXPECT_NEAR(1 - lowest, expected, 0.2 * expected);
 }
 
-struct Drape {
+struct DropSteps {
     float substep = 1.0F / 960.0F;  // s
     int substeps = 8;
 };
@@ -213,7 +214,7 @@ struct Dropped {
 };
 
 // A patch dropped on the ball with the adaptation of a garment.
-Dropped drop_on_ball(const std::string& fabric, const Drape& drape, double seconds) {
+Dropped drop_on_ball(const std::string& fabric, const DropSteps& drape, double seconds) {
     Cloth cloth = make_patch(find_fabric(fabric),
                              {.side = 0.5, .quads = 6, .height = 1.2, .max_level = 2, .substep = drape.substep});
     const StepOptions options{.substeps = drape.substeps, .extra_damping = 2};
@@ -303,7 +304,7 @@ TEST(Step, an_acceleration_too_small_for_the_floats_of_one_substep_is_not_lost) 
     EXPECT_NEAR(centre_of_mass(cloth).y() - before, -0.001, 0.0001);
 }
 
-constexpr float kArea = 0.16F;  // m^2, of the patch
+constexpr float kPatchArea = 0.16F;  // m^2, of the patch
 
 // Mean velocity, m/s.
 Vec3f drift(const Cloth& cloth) {
@@ -320,7 +321,7 @@ TEST(Wind, presses_on_what_stands_across_it_with_the_dynamic_pressure_of_the_air
     Cloth cloth = make_patch(fabric);
     const float seconds = 1e-4F;  // too short to follow the wind
     blow(cloth, {.velocity = Vec3f(0, 3, 0), .density = 1.2F, .coefficient = 1.1F}, seconds);
-    const double force = 0.5 * 1.2 * 1.1 * 9 * double(kArea);
+    const double force = 0.5 * 1.2 * 1.1 * 9 * double(kPatchArea);
     EXPECT_NEAR(double(drift(cloth).y()) * total_mass(cloth), force * double(seconds), 0.01 * force * double(seconds));
     EXPECT_NEAR(drift(cloth).x(), 0, 1e-6F);
 }

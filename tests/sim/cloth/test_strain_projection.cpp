@@ -1,4 +1,5 @@
 // The projection onto strain limits: what is beyond comes back, and nothing else changes.
+#include "sim/cloth/contact.h"
 #include "sim/cloth/strain_projection.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 // Bending has the fabric's rigidity on every mesh, at every level and for every number of sub-steps.
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/triangle_bending.h"
 
 #include <gtest/gtest.h>
@@ -76,9 +77,9 @@ TEST(TriangleBending, stores_half_b_k_squared_of_a_roll_in_whatever_direction_an
     }
 }
 
-const MinimumLevelDisc kDab{.panel = 0, .centre = Vec2f(0.0F, 0.0F), .radius = 0.12F, .level = 2};
+const MinimumLevelDisc kWideDab{.panel = 0, .centre = Vec2f(0.0F, 0.0F), .radius = 0.12F, .level = 2};
 const AdaptClothOptions kGraded{.criteria = {.collision = false, .curvature = false, .length = false},
-                                .minimum_levels = {&kDab, 1},
+                                .minimum_levels = {&kWideDab, 1},
                                 .shortest_edge = 0};
 
 // The area-weighted mean over all leaves with three hinges.
@@ -120,7 +121,7 @@ double push_of_fold(double degrees) {
     cloth.x[3] =
         Vec4f(0.05F, -0.1F * static_cast<float>(std::cos(angle)), 0.1F * static_cast<float>(std::sin(angle)), 0);
     std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-    kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 2);
+    kernels(simd_level()).solve_bend(cloth.solver->constraints.bend.blocks, floats(points), 2);
     return double((points[3] - solver_points(cloth, cloth.x)[3]).norm());
 }
 
@@ -147,7 +148,7 @@ TEST(TriangleBending, moves_no_point_twice_where_three_triangles_meet_alone) {
     mesh.panel_grain_angles = {0};
     Cloth cloth = make_cloth(mesh, {springy(0.1)});
     std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-    kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 2);
+    kernels(simd_level()).solve_bend(cloth.solver->constraints.bend.blocks, floats(points), 2);
     Vec3d push = Vec3d::Zero();
     double size = 0;
     for (std::size_t v = 0; v < 4; ++v) {
@@ -185,7 +186,7 @@ TEST(TriangleBending, hands_what_leaves_cannot_make_to_refined_triangles_and_not
     Cloth soft = make_patch(springy(1e-7));
     refine(soft, 2);
     EXPECT_NEAR(realised(soft).leaves, 1, 1e-6);
-    EXPECT_TRUE(std::ranges::none_of(soft.solver.constraints.parents, bends));
+    EXPECT_TRUE(std::ranges::none_of(soft.solver->constraints.parents, bends));
 
     Cloth stiff = make_patch(springy(1e-3));
     refine(stiff, 3);
@@ -232,7 +233,7 @@ TEST(TriangleBending, of_slow_triangles_waits_for_its_turn) {
     for (const VertexId v : cloth.mesh.leaf_vertices()) points[v.value].w() = cloth.inverse_mass[v.value];
     points.emplace_back(Vec4f::Zero());
     const std::vector<Vec4f> before = points;
-    auto& bend = cloth.solver.constraints.bend;
+    auto& bend = cloth.solver->constraints.bend;
     const std::vector<BendBlock> blocks = bend.blocks;
     kernels(simd_level()).solve_bend(bend.blocks, floats(points), 1);
     std::set<std::uint32_t> quick;  // vertices that a triangle with an interval of 1 may move
@@ -303,7 +304,7 @@ TEST(TriangleBending, gives_no_energy) {
             cloth.x[v.value].y() = 0.004F * std::sin(20 * p.x()) * std::cos(15 * p.z());
         }
         cloth.x_prev = cloth.x;
-        ASSERT_TRUE(std::ranges::any_of(cloth.solver.constraints.parents, bends) || substep < 1.0F / 500);
+        ASSERT_TRUE(std::ranges::any_of(cloth.solver->constraints.parents, bends) || substep < 1.0F / 500);
         const StepOptions free{.gravity = Vec3f::Zero(), .internal_damping = 0, .contact = {.floor = kNoFloor}};
         std::vector<float> most(4, 0.0F);
         for (float& speed : most) {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -11,16 +10,16 @@
 #include "sim/collide/collider.h"
 #include "sim/core/parallel.h"
 #include "sim/core/simd_level.h"
+#include "tests/sim/collide/support.h"
 #include "tests/support/bodies.h"
 
 namespace selvedge::sim {
 namespace {
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
-constexpr double kRadius = 0.08;
+constexpr double kBallRadius = 0.08;
 
 Body ball() {
-    return shapes::sphere({0.01, 0.9, -0.02}, kRadius, 24);
+    return shapes::sphere({0.01, 0.9, -0.02}, kBallRadius, 24);
 }
 Vec3f ball_centre() {
     return {0.01F, 0.9F, -0.02F};
@@ -39,7 +38,7 @@ std::vector<Vec3f> points_near_ball(int count, float depth, float height) {
     std::uniform_real_distribution<float> along(-depth, height);
     std::vector<Vec3f> points;
     for (int i = 0; i < count; ++i)
-        points.emplace_back(ball_centre() + (float(kRadius) + along(random)) * random_direction(random));
+        points.emplace_back(ball_centre() + (float(kBallRadius) + along(random)) * random_direction(random));
     return points;
 }
 
@@ -74,7 +73,8 @@ TEST(DistanceField, knows_the_side_of_points_beyond_the_band) {
     std::mt19937 random(3);
     for (int i = 0; i < 3000; ++i) {
         const Vec3f direction = random_direction(random);
-        std::uniform_real_distribution<float> inner(0, float(kRadius) - 0.013F), outer(float(kRadius) + 0.013F, 0.6F);
+        std::uniform_real_distribution<float> inner(0, float(kBallRadius) - 0.013F),
+            outer(float(kBallRadius) + 0.013F, 0.6F);
         const FieldSample deep = field.sample(ball_centre() + inner(random) * direction);
         EXPECT_EQ(deep.distance, -field.band());
         EXPECT_EQ(deep.gradient, Vec3f::Zero());
@@ -168,7 +168,7 @@ TEST(BodyCollider, pushes_a_vertex_out_from_however_deep) {
         const Contact contact = collider.contact(p);
         ASSERT_LT(contact.distance, collider.max_error());
         const Vec3f out = p + (0.003F - contact.distance) * contact.normal;
-        EXPECT_NEAR((out - ball_centre()).norm(), kRadius + 0.003, 0.0006);
+        EXPECT_NEAR((out - ball_centre()).norm(), kBallRadius + 0.003, 0.0006);
     }
 }
 

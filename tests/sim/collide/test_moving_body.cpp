@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/sim/collide/support.h"
 #include "tests/support/bodies.h"
 
 namespace selvedge::sim {
@@ -175,7 +176,6 @@ TEST(MovingBody, leaves_out_what_stays_outside_of_a_region_and_finds_it_again_wh
     MovingBodyCollider moving(body);
     const auto beside = [](float x) { return Region(std::vector<Vec3f>{Vec3f(x, 0, 0)}, 0.1F); };
     const Region right = beside(0.16F), left = beside(-0.16F);
-    constexpr float kFar = std::numeric_limits<float>::infinity();
     std::mt19937 random(11);
     bool has_left_out = false;
     for (const auto& [share, region] : {std::pair(0.2, right), {0.4, right}, {0.6, left}, {0.8, right}, {1.0, left}}) {

@@ -3,12 +3,11 @@
 #include <random>
 
 #include "sim/collide/surface_bvh.h"
+#include "tests/sim/collide/support.h"
 #include "tests/support/bodies.h"
 
 namespace selvedge::sim {
 namespace {
-
-constexpr float kFar = std::numeric_limits<float>::infinity();
 
 std::vector<Vec3f> random_points(int count, float half_width, unsigned seed) {
     std::mt19937 random(seed);

@@ -1,4 +1,5 @@
 // Garments on bodies that move: what follows the body, what is counted, and a whole animation.
+#include "sim/cloth/solver_state.h"
 #include "sim/dress/animation.h"
 
 #include <gtest/gtest.h>
@@ -123,8 +124,8 @@ TEST(MotionQuality, counts_what_is_deep_but_not_what_is_pinched) {
     EXPECT_EQ(quality.deep_vertices, 4);
     EXPECT_EQ(quality.deep_faces, 2);
     EXPECT_NEAR(quality.deepest_face, 0.002, 0.0005);
-    cloth.solver.contacts.moving.last.resize(cloth.x.size());
-    for (LastContact& last : cloth.solver.contacts.moving.last) last.is_pinched = true;
+    cloth.solver->contacts.moving.last.resize(cloth.x.size());
+    for (LastContact& last : cloth.solver->contacts.moving.last) last.is_pinched = true;
     MotionQuality pinched;
     pinched.note(cloth, collider, 0.04);
     EXPECT_EQ(pinched.deep_vertices, 0);

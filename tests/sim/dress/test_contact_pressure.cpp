@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <cstddef>
 
-#include "bench/support/measured_mesh.h"
 #include "sim/cloth/contact.h"
 #include "sim/dress/drape.h"
+#include "sim/mesh/square.h"
 #include "tests/sim/cloth/fixtures.h"
 
 namespace selvedge::sim::test {
@@ -18,7 +18,7 @@ const SphereCollider& head() {
 }
 
 Cloth cloth_at_rest_on_the_head() {
-    Cloth cloth = make_cloth(bench::make_square({.columns = 6, .rows = 6, .width = 0.4, .depth = 0.4, .height = 1.17}),
+    Cloth cloth = make_cloth(sim::make_square({.columns = 6, .rows = 6, .width = 0.4, .depth = 0.4, .height = 1.17}),
                              {find_fabric("cotton_shirting")}, {.max_level = 2});
     DrapeRun run(cloth, drape_options({.max_level = 2}));
     while (run.advance(cloth, head())) continue;
@@ -55,7 +55,7 @@ TEST(ContactPressure, only_what_touches_is_pressed) {
 }
 
 TEST(ContactPressure, nothing_presses_on_nothing) {
-    Cloth cloth = make_cloth(bench::make_square({.columns = 2, .rows = 2, .width = 0.4, .depth = 0.4, .height = 5}),
+    Cloth cloth = make_cloth(sim::make_square({.columns = 2, .rows = 2, .width = 0.4, .depth = 0.4, .height = 5}),
                              {find_fabric("cotton_shirting")});
     refresh_contacts(cloth);
     for (const Vec3f& force : measure_contact_pressure(cloth, NoBody(), {}).force) EXPECT_EQ(force, Vec3f::Zero());

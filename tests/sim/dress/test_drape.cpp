@@ -5,7 +5,6 @@
 #include <limits>
 #include <memory>
 
-#include "bench/support/measured_mesh.h"
 #include "sim/cloth/contact_surface.h"
 #include "sim/collide/body_collider.h"
 #include "sim/collide/collider.h"
@@ -15,6 +14,7 @@
 #include "sim/dress/sewing.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/mesh/sew.h"
+#include "sim/mesh/square.h"
 #include "sim/selfcontact/crossings.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/sim/mesh/shapes.h"
@@ -23,13 +23,13 @@
 namespace selvedge::sim::test {
 namespace {
 
-const SphereCollider& ball() {
+const SphereCollider& exact_ball() {
     static const SphereCollider sphere(Vec3f(0, 1, 0), 0.15F);
     return sphere;
 }
 
 Cloth cloth_above_the_ball() {
-    return make_cloth(bench::make_square({.columns = 6, .rows = 6, .width = 0.4, .depth = 0.4, .height = 1.17}),
+    return make_cloth(sim::make_square({.columns = 6, .rows = 6, .width = 0.4, .depth = 0.4, .height = 1.17}),
                       {find_fabric("cotton_shirting")}, {.max_level = 2});
 }
 
@@ -51,13 +51,13 @@ DrapeOptions endless() {
 TEST(DrapeRun, a_cloth_at_rest_is_neither_adapted_nor_stepped) {
     Cloth cloth = cloth_above_the_ball();
     DrapeRun run(cloth, endless());
-    for (int frame = 0; frame < 600 && !is_at_rest(cloth); ++frame) run.advance(cloth, ball());
+    for (int frame = 0; frame < 600 && !is_at_rest(cloth); ++frame) run.advance(cloth, exact_ball());
     ASSERT_TRUE(is_at_rest(cloth));
     ASSERT_GT(cloth.mesh.leaf_triangles().size(), cloth.mesh.base_triangle_count());
     const std::vector<Vec4f> there = cloth.x;
     const std::uint32_t adaptations = cloth.adaptations;
     run.clear_times();
-    for (int frame = 0; frame < 60; ++frame) run.advance(cloth, ball());
+    for (int frame = 0; frame < 60; ++frame) run.advance(cloth, exact_ball());
     EXPECT_EQ(cloth.x, there);
     EXPECT_EQ(cloth.adaptations, adaptations);
     EXPECT_TRUE(run.result().adaptation_ms.empty());
@@ -69,7 +69,7 @@ TEST(DrapeRun, rests_only_where_that_is_asked_for) {
     DrapeOptions options = endless();
     options.may_rest = false;
     DrapeRun run(cloth, options);
-    for (int frame = 0; frame < 300; ++frame) run.advance(cloth, ball());
+    for (int frame = 0; frame < 300; ++frame) run.advance(cloth, exact_ball());
     EXPECT_FALSE(is_at_rest(cloth));
     EXPECT_EQ(run.result().step_ms.size(), 4 * 300U);
 }
@@ -79,16 +79,16 @@ TEST(DrapeRun, adapts_calm_cloth_in_every_third_frame) {
     DrapeOptions options = endless();
     options.may_rest = false;
     DrapeRun run(cloth, options);
-    for (int frame = 0; frame < 300; ++frame) run.advance(cloth, ball());
+    for (int frame = 0; frame < 300; ++frame) run.advance(cloth, exact_ball());
     ASSERT_LT(run.result().rms_speed, options.calm_speed);
     const std::size_t before = run.result().adaptation_ms.size();
-    for (int frame = 0; frame < 30; ++frame) run.advance(cloth, ball());
+    for (int frame = 0; frame < 30; ++frame) run.advance(cloth, exact_ball());
     EXPECT_EQ(run.result().adaptation_ms.size() - before, 10U);
 }
 
 // The time at which a square that hangs by its upper edge, with nothing to move it, is known to be at rest, s.
 double seconds_to_rest(double least_rest_time) {
-    GarmentMesh mesh = bench::make_square({.columns = 4, .rows = 4, .width = 0.2, .depth = 0.2, .height = 1});
+    GarmentMesh mesh = sim::make_square({.columns = 4, .rows = 4, .width = 0.2, .depth = 0.2, .height = 1});
     for (std::size_t v = 0; v < mesh.x.size(); ++v) mesh.pins.push_back(static_cast<int>(v));
     Cloth cloth = make_cloth(mesh, {find_fabric("cotton_shirting")}, {.max_level = 1});
     DrapeRun run(cloth, {.least_rest_time = least_rest_time, .relax_time = 0.1, .coarse_time = 0, .finish_time = 0});
@@ -105,11 +105,11 @@ TEST(DrapeRun, gives_up_a_garment_that_hangs_calmly) {
     Cloth cloth = cloth_above_the_ball();
     DrapeRun run(cloth, {.relax_time = 0.1, .coarse_time = 0});
     EXPECT_FALSE(run.hangs_calmly());
-    while (!run.hangs_calmly()) ASSERT_TRUE(run.advance(cloth, ball()));
+    while (!run.hangs_calmly()) ASSERT_TRUE(run.advance(cloth, exact_ball()));
     const double seconds = run.result().simulated_seconds;
     run.give_up(cloth, GiveUp::TooSmall);
     EXPECT_FALSE(run.hangs_calmly());
-    while (run.advance(cloth, ball())) continue;
+    while (run.advance(cloth, exact_ball())) continue;
     EXPECT_EQ(run.result().given_up, GiveUp::TooSmall);
     EXPECT_FALSE(run.result().settled);
     EXPECT_EQ(run.result().stopped_because(), "too small");
@@ -120,7 +120,7 @@ TEST(DrapeRun, has_its_last_phase_within_half_a_frame_of_a_limit_that_leaves_tim
     for (const double limit : {0.8, 0.81, 0.82, 0.83}) {
         Cloth cloth = cloth_above_the_ball();
         DrapeRun run(cloth, {.max_seconds = limit, .relax_time = 0.1, .coarse_time = 0});
-        while (run.phase() != DrapePhase::Finish) ASSERT_TRUE(run.advance(cloth, ball())) << limit;
+        while (run.phase() != DrapePhase::Finish) ASSERT_TRUE(run.advance(cloth, exact_ball())) << limit;
         EXPECT_NEAR(run.result().simulated_seconds + DrapeOptions{}.finish_time, limit, 0.0168);
     }
 }
@@ -130,7 +130,7 @@ TEST(DrapeRun, gives_up_before_it_relaxes_what_fits_nowhere) {
     DrapeRun run(cloth, {});
     run.give_up(cloth, GiveUp::TooSmall);
     EXPECT_EQ(run.phase(), DrapePhase::Finish);
-    while (run.advance(cloth, ball())) continue;
+    while (run.advance(cloth, exact_ball())) continue;
     EXPECT_EQ(run.result().stopped_because(), "too small");
     EXPECT_LE(run.result().simulated_seconds, 3 * DrapeOptions{}.finish_time + 0.1);
 }

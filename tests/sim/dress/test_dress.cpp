@@ -21,6 +21,7 @@
 #include "sim/mannequin/mannequin.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/sim/dress/shapes.h"
+#include "tests/sim/dress/support.h"
 #include "tests/support/bodies.h"
 #include "tests/support/mannequin.h"
 #include "tests/support/right_wrong.h"
@@ -32,15 +33,6 @@ DressOptions up_to_level(int max_level) {
     DressOptions options;
     options.max_level = max_level;
     return options;
-}
-
-// One fault per line, for the message of a failing test.
-std::string list_faults(const DressReport& report) {
-    std::string text;
-    for (const DressFault& fault : report.faults) {
-        text += fault.kind + ": " + fault.place + " (" + std::to_string(fault.value) + ")\n";
-    }
-    return text;
 }
 
 // Checks independently of the report that a garment without faults is well dressed.

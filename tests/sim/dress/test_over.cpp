@@ -18,6 +18,7 @@
 #include "sim/mesh/sew.h"
 #include "sim/pattern/garments.h"
 #include "tests/sim/dress/shapes.h"
+#include "tests/sim/dress/support.h"
 #include "tests/support/mannequin.h"
 
 namespace selvedge::sim::test {
@@ -75,12 +76,6 @@ double mean_radius(const DrawMesh& mesh, std::uint16_t first_panel, std::uint16_
         }
     }
     return sum / count;
-}
-
-std::string list_faults(const DressReport& report) {
-    std::string text;
-    for (const DressFault& fault : report.faults) text += fault.kind + ": " + fault.place + "\n";
-    return text;
 }
 
 TEST(Dress, does_not_give_up_an_outfit_because_one_of_its_garments_slips) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -14,6 +13,7 @@
 #include "sim/core/file.h"
 #include "sim/exchange/mesh_cache.h"
 #include "sim/exchange/mesh_file.h"
+#include "tests/sim/exchange/file_bytes.h"
 #include "tests/sim/exchange/glb_container.h"
 #include "tests/sim/exchange/two_panels.h"
 #include "tests/support/bodies.h"
@@ -21,8 +21,6 @@
 
 namespace selvedge::sim {
 namespace {
-
-constexpr std::size_t kLimit = 1 << 24;
 
 // The panels swing about the vertical axis, and one vertex has a way of its own.
 std::vector<Vec3f> frame_of(const DrawMesh& mesh, std::size_t frame) {
@@ -63,13 +61,6 @@ struct ReadPc2 {
     float start = 0, rate = 0;
     std::vector<float> numbers;
 };
-
-template <class T>
-T value_at(const std::string& bytes, std::size_t offset) {
-    T value{};
-    std::memcpy(&value, bytes.substr(offset, sizeof value).data(), sizeof value);
-    return value;
-}
 
 ReadPc2 read_pc2(const std::filesystem::path& path) {
     const std::string bytes = read_file(path, kLimit);

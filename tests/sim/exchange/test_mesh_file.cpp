@@ -17,6 +17,7 @@
 #include "sim/exchange/glb_file.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/exchange/obj_text.h"
+#include "tests/sim/exchange/file_bytes.h"
 #include "tests/sim/exchange/glb_container.h"
 #include "tests/sim/exchange/two_panels.h"
 #include "tests/support/bodies.h"
@@ -25,8 +26,6 @@
 
 namespace selvedge::sim {
 namespace {
-
-constexpr std::size_t kLimit = 1 << 24;
 
 // Compares corners and not vertices, because reading may renumber the vertices.
 void expect_same_garment(const DrawMesh& read, const DrawMesh& written, float tolerance) {

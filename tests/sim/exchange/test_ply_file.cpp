@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <assimp/Importer.hpp>
-#include <cstring>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "sim/exchange/mesh_file.h"
+#include "tests/sim/exchange/file_bytes.h"
 #include "tests/sim/exchange/two_panels.h"
 #include "tests/support/bodies.h"
 
@@ -22,7 +22,7 @@ struct Ply {
     std::string data;
 };
 
-Ply open(const std::string& bytes) {
+Ply open_ply(const std::string& bytes) {
     const std::string end = "end_header\n";
     const std::size_t data = bytes.find(end) + end.size();
     Ply ply{{}, bytes.substr(data)};
@@ -31,17 +31,10 @@ Ply open(const std::string& bytes) {
     return ply;
 }
 
-template <class T>
-T value_at(const std::string& bytes, std::size_t offset) {
-    T value{};
-    std::memcpy(&value, bytes.data() + offset, sizeof value);
-    return value;
-}
-
 TEST(PlyFile, names_its_properties_and_panels_in_the_header) {
     DrawMesh mesh = two_panels();
     mesh.panel_names[1] = "left\nsleeve";
-    EXPECT_EQ(open(garment_ply(mesh)).header,
+    EXPECT_EQ(open_ply(garment_ply(mesh)).header,
               (std::vector<std::string>{
                   "ply",
                   "format binary_little_endian 1.0",
@@ -68,7 +61,7 @@ TEST(PlyFile, names_its_properties_and_panels_in_the_header) {
 TEST(PlyFile, holds_each_corner_with_its_material_coordinates_panel_and_seam) {
     constexpr std::size_t kVertex = 10 * sizeof(float) + 5, kFace = 13;
     const DrawMesh mesh = sewn_right_to_wrong();
-    const std::string data = open(garment_ply(mesh)).data;
+    const std::string data = open_ply(garment_ply(mesh)).data;
     std::vector<PanelPart> parts = split_by_panel(mesh);
     pack_panels(parts, {});
     ASSERT_EQ(data.size(), 8 * kVertex + 4 * kFace);
@@ -96,19 +89,20 @@ TEST(PlyFile, holds_the_body_after_the_cloth_when_asked_to) {
     constexpr std::size_t kVertex = 10 * sizeof(float) + 5, kFace = 13;
     const Body box = shapes::box({0, 0, 0}, {1, 1, 1}, 1);
     const std::string without = garment_ply(two_panels()), with = garment_ply(two_panels(), {.body = &box});
-    const Ply ply = open(with);
+    const Ply ply = open_ply(with);
     EXPECT_EQ(std::ranges::count(ply.header, "comment panel -1 is the body"), 1);
     EXPECT_EQ(std::ranges::count(ply.header, "element vertex " + std::to_string(8 + box.x.size())), 1);
     EXPECT_EQ(std::ranges::count(ply.header, "element face " + std::to_string(4 + box.triangles.size())), 1);
     ASSERT_EQ(ply.data.size(), (8 + box.x.size()) * kVertex + (4 + box.triangles.size()) * kFace);
-    EXPECT_EQ(ply.data.substr(0, 8 * kVertex), open(without).data.substr(0, 8 * kVertex)) << "the cloth is the same";
+    EXPECT_EQ(ply.data.substr(0, 8 * kVertex), open_ply(without).data.substr(0, 8 * kVertex))
+        << "the cloth is the same";
     for (std::size_t v = 0; v < box.x.size(); ++v) {
         const std::size_t at = (8 + v) * kVertex;
         EXPECT_EQ(value_at<float>(ply.data, at + 4), static_cast<float>(box.x[v].y()));
         EXPECT_EQ(value_at<std::int32_t>(ply.data, at + 40), -1);
     }
     const std::size_t faces = (8 + box.x.size()) * kVertex;
-    EXPECT_EQ(ply.data.substr(faces, 4 * kFace), open(without).data.substr(8 * kVertex));
+    EXPECT_EQ(ply.data.substr(faces, 4 * kFace), open_ply(without).data.substr(8 * kVertex));
     for (std::size_t t = 0; t < box.triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k)
             EXPECT_EQ(value_at<std::uint32_t>(ply.data, faces + (4 + t) * kFace + 1 + 4 * k),
@@ -136,7 +130,7 @@ TEST(PlyFile, leaves_out_what_a_mesh_does_not_have) {
     bare.u.clear();
     EXPECT_EQ(garment_ply(bare).find("property float s"), std::string::npos);
     const Body box = shapes::box({0, 0, 0}, {1, 1, 1}, 1);
-    const Ply body = open(body_ply(box));
+    const Ply body = open_ply(body_ply(box));
     EXPECT_EQ(body.header.size(), 3U + 1U + 6U + 2U);  // three lines, the vertices with their properties, the faces
     EXPECT_EQ(body.data.size(), 24 * box.x.size() + 13 * box.triangles.size());
 }

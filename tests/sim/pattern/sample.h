@@ -1,8 +1,11 @@
 #pragma once
 // A small garment file as text, which tests modify to create faults.
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include "sim/pattern/pattern_file.h"
 
 namespace selvedge::sim {
 
@@ -37,6 +40,13 @@ inline std::string replaced(std::string text, const std::string& from, const std
     EXPECT_NE(at, std::string::npos) << from;
     if (at != std::string::npos) text.replace(at, from.size(), to);
     return text;
+}
+
+// What the check of a garment's text finds, a fault each.
+inline std::vector<std::string> faults_of(const std::string& text) {
+    std::vector<std::string> lines;
+    for (const Fault& fault : check_pattern_text(text, "f.json")) lines.push_back(describe(fault));
+    return lines;
 }
 
 }  // namespace selvedge::sim

@@ -10,12 +10,6 @@
 namespace selvedge::sim {
 namespace {
 
-std::vector<std::string> faults_of(const std::string& text) {
-    std::vector<std::string> lines;
-    for (const Fault& fault : check_pattern_text(text, "f.json")) lines.push_back(describe(fault));
-    return lines;
-}
-
 // A replacement that makes the sample text wrong, and the only line that the check should report.
 struct Case {
     friend void PrintTo(const Case& spoilt, std::ostream* out) { *out << spoilt.name; }

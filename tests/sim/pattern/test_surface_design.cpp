@@ -21,12 +21,6 @@ std::string with_surface(const std::string& surface) {
     return replaced(sample_text(), R"("pattern": {)", R"("selvedge": {"surface": )" + surface + R"(}, "pattern": {)");
 }
 
-std::vector<std::string> faults_of(const std::string& surface) {
-    std::vector<std::string> lines;
-    for (const Fault& fault : check_pattern_text(with_surface(surface), "f.json")) lines.push_back(describe(fault));
-    return lines;
-}
-
 TEST(SurfaceDesign, comes_back_from_a_file_as_it_was) {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder / "mine.json";
@@ -61,7 +55,7 @@ TEST(SurfaceDesign, another_kind_leaves_nothing_of_the_one_before) {
 
 TEST(SurfaceDesign, what_is_wrong_is_told_with_its_place) {
     const auto only = [](const std::string& surface) {
-        const std::vector<std::string> lines = faults_of(surface);
+        const std::vector<std::string> lines = faults_of(with_surface(surface));
         return lines.size() == 1 ? lines[0] : std::to_string(lines.size()) + " faults";
     };
     EXPECT_EQ(only(R"({})"), "f.json: selvedge.surface: no key 'kind'");
@@ -72,7 +66,7 @@ TEST(SurfaceDesign, what_is_wrong_is_told_with_its_place) {
     EXPECT_EQ(only(R"({"kind": "test", "size": 0})"),
               "f.json: selvedge.surface.size: 0 is no size of a repeat: 0.1 to 500 cm are");
     EXPECT_NE(only(R"({"kind": "velvet"})").find("velvet"), std::string::npos);
-    EXPECT_TRUE(faults_of(R"({"kind": "tartan"})").empty());
+    EXPECT_TRUE(faults_of(with_surface(R"({"kind": "tartan"})")).empty());
 }
 
 TEST(SurfaceDesign, a_fabric_file_may_have_one_in_metres) {

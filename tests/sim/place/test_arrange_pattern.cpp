@@ -11,19 +11,11 @@
 #include "sim/pattern/outline.h"
 #include "sim/place/panel_clearance.h"
 #include "sim/place/panel_cones.h"
+#include "tests/sim/place/support.h"
 #include "tests/support/mannequin.h"
 
 namespace selvedge::sim::test {
 namespace {
-
-// Edges: 0 bottom, 1 right, 2 top, 3 left.
-Panel rectangle(const char* name, double width, double height) {
-    Panel panel;
-    panel.name = name;
-    panel.vertices = {{0, 0}, {width, 0}, {width, height}, {0, height}};
-    for (int i = 0; i < 4; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % 4});
-    return panel;
-}
 
 Vec3d middle_of(const Panel& panel) {
     return panel.place(outline_box(panel).center());
@@ -32,8 +24,8 @@ Vec3d middle_of(const Panel& panel) {
 // A boxy shirt: front and back sewn at the sides, sleeves sewn to the tops of both.
 Pattern shirt() {
     Pattern pattern;
-    pattern.panels = {rectangle("front", 0.5, 0.6), rectangle("back", 0.5, 0.6), rectangle("sleeve", 0.4, 0.2),
-                      rectangle("sleeve_mirrored", 0.4, 0.2)};
+    pattern.panels = {unplaced_rectangle("front", 0.5, 0.6), unplaced_rectangle("back", 0.5, 0.6),
+                      unplaced_rectangle("sleeve", 0.4, 0.2), unplaced_rectangle("sleeve_mirrored", 0.4, 0.2)};
     pattern.panels[3].mirror_of = "sleeve";
     // Right edges in two: the upper part is the armhole.
     for (std::size_t p = 0; p < 2; ++p) {
@@ -47,7 +39,7 @@ Pattern shirt() {
 // Drawn upside down: its upper edge is sewn to the back.
 TEST(ArrangePattern, wraps_collar_stands_round_the_neck_open_before_it) {
     Pattern pattern = shirt();
-    pattern.panels.push_back(rectangle("collar stand", 0.45, 0.04));
+    pattern.panels.push_back(unplaced_rectangle("collar stand", 0.45, 0.04));
     constexpr int kStand = 4, kTop = 3;  // of the back: its sides are in two
     pattern.seams.push_back({{1, kTop}, {kStand, 2}});
     arrange_pattern(pattern, mannequin());
@@ -169,7 +161,7 @@ TEST(ArrangePattern, starts_a_band_lower_if_it_is_longer_than_the_waist) {
     double last = 10;
     for (const double length : {0.6, 0.75, 0.85, 2.0}) {
         Pattern pattern;
-        pattern.panels = {rectangle("waistband", length, 0.04)};
+        pattern.panels = {unplaced_rectangle("waistband", length, 0.04)};
         pattern.seams = {{{0, 1}, {0, 3}}};
         arrange_pattern(pattern, mannequin());
         const double height = middle_of(pattern.panels[0]).y();
@@ -184,8 +176,8 @@ TEST(ArrangePattern, starts_a_band_lower_if_it_is_longer_than_the_waist) {
 
 TEST(ArrangePattern, says_what_it_placed_by_guess_and_continues_what_is_sewn) {
     Pattern pattern = shirt();
-    pattern.panels.push_back(rectangle("thing", 0.2, 0.2));
-    pattern.panels.push_back(rectangle("yoke", 0.5, 0.1));
+    pattern.panels.push_back(unplaced_rectangle("thing", 0.2, 0.2));
+    pattern.panels.push_back(unplaced_rectangle("yoke", 0.5, 0.1));
     pattern.seams.push_back({{0, 3}, {5, 0}});  // on the front's top
     const Arrangement arrangement = arrange_pattern(pattern, mannequin());
     ASSERT_EQ(arrangement.notes.size(), 1U);
@@ -213,7 +205,7 @@ Pattern long_sleeved() {
     pattern.panels[2] = polygon("sleeve", {{-0.11, 0}, {0.11, 0}, {0.19, 0.55}, {-0.19, 0.55}});
     pattern.panels[3] = polygon("sleeve_mirrored", {{-0.11, 0}, {0.11, 0}, {0.19, 0.55}, {-0.19, 0.55}});
     pattern.panels[3].mirror_of = "sleeve";
-    pattern.panels.push_back(rectangle("cuff", 0.08, 0.2));
+    pattern.panels.push_back(unplaced_rectangle("cuff", 0.08, 0.2));
     for (const int sleeve : {2, 3}) pattern.seams.push_back({{sleeve, 1}, {sleeve, 3}});
     pattern.seams.push_back({{0, 2}, {2, 2}});
     pattern.seams.push_back({{0, 4}, {3, 2}});
@@ -262,7 +254,7 @@ TEST(ArrangePattern, turns_a_cuff_level_and_puts_it_round_the_arm_of_its_sleeve)
 
 TEST(ArrangePattern, puts_a_waistband_of_a_bodice_at_its_hem_with_its_ends_where_the_seam_ends) {
     Pattern pattern = shirt();
-    pattern.panels.push_back(rectangle("waistband", 1.0, 0.08));
+    pattern.panels.push_back(unplaced_rectangle("waistband", 1.0, 0.08));
     split_edge(pattern.panels[4], 2, 0.5);
     // From the wearer's left side over the front: the first half of the upper edge to the front.
     pattern.seams.push_back({{0, 0}, {4, 2}});
@@ -281,8 +273,8 @@ TEST(ArrangePattern, puts_a_waistband_of_a_bodice_at_its_hem_with_its_ends_where
 TEST(ArrangePattern, stands_the_sides_of_a_hood_beside_the_head_and_bends_the_strip_over_it) {
     Pattern pattern;
     // Neck 0, back 1, top 2, face 3; the image has its back 3.
-    pattern.panels = {rectangle("hoodSide", 0.25, 0.35), rectangle("hoodSide_mirrored", 0.25, 0.35),
-                      rectangle("hoodCenter", 0.35, 0.08)};
+    pattern.panels = {unplaced_rectangle("hoodSide", 0.25, 0.35), unplaced_rectangle("hoodSide_mirrored", 0.25, 0.35),
+                      unplaced_rectangle("hoodCenter", 0.35, 0.08)};
     pattern.panels[1].mirror_of = "hoodSide";
     pattern.seams = {{{0, 1}, {2, 0}}, {{1, 3}, {2, 2}}};
     arrange_pattern(pattern, mannequin());
@@ -322,8 +314,8 @@ TEST(ArrangePattern, lifts_a_high_necked_front_until_its_shoulders_pass_over_the
 
 TEST(ArrangePattern, lets_a_yoke_go_on_from_the_back_though_single_edges_of_it_are_short) {
     Pattern pattern;
-    pattern.panels = {rectangle("front_right", 0.2, 0.6), rectangle("front_left", 0.2, 0.6),
-                      rectangle("back", 0.4, 0.6), rectangle("yoke", 0.4, 0.1)};
+    pattern.panels = {unplaced_rectangle("front_right", 0.2, 0.6), unplaced_rectangle("front_left", 0.2, 0.6),
+                      unplaced_rectangle("back", 0.4, 0.6), unplaced_rectangle("yoke", 0.4, 0.1)};
     Panel& back = pattern.panels[2];
     Panel& yoke = pattern.panels[3];
     split_edge(yoke, 2, 0.5);

@@ -34,7 +34,7 @@ struct Tube {
 };
 
 // A tube with open ends round an axis.
-DrawMesh tube(const Tube& tube) {
+DrawMesh worn_tube(const Tube& tube) {
     constexpr unsigned kRound = 32;
     const Vec3d axis = (tube.to - tube.from).normalized();
     const Vec3d first = axis.unitOrthogonal(), second = axis.cross(first);
@@ -86,7 +86,7 @@ TEST(FitTable, measures_the_mannequin_as_it_was_asked_for) {
 
 TEST(FitTable, measures_a_tube_round_the_trunk_in_its_cloth) {
     const std::vector<FitRow> rows =
-        fit_on(tube({.from = {0, 0.9, 0}, .to = {0, 1.2, 0}, .radius = 0.19, .girth = 0.9}), mannequin());
+        fit_on(worn_tube({.from = {0, 0.9, 0}, .to = {0, 1.2, 0}, .radius = 0.19, .girth = 0.9}), mannequin());
     const FitRow& waist = row(rows, "waist");
     EXPECT_NEAR(waist.garment_girth.value(), 0.9, 1e-6);
     EXPECT_NEAR(waist.ease().value(), 0.9 - *waist.body_girth, 1e-6);
@@ -97,49 +97,51 @@ TEST(FitTable, measures_a_tube_round_the_trunk_in_its_cloth) {
 TEST(FitTable, the_waist_of_a_skirt_that_hangs_lower_is_at_its_upper_edge) {
     const Body& body = mannequin();
     const double height = find_stature(body).height(), waist = torso_heights(body, find_stature(body)).waist;
-    const DrawMesh skirt = tube({Vec3d(0, 0.4, 0), Vec3d(0, waist - 0.02 * height, 0), 0.25, 0.9});
+    const DrawMesh skirt = worn_tube({Vec3d(0, 0.4, 0), Vec3d(0, waist - 0.02 * height, 0), 0.25, 0.9});
     const FitRow lower = row(fit_on(skirt, body), "waist");
     ASSERT_TRUE(lower.garment_girth.has_value());
     EXPECT_NEAR(*lower.garment_girth, 0.9, 1e-6);
     EXPECT_EQ(*lower.body_girth, *row(fit_on({}, body), "waist").body_girth) << "a body has one waist";
-    const DrawMesh stocking = tube({Vec3d(0, 0.1, 0), Vec3d(0, 0.5 * height, 0), 0.25, 0.9});
+    const DrawMesh stocking = worn_tube({Vec3d(0, 0.1, 0), Vec3d(0, 0.5 * height, 0), 0.25, 0.9});
     EXPECT_FALSE(row(fit_on(stocking, body), "waist").garment_girth.has_value());
 }
 
 TEST(FitTable, the_chest_of_a_garment_is_under_its_armholes) {
     const Body& body = mannequin();
     const double waist = torso_heights(body, find_stature(body)).waist;
-    const DrawMesh under_the_bust = tube({Vec3d(0, waist - 0.2, 0), Vec3d(0, waist + 0.06, 0), 0.22, 0.98});
+    const DrawMesh under_the_bust = worn_tube({Vec3d(0, waist - 0.2, 0), Vec3d(0, waist + 0.06, 0), 0.22, 0.98});
     const FitRow bust = row(fit_on(under_the_bust, body), "bust");
     EXPECT_EQ(*bust.body_girth, *row(fit_on({}, body), "bust").body_girth);
     EXPECT_NEAR(bust.garment_girth.value(), 0.98, 1e-6);
-    const DrawMesh below_the_waist = tube({Vec3d(0, waist - 0.3, 0), Vec3d(0, waist - 0.05, 0), 0.22, 0.98});
+    const DrawMesh below_the_waist = worn_tube({Vec3d(0, waist - 0.3, 0), Vec3d(0, waist - 0.05, 0), 0.22, 0.98});
     EXPECT_FALSE(row(fit_on(below_the_waist, body), "bust").garment_girth.has_value());
 }
 
 TEST(FitTable, a_cape_round_the_arms_has_no_girth_of_the_trunk) {
     const std::vector<FitRow> rows =
-        fit_on(tube({.from = {0, 0.8, 0}, .to = {0, 1.35, 0}, .radius = 0.9, .girth = 5.6}), mannequin());
+        fit_on(worn_tube({.from = {0, 0.8, 0}, .to = {0, 1.35, 0}, .radius = 0.9, .girth = 5.6}), mannequin());
     for (const FitRow& one : rows) EXPECT_FALSE(one.garment_girth) << one.measure;
 }
 
 TEST(FitTable, a_sleeve_is_measured_square_to_the_arm_and_a_skirt_has_no_thigh) {
     const BodyLimbs limbs = find_limbs(mannequin());
     const Limb& arm = limbs[LimbKind::LeftArm];
-    const std::vector<FitRow> sleeve = fit_on(
-        tube({.from = arm.joints[0].centre, .to = arm.joints[1].centre, .radius = 0.06, .girth = 0.38}), mannequin());
+    const std::vector<FitRow> sleeve =
+        fit_on(worn_tube({.from = arm.joints[0].centre, .to = arm.joints[1].centre, .radius = 0.06, .girth = 0.38}),
+               mannequin());
     EXPECT_NEAR(row(sleeve, "left_sleeve").garment_girth.value(), 0.38, 1e-6);
     EXPECT_FALSE(row(sleeve, "right_sleeve").garment_girth);
     EXPECT_FALSE(row(sleeve, "bust").garment_girth);
 
     const std::vector<FitRow> skirt =
-        fit_on(tube({.from = {0, 0.4, 0}, .to = {0, 1.0, 0}, .radius = 0.25, .girth = 1.6}), mannequin());
+        fit_on(worn_tube({.from = {0, 0.4, 0}, .to = {0, 1.0, 0}, .radius = 0.25, .girth = 1.6}), mannequin());
     EXPECT_FALSE(row(skirt, "left_thigh").garment_girth);
     EXPECT_NEAR(row(skirt, "hip").garment_girth.value(), 1.6, 1e-6);
 
     const Limb& leg = limbs[LimbKind::RightLeg];
-    const std::vector<FitRow> trouser = fit_on(
-        tube({.from = leg.joints[0].centre, .to = leg.joints[1].centre, .radius = 0.1, .girth = 0.66}), mannequin());
+    const std::vector<FitRow> trouser =
+        fit_on(worn_tube({.from = leg.joints[0].centre, .to = leg.joints[1].centre, .radius = 0.1, .girth = 0.66}),
+               mannequin());
     EXPECT_NEAR(row(trouser, "right_thigh").garment_girth.value(), 0.66, 1e-6);
     EXPECT_FALSE(row(trouser, "left_thigh").garment_girth);
 }

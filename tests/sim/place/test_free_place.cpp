@@ -4,19 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "sim/pattern/outline.h"
+#include "tests/sim/place/support.h"
 #include "tests/support/mannequin.h"
 
 namespace selvedge::sim::test {
 namespace {
-
-// Edges: 0 bottom, 1 right, 2 top, 3 left.
-Panel rectangle(double width, double height) {
-    Panel panel;
-    panel.name = "panel";
-    panel.vertices = {{0, 0}, {width, 0}, {width, height}, {0, height}};
-    for (int i = 0; i < 4; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % 4});
-    return panel;
-}
 
 Eigen::AlignedBox3d box_of(const Panel& panel) {
     Eigen::AlignedBox3d box;
@@ -36,7 +28,7 @@ TEST(FreePlace, new_panels_stand_beside_each_other_before_the_body) {
     const Body& body = mannequin();
     Pattern pattern;
     for (int i = 0; i < 5; ++i) {
-        Panel panel = rectangle(0.3 + 0.05 * i, 0.4);
+        Panel panel = unplaced_rectangle("panel", 0.3 + 0.05 * i, 0.4);
         place_freely(panel, pattern, &body);
         EXPECT_GT(panel.translation.z(), 0.3);
         EXPECT_GT(distance_to(body, box_of(panel)), 0.02);
@@ -51,7 +43,7 @@ TEST(FreePlace, a_copy_of_a_bent_panel_leaves_the_panel_and_the_body_to_the_side
     const Body& body = mannequin();
     Pattern pattern;
     pattern.body_height = height_range(body).high;
-    Panel sleeve = rectangle(0.4, 0.3);
+    Panel sleeve = unplaced_rectangle("panel", 0.4, 0.3);
     sleeve.wrap_radius = 0.1;
     sleeve.translation = {0.45, 1.1, 0.1};
     pattern.panels = {sleeve};

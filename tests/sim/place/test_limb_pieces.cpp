@@ -9,16 +9,12 @@
 #include "sim/collide/surface_bvh.h"
 #include "sim/mesh/sew.h"
 #include "tests/sim/dress/shapes.h"
+#include "tests/sim/place/support.h"
 #include "tests/support/mannequin.h"
 #include "tests/support/posed_body.h"
 
 namespace selvedge::sim::test {
 namespace {
-
-const BodyLimbs& limbs() {
-    static const BodyLimbs limbs = find_limbs(mannequin());
-    return limbs;
-}
 
 bool is_closed(const Body& body) {
     std::map<std::pair<int, int>, int> uses;
@@ -58,9 +54,9 @@ TEST(CutOff, gives_closed_parts_of_bodies_in_any_pose) {
 
 // Each cut is closed by itself: no surface runs from one shoulder to the other.
 TEST(CutOff, leaves_the_trunk_solid) {
-    const BodyInPieces parts = cut_off(mannequin(), limbs(), kArms);
+    const BodyInPieces parts = cut_off(mannequin(), mannequin_limbs(), kArms);
     const SurfaceBvh trunk(parts.trunk);
-    const auto chest = trunk.closest(limbs().torso[2].centre.cast<float>(), 1.0F);
+    const auto chest = trunk.closest(mannequin_limbs().torso[2].centre.cast<float>(), 1.0F);
     ASSERT_TRUE(chest.has_value());
     EXPECT_LT(chest->distance, -0.06F);
 }
@@ -72,13 +68,13 @@ TEST(CutOff, leaves_limbs_that_were_not_found_with_the_trunk) {
 }
 
 LimbPiece left_leg() {
-    return cut_off(mannequin(), limbs(), kLegs).limbs[0];
+    return cut_off(mannequin(), mannequin_limbs(), kLegs).limbs[0];
 }
 
 TEST(BendLimb, lays_a_thin_limb_along_a_way_but_leaves_its_root) {
     const LimbPiece leg = left_leg();
     const Vec3d out = Vec3d(0.3, -1, 0).normalized();
-    const Body bent = bend_limb(leg, limbs(), {leg.piece.joint, leg.piece.joint + 0.1 * out}, 0.1);
+    const Body bent = bend_limb(leg, mannequin_limbs(), {leg.piece.joint, leg.piece.joint + 0.1 * out}, 0.1);
     const Body& full = leg.piece.surface;
     ASSERT_EQ(bent.x.size(), full.x.size());
     for (std::size_t v = 0; v < full.x.size(); ++v) {
@@ -98,7 +94,7 @@ TEST(WayOut, runs_through_the_middle_of_a_trouser_leg_to_its_hem) {
     for (Panel& panel : pattern.panels) panel.translation.x() = 0.18;
     GarmentMesh closed = assemble(pattern);
     merge_seams(closed);
-    const std::vector<Vec3d> way = way_out(closed, left_leg(), limbs());
+    const std::vector<Vec3d> way = way_out(closed, left_leg(), mannequin_limbs());
     EXPECT_LT((way.front() - left_leg().piece.joint).norm(), 1e-6);
     EXPECT_LT((way.back() - Vec3d(0.18, 0.02, 0)).norm(), 0.02);
     for (std::size_t i = way.size() / 2; i < way.size(); ++i) EXPECT_NEAR(way[i].x(), 0.18, 0.02);
@@ -108,7 +104,7 @@ TEST(WayOut, runs_through_the_middle_of_a_trouser_leg_to_its_hem) {
 TEST(WayOut, does_not_run_to_the_middle_of_a_skirt) {
     GarmentMesh closed = assemble(tube(0.6, 0.65, 0.02, 0.2));
     merge_seams(closed);
-    const std::vector<Vec3d> way = way_out(closed, left_leg(), limbs());
+    const std::vector<Vec3d> way = way_out(closed, left_leg(), mannequin_limbs());
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
         const double share = static_cast<double>(i) / static_cast<double>(way.size() - 1);
         EXPECT_NEAR(way[i].x(), (1 - share) * way.front().x() + share * way.back().x(), 1e-6);
@@ -119,7 +115,7 @@ TEST(WayOut, is_along_the_limb_where_no_cloth_is_round_it) {
     GarmentMesh closed = assemble(tube(0.5, 0.3, 1.1, 0.2));
     merge_seams(closed);
     const LimbPiece leg = left_leg();
-    const std::vector<Vec3d> way = way_out(closed, leg, limbs());
+    const std::vector<Vec3d> way = way_out(closed, leg, mannequin_limbs());
     ASSERT_EQ(way.size(), 2U);
     EXPECT_LT((way[1] - way[0] - leg.along).norm(), 1e-6);
 }
@@ -135,7 +131,7 @@ Pattern skirt(double hem) {
 }
 
 std::vector<bool> without_arms(const Pattern& pattern) {
-    return panels_without_arms(assemble(pattern), pattern, limbs());
+    return panels_without_arms(assemble(pattern), pattern, mannequin_limbs());
 }
 
 TEST(PanelsWithoutArms, are_those_of_a_skirt_that_would_close_round_the_hands) {
@@ -166,9 +162,9 @@ TEST(PanelsWithoutArms, are_none_of_those_that_the_mesh_does_not_have) {
     pattern.panels.push_back(rectangle("sleeve", {.width = 0.3, .height = 0.2, .y = 1.2, .z = 0.2}));
     GarmentMesh mesh = assemble(pattern);
     std::erase_if(mesh.triangles, [](const GarmentTriangle& t) { return t.panel == 2; });
-    EXPECT_EQ(panels_without_arms(mesh, pattern, limbs()), (std::vector<bool>{true, true, false}));
+    EXPECT_EQ(panels_without_arms(mesh, pattern, mannequin_limbs()), (std::vector<bool>{true, true, false}));
     pattern.panels.back().label = "leg";
-    EXPECT_EQ(panels_without_arms(mesh, pattern, limbs()), (std::vector<bool>{true, true, false}));
+    EXPECT_EQ(panels_without_arms(mesh, pattern, mannequin_limbs()), (std::vector<bool>{true, true, false}));
 }
 
 }  // namespace

@@ -7,15 +7,10 @@
 #include <numbers>
 #include <vector>
 
-#include "tests/support/mannequin.h"
+#include "tests/sim/place/support.h"
 
 namespace selvedge::sim::test {
 namespace {
-
-const BodyLimbs& limbs() {
-    static const BodyLimbs found = find_limbs(mannequin());
-    return found;
-}
 
 struct End {
     Vec3d centre;
@@ -53,14 +48,14 @@ LimbSet set_of(std::initializer_list<LimbKind> kinds) {
     return set;
 }
 
-const LimbSet kLegs = set_of({LimbKind::LeftLeg, LimbKind::RightLeg});
+const LimbSet kBothLegs = set_of({LimbKind::LeftLeg, LimbKind::RightLeg});
 
 // Through the opening at `from`, then through that at `to`.
 std::vector<LimbSet> through(const End& from, const End& to, const PassageOptions& options = {}) {
     const GarmentMesh mesh = tube_mesh(from, to);
     const std::vector<Opening> openings = find_openings(mesh);
     EXPECT_EQ(openings.size(), 2U);
-    const LimbPassages passages = find_passages(mesh, mesh.x, openings, limbs(), options);
+    const LimbPassages passages = find_passages(mesh, mesh.x, openings, mannequin_limbs(), options);
     EXPECT_TRUE(passages.known.all());
     return passages.through;
 }
@@ -81,13 +76,13 @@ TEST(Openings, of_a_tube_are_its_two_ends) {
 
 TEST(Openings, of_a_skirt_hold_the_legs_below_and_the_rest_above) {
     const auto sets = through({at(1.02), 0.2}, {at(0.5), 0.3});
-    EXPECT_EQ(sets[0], ~kLegs);
-    EXPECT_EQ(sets[1], kLegs);
+    EXPECT_EQ(sets[0], ~kBothLegs);
+    EXPECT_EQ(sets[1], kBothLegs);
 }
 
 TEST(Openings, of_a_sleeve_hold_its_arm_wherever_it_was_pushed) {
     for (const LimbKind arm : {LimbKind::LeftArm, LimbKind::RightArm}) {
-        const std::vector<LimbJoint>& joints = limbs()[arm].joints;
+        const std::vector<LimbJoint>& joints = mannequin_limbs()[arm].joints;
         for (const double share : {0.1, 0.9}) {
             const Vec3d middle = joints[1].centre + share * (joints[2].centre - joints[1].centre);
             const Vec3d half = 0.05 * (joints[2].centre - joints[1].centre).normalized();
@@ -105,19 +100,19 @@ TEST(Openings, of_a_tube_beside_the_body_hold_nothing) {
 
 TEST(Openings, of_a_tube_below_the_arms_that_hang_over_it_hold_the_legs_only) {
     const auto sets = through({at(0.7), 0.25}, {at(0.1), 1.6});  // the lines of the arms go on through it
-    EXPECT_EQ(sets[1], kLegs);
+    EXPECT_EQ(sets[1], kBothLegs);
 }
 
 TEST(Openings, of_a_skirt_that_swallowed_the_hands_hold_them) {
     const auto sets = through({at(1.06), 0.2}, {at(0.75), 1.2});
-    EXPECT_EQ(sets[0], ~kLegs);
-    EXPECT_EQ(sets[1], kLegs | set_of({LimbKind::LeftArm, LimbKind::RightArm}));
+    EXPECT_EQ(sets[0], ~kBothLegs);
+    EXPECT_EQ(sets[1], kBothLegs | set_of({LimbKind::LeftArm, LimbKind::RightArm}));
 }
 
 TEST(Openings, of_a_skirt_placed_round_the_hands_were_meant_for_the_legs) {
     const auto sets = through({at(1.06), 0.2}, {at(0.75), 1.2}, {.ends_at_cloth = true});
-    EXPECT_EQ(sets[0], ~kLegs);
-    EXPECT_EQ(sets[1], kLegs);
+    EXPECT_EQ(sets[0], ~kBothLegs);
+    EXPECT_EQ(sets[1], kBothLegs);
 }
 
 TEST(Openings, of_a_poncho_hold_the_head_above_and_all_else_below) {
@@ -127,7 +122,7 @@ TEST(Openings, of_a_poncho_hold_the_head_above_and_all_else_below) {
 }
 
 TEST(Openings, of_a_garment_do_not_hold_what_the_body_lacks) {
-    BodyLimbs lacking = limbs();
+    BodyLimbs lacking = mannequin_limbs();
     lacking.limbs[index_of(LimbKind::LeftArm)] = {};
     const GarmentMesh mesh = tube_mesh({at(1.02), 0.2}, {at(0.5), 0.3});
     const LimbPassages passages = find_passages(mesh, mesh.x, find_openings(mesh), lacking);

@@ -7,19 +7,10 @@
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/proposals/seam_proposals.h"
+#include "tests/sim/proposals/support.h"
 
 namespace selvedge::sim {
 namespace {
-
-// Counter-clockwise corners, m; edge i begins at corner i.
-Panel polygon(const char* name, std::vector<Vec2d> corners) {
-    Panel panel;
-    panel.name = name;
-    panel.vertices = std::move(corners);
-    const int count = static_cast<int>(panel.vertices.size());
-    for (int i = 0; i < count; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % count});
-    return panel;
-}
 
 Panel rectangle(const char* name, double width, double height) {
     return polygon(name, {{0, 0}, {width, 0}, {width, height}, {0, height}});

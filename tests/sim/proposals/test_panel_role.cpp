@@ -2,8 +2,9 @@
 #include "sim/proposals/panel_role.h"
 
 #include <gtest/gtest.h>
-#include <utility>
 #include <vector>
+
+#include "tests/sim/proposals/support.h"
 
 namespace selvedge::sim {
 namespace {
@@ -75,15 +76,6 @@ TEST(PanelRole, of_a_leg_is_seen_from_its_crotch) {
     EXPECT_EQ(roles_of(pattern)[0].part, Leg);
     pattern.panels[0].vertices[2] = {0.2, 0.7};
     EXPECT_EQ(roles_of(pattern)[0].part, Torso);
-}
-
-Panel polygon(const char* name, std::vector<Vec2d> corners) {
-    Panel panel;
-    panel.name = name;
-    panel.vertices = std::move(corners);
-    const int count = static_cast<int>(panel.vertices.size());
-    for (int i = 0; i < count; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % count});
-    return panel;
 }
 
 // A bodice half with its middle on the left: the shoulder stands out over the armhole.

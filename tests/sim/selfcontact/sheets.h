@@ -18,6 +18,8 @@
 
 namespace selvedge::sim::test {
 
+inline constexpr float kMargin = 0.004F;  // m, of searches; the sheets are 1 mm thick
+
 struct Sheets {
     ContactSurface surface;
     std::vector<Vec4f> now, before;  // w: inverse mass, 1/kg; the last one is the dummy vertex

@@ -12,8 +12,8 @@
 namespace selvedge::sim::test {
 namespace {
 
-constexpr float kMargin = 0.004F, kReach = 0.005F;  // m; the sheets are 1 mm thick
-constexpr float kSubstep = 1.0F / 1440;             // s
+constexpr float kReach = 0.005F;         // m
+constexpr float kSubstep = 1.0F / 1440;  // s
 
 std::vector<std::uint32_t> all_vertices(const Sheets& sheets) {
     std::set<std::uint32_t> used;

@@ -12,8 +12,6 @@
 namespace selvedge::sim::test {
 namespace {
 
-constexpr float kMargin = 0.004F;  // m
-
 // Distances by sampling, m: never too small.
 float distance_to_triangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c, int steps) {
     float nearest = std::numeric_limits<float>::max();
