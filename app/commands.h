@@ -11,7 +11,7 @@ namespace selvedge::app {
 
 void add_animate_command(CLI::App& app, int& exit_code);
 void add_batch_command(CLI::App& app, int& exit_code);
-void add_bench_command(CLI::App& app, int& exit_code);
+void add_bench_command(CLI::App& app);
 void add_check_command(CLI::App& app, int& exit_code);
 void add_diff_command(CLI::App& app, int& exit_code);
 void add_dress_command(CLI::App& app, int& exit_code);

@@ -49,7 +49,7 @@ struct Size {
     int height = 0;
 };
 
-Size parse_size(const std::string& text) {
+Size parse_window_size(const std::string& text) {
     constexpr int kSmallest = 200, kLargest = 8192;
     Size size;
     char rest = 0;
@@ -97,7 +97,7 @@ void open_at_start(editor::Editor& editor, const std::string& file) {
 }
 
 int run_window(const EditArguments& arguments) {
-    const Size size = parse_size(arguments.size);
+    const Size size = parse_window_size(arguments.size);
     if (!arguments.frame_times.empty()) {
         check_output(arguments.frame_times);
         check_distinct({arguments.frame_times}, given(arguments));
@@ -128,7 +128,7 @@ int run_window(const EditArguments& arguments) {
 }
 
 int run_script(const EditArguments& arguments) {
-    const Size size = parse_size(arguments.size);
+    const Size size = parse_window_size(arguments.size);
     EditorScript script{.file = arguments.file,
                         .name = arguments.script,
                         .state = state_of(arguments),

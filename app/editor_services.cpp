@@ -48,7 +48,7 @@ editor::FolderListing list_folder(const std::string& folder) {
     return listing;
 }
 
-editor::CurrentBody make_body(const std::string& text) {
+editor::CurrentBody make_current_body(const std::string& text) {
     if (!sim::is_body_file(text)) return editor::make_mannequin_body(text);
     sim::LoadBodyReport report;
     sim::BodyClips moving = sim::load_moving_body(text, {}, &report);
@@ -228,7 +228,7 @@ editor::Services make_editor_services(const EditorServicesOptions& options) {
     services.list_folder = list_folder;
     services.exists = [](const std::string& file) { return sim::file_exists(file); };
     services.write_export = [options](const editor::ExportRequest& request) { write_export(request, options); };
-    services.make_body = make_body;
+    services.make_body = make_current_body;
     services.find_motion = sim::find_motion;
     services.read_fabric = sim::read_fabric_file;
     services.examples = examples();

@@ -21,7 +21,7 @@ struct Destroyer {
         Destroy(object);
     }
 };
-using Pattern = std::unique_ptr<FcPattern, Destroyer<FcPatternDestroy>>;
+using FontPattern = std::unique_ptr<FcPattern, Destroyer<FcPatternDestroy>>;
 using CharSet = std::unique_ptr<FcCharSet, Destroyer<FcCharSetDestroy>>;
 using FontSet = std::unique_ptr<FcFontSet, Destroyer<FcFontSetSortDestroy>>;
 
@@ -29,7 +29,7 @@ using FontSet = std::unique_ptr<FcFontSet, Destroyer<FcFontSetSortDestroy>>;
 FontSet sorted_fonts(const editor::Letters& letters) {
     const CharSet wanted(FcCharSetCreate());
     for (const char32_t letter : letters) FcCharSetAddChar(wanted.get(), letter);
-    const Pattern pattern(FcPatternCreate());
+    const FontPattern pattern(FcPatternCreate());
     FcPatternAddCharSet(pattern.get(), FC_CHARSET, wanted.get());
     FcPatternAddString(pattern.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>("sans-serif"));
     FcConfigSubstitute(nullptr, pattern.get(), FcMatchPattern);

@@ -166,7 +166,7 @@ void check_no_more_frames(const fs::path& folder, int frames) {
             "' of an earlier, longer film is there: remove it and those after it, or name another folder");
 }
 
-void check_folder(const fs::path& path) {
+void check_frame_folder(const fs::path& path) {
     const fs::path folder = folder_of_frames(path);
     std::error_code ignored;
     const bool is_there = fs::exists(folder, ignored);
@@ -261,7 +261,7 @@ FilmKind film_kind(const fs::path& path) {
 void check_film(const fs::path& path, const FilmFormat& format, const std::string& option) {
     const FilmKind kind = film_kind(path);
     if (kind == FilmKind::Frames) {
-        check_folder(path);
+        check_frame_folder(path);
         return check_no_more_frames(folder_of_frames(path), format.frames);
     }
     if (kind == FilmKind::Gif && format.frames_per_second > 50)

@@ -14,21 +14,26 @@
 namespace selvedge::app {
 namespace {
 
-[[noreturn]] void fail() {
+[[noreturn]] void fail_to_open() {
     const char* reason = nullptr;
     glfwGetError(&reason);
     throw sim::InputError("", "window",
                           std::string("cannot be opened: ") + (reason == nullptr ? "no reason given" : reason));
 }
 
-class Library {
+}  // namespace
+
+// The parts of a window. They are not in the unnamed namespace, because Window::Impl has them as members: g++ warns of
+// that in a batch of sources.
+
+class GlfwLibrary {
  public:
-    Library() {
-        if (!glfwInit()) fail();
+    GlfwLibrary() {
+        if (!glfwInit()) fail_to_open();
     }
-    ~Library() { glfwTerminate(); }
-    Library(const Library&) = delete;
-    Library& operator=(const Library&) = delete;
+    ~GlfwLibrary() { glfwTerminate(); }
+    GlfwLibrary(const GlfwLibrary&) = delete;
+    GlfwLibrary& operator=(const GlfwLibrary&) = delete;
 };
 
 // The context that belongs to the window, and the window itself: the destructor releases the context before another one
@@ -45,7 +50,7 @@ class WindowContext final : public render::GlContext {
         glfwWindowHint(GLFW_MAXIMIZED, options.is_maximised ? GLFW_TRUE : GLFW_FALSE);
         glfwWindowHintString(GLFW_X11_CLASS_NAME, "selvedge");
         window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
-        if (window_ == nullptr) fail();
+        if (window_ == nullptr) fail_to_open();
         try {
             make_current();
             load_functions(glfwGetProcAddress);
@@ -74,16 +79,16 @@ class WindowContext final : public render::GlContext {
 constexpr std::array<int, 6> kCursorShapes{GLFW_ARROW_CURSOR,     GLFW_IBEAM_CURSOR,   GLFW_HAND_CURSOR,
                                            GLFW_CROSSHAIR_CURSOR, GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR};
 
-class Cursors {
+class WindowCursors {
  public:
-    Cursors() {
+    WindowCursors() {
         std::transform(kCursorShapes.begin(), kCursorShapes.end(), cursors_.begin(), glfwCreateStandardCursor);
     }
-    ~Cursors() {
+    ~WindowCursors() {
         for (GLFWcursor* cursor : cursors_) glfwDestroyCursor(cursor);
     }
-    Cursors(const Cursors&) = delete;
-    Cursors& operator=(const Cursors&) = delete;
+    WindowCursors(const WindowCursors&) = delete;
+    WindowCursors& operator=(const WindowCursors&) = delete;
 
     // Null if the system's theme lacks the shape: GLFW then uses the default arrow.
     GLFWcursor* of(editor::MouseCursor cursor) const { return cursors_[static_cast<std::size_t>(cursor)]; }
@@ -93,9 +98,9 @@ class Cursors {
 };
 
 // Collects events until they are taken.
-class EventQueue {
+class WindowEvents {
  public:
-    explicit EventQueue(GLFWwindow* window) : window_(window) {
+    explicit WindowEvents(GLFWwindow* window) : window_(window) {
         glfwGetCursorPos(window, &cursor_.x(), &cursor_.y());
         glfwSetWindowUserPointer(window, this);
         listen_to_mouse();
@@ -115,13 +120,15 @@ class EventQueue {
             of(w).events_.push_back(of(w).event_at_cursor(editor::InputEvent::Kind::CloseRequest));
         });
     }
-    EventQueue(const EventQueue&) = delete;
-    EventQueue& operator=(const EventQueue&) = delete;
+    WindowEvents(const WindowEvents&) = delete;
+    WindowEvents& operator=(const WindowEvents&) = delete;
 
     std::vector<editor::InputEvent> take() { return std::exchange(events_, {}); }
 
  private:
-    static EventQueue& of(GLFWwindow* window) { return *static_cast<EventQueue*>(glfwGetWindowUserPointer(window)); }
+    static WindowEvents& of(GLFWwindow* window) {
+        return *static_cast<WindowEvents*>(glfwGetWindowUserPointer(window));
+    }
 
     void listen_to_mouse() {
         glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
@@ -182,17 +189,15 @@ class EventQueue {
     std::vector<editor::InputEvent> events_;
 };
 
-}  // namespace
-
 struct Window::Impl {
     explicit Impl(const WindowOptions& options)
         : context(options), window(context.window()), events(window), requested_scale(options.scale) {}
 
-    Library library;
+    GlfwLibrary library;
     WindowContext context;
-    Cursors cursors;
+    WindowCursors cursors;
     GLFWwindow* window;
-    EventQueue events;
+    WindowEvents events;
     std::optional<float> requested_scale;
 };
 

@@ -1,4 +1,4 @@
-#include "app/allocation_counter.h"
+#include "bench/program/allocation_counter.h"
 
 #include <cstdlib>
 #include <new>
@@ -39,10 +39,10 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
     std::free(memory);
 }
 
-namespace selvedge::app {
+namespace selvedge::bench {
 
 std::size_t allocations_of_this_thread() {
     return allocations;
 }
 
-}  // namespace selvedge::app
+}  // namespace selvedge::bench

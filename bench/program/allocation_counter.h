@@ -2,8 +2,8 @@
 // Counts calls of this program's operator new, per CPU thread.
 #include <cstddef>
 
-namespace selvedge::app {
+namespace selvedge::bench {
 
 std::size_t allocations_of_this_thread();
 
-}  // namespace selvedge::app
+}  // namespace selvedge::bench

@@ -1,5 +1,5 @@
 // selvedge bench EXPERIMENT: repeatable measurements, reported as tables.
-#include "app/bench.h"
+#include "bench/program/commands.h"
 
 #include <unistd.h>
 #include <CLI/CLI.hpp>
@@ -10,8 +10,6 @@
 #include <optional>
 #include <utility>
 
-#include "app/allocation_counter.h"
-#include "app/commands.h"
 #include "app/options.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
@@ -20,6 +18,7 @@
 #include "bench/drop/report.h"
 #include "bench/fabric/report.h"
 #include "bench/picture/picture.h"
+#include "bench/program/allocation_counter.h"
 #include "bench/tshirt/rest.h"
 #include "bench/tshirt/tshirt.h"
 #include "render/image/image.h"
@@ -29,7 +28,7 @@
 #include "sim/exchange/mesh_file.h"
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge::app {
+namespace selvedge::bench {
 
 void add_json_option(CLI::App& command, std::string& path) {
     command.add_option("--json", path, "Write the figures here too, as JSON")->type_name("FILE");
@@ -37,11 +36,11 @@ void add_json_option(CLI::App& command, std::string& path) {
 
 void check_json_output(const std::string& path, const std::vector<std::filesystem::path>& inputs) {
     if (path.empty()) return;
-    check_output(path);
-    check_distinct({path}, inputs);
+    app::check_output(path);
+    app::check_distinct({path}, inputs);
 }
 
-void print_table(const bench::Table& table) {
+void print_table(const Table& table) {
     std::printf("%s\n", to_markdown(table).c_str());
     std::fflush(stdout);
 }
@@ -50,26 +49,25 @@ void write_json_output(const std::string& path, const sim::Json& document) {
     if (!path.empty()) sim::write_file_atomically(path, write_json(document));
 }
 
-sim::Json document_of(const std::vector<bench::Table>& tables) {
+sim::Json document_of(const std::vector<Table>& tables) {
     sim::Json document = sim::Json::object();
     sim::Json& list = document["tables"] = sim::Json::array();
-    for (const bench::Table& table : tables) list.push_back(to_json(table));
+    for (const Table& table : tables) list.push_back(to_json(table));
     return document;
 }
 
-void add_bench_command(CLI::App& app, int& exit_code) {
-    CLI::App* command = app.add_subcommand("bench", "Measure, and print the figures as Markdown tables");
-    command->require_subcommand(1);
-    command->footer("Example: selvedge bench thesis --table 3.6 --json figures.json");
-    add_bench_collide(*command, exit_code);
-    add_bench_contact(*command, exit_code);
-    add_bench_drop(*command, exit_code);
-    add_bench_fabric(*command, exit_code);
-    add_bench_motion(*command, exit_code);
-    add_bench_picture(*command, exit_code);
-    add_bench_rest(*command, exit_code);
-    add_bench_thesis(*command, exit_code);
-    add_bench_tshirt(*command, exit_code);
+void add_commands(CLI::App& program, int& exit_code) {
+    program.require_subcommand(1);
+    program.footer("Example: selvedge bench thesis --table 3.6 --json figures.json");
+    add_bench_collide(program, exit_code);
+    add_bench_contact(program, exit_code);
+    add_bench_drop(program, exit_code);
+    add_bench_fabric(program, exit_code);
+    add_bench_motion(program, exit_code);
+    add_bench_picture(program, exit_code);
+    add_bench_rest(program, exit_code);
+    add_bench_thesis(program, exit_code);
+    add_bench_tshirt(program, exit_code);
 }
 
 // selvedge bench collide: the cost of collision handling against bodies with many triangles.
@@ -77,23 +75,23 @@ void add_bench_command(CLI::App& app, int& exit_code) {
 namespace {
 
 struct CollideArguments {
-    bench::CollideOptions options;
+    CollideOptions options;
     std::string json;
 };
 
 int run(const CollideArguments& arguments) {
     check_json_output(arguments.json);
-    const std::vector<bench::Table> tables = bench_collide(arguments.options);
-    for (const bench::Table& table : tables) print_table(table);
+    const std::vector<Table> tables = bench_collide(arguments.options);
+    for (const Table& table : tables) print_table(table);
     write_json_output(arguments.json, document_of(tables));
     return 0;
 }
 
 }  // namespace
 
-void add_bench_collide(CLI::App& bench, int& exit_code) {
+void add_bench_collide(CLI::App& program, int& exit_code) {
     auto arguments = std::make_shared<CollideArguments>();
-    CLI::App* command = bench.add_subcommand("collide", "Grid, tree and distance field round a dense body");
+    CLI::App* command = program.add_subcommand("collide", "Grid, tree and distance field round a dense body");
     command->add_option("--triangles", arguments->options.triangles, "Bodies: about so many triangles each")
         ->type_name("N")
         ->check(CLI::Range(17184, 4000000))
@@ -114,25 +112,25 @@ void add_bench_collide(CLI::App& bench, int& exit_code) {
 namespace {
 
 struct ContactArguments {
-    bench::ContactExperiment experiment;
+    ContactExperiment experiment;
     std::string json;
 };
 
 int run(const ContactArguments& arguments) {
     check_json_output(arguments.json);
-    ProgressBar bar(progress_bar_options(false));
-    const std::vector<bench::Table> tables = tables_of(measure_contact(arguments.experiment, bar.progress()));
+    app::ProgressBar bar(app::progress_bar_options(false));
+    const std::vector<Table> tables = tables_of(measure_contact(arguments.experiment, bar.progress()));
     bar.finish();
-    for (const bench::Table& table : tables) print_table(table);
+    for (const Table& table : tables) print_table(table);
     write_json_output(arguments.json, document_of(tables));
     return 0;
 }
 
 }  // namespace
 
-void add_bench_contact(CLI::App& bench, int& exit_code) {
+void add_bench_contact(CLI::App& program, int& exit_code) {
     auto arguments = std::make_shared<ContactArguments>();
-    CLI::App* command = bench.add_subcommand("contact", "Cloth that meets itself and other cloth, with and without");
+    CLI::App* command = program.add_subcommand("contact", "Cloth that meets itself and other cloth, with and without");
     command->add_option("GARMENT", arguments->experiment.pattern, "Garment file (default patterns/tshirt.json)")
         ->type_name("FILE");
     command
@@ -154,26 +152,26 @@ void add_bench_contact(CLI::App& bench, int& exit_code) {
 namespace {
 
 struct DropArguments {
-    bench::DropExperiment experiment;
+    DropExperiment experiment;
     std::string json;
 };
 
 int run(const DropArguments& arguments) {
     check_json_output(arguments.json);
-    ProgressBar bar(progress_bar_options(false));
-    const bench::DropReport report = measure_drop(arguments.experiment, bar.progress());
+    app::ProgressBar bar(app::progress_bar_options(false));
+    const DropReport report = measure_drop(arguments.experiment, bar.progress());
     bar.finish();
-    for (const bench::Table& table : tables_of(report)) print_table(table);
+    for (const Table& table : tables_of(report)) print_table(table);
     write_json_output(arguments.json, to_json(report));
     return 0;
 }
 
 }  // namespace
 
-void add_bench_drop(CLI::App& bench, int& exit_code) {
+void add_bench_drop(CLI::App& program, int& exit_code) {
     auto arguments = std::make_shared<DropArguments>();
-    bench::DropExperiment& experiment = arguments->experiment;
-    CLI::App* command = bench.add_subcommand("drop", "A square dropped on a sphere: time at equal quality");
+    DropExperiment& experiment = arguments->experiment;
+    CLI::App* command = program.add_subcommand("drop", "A square dropped on a sphere: time at equal quality");
     command->add_option("--triangles", experiment.triangles, "1152, 4608, 15488 or 61952; the nearest is taken")
         ->check(CLI::Range(1, 1000000));
     command
@@ -198,7 +196,7 @@ void add_bench_drop(CLI::App& bench, int& exit_code) {
 namespace {
 
 struct FabricArguments {
-    bench::FabricExperiment experiment;
+    FabricExperiment experiment;
     std::vector<std::string> tests;
     std::string json;
 };
@@ -208,14 +206,14 @@ int run(const FabricArguments& arguments) {
     check_json_output(arguments.json, {fabrics.begin(), fabrics.end()});
     for (const std::string& name : arguments.experiment.fabrics) sim::find_fabric(name);
     const sim::ThreadLimit limit(1);
-    ProgressBar bar(progress_bar_options(false));
-    std::vector<bench::Table> tables;
+    app::ProgressBar bar(app::progress_bar_options(false));
+    std::vector<Table> tables;
     int rows = 0;
     int missed = 0;
-    for (const std::string& test : arguments.tests.empty() ? bench::textile_test_names() : arguments.tests) {
-        const bench::FabricTables measured = measure_fabrics(test, arguments.experiment, bar.progress());
+    for (const std::string& test : arguments.tests.empty() ? textile_test_names() : arguments.tests) {
+        const FabricTables measured = measure_fabrics(test, arguments.experiment, bar.progress());
         bar.finish();
-        for (const bench::Table& table : measured.tables) print_table(table);
+        for (const Table& table : measured.tables) print_table(table);
         tables.insert(tables.end(), measured.tables.begin(), measured.tables.end());
         rows += measured.rows;
         missed += measured.missed;
@@ -230,13 +228,13 @@ int run(const FabricArguments& arguments) {
 
 }  // namespace
 
-void add_bench_fabric(CLI::App& bench, int& exit_code) {
+void add_bench_fabric(CLI::App& program, int& exit_code) {
     auto arguments = std::make_shared<FabricArguments>();
-    CLI::App* command = bench.add_subcommand("fabric", "Textile tests of the fabrics, against theory");
+    CLI::App* command = program.add_subcommand("fabric", "Textile tests of the fabrics, against theory");
     command->add_option("--fabric", arguments->experiment.fabrics, "Shipped fabrics or fabric files (default: all)")
         ->type_name("NAME|FILE");
     command->add_option("--test", arguments->tests, "cantilever, strip, bias, drape, swing, energy (default: all)")
-        ->check(CLI::IsMember(bench::textile_test_names()));
+        ->check(CLI::IsMember(textile_test_names()));
     command->add_flag("--quick", arguments->experiment.is_quick, "Levels 1 and 2 at 17 degrees alone, four fabrics");
     command
         ->add_option("--substeps", arguments->experiment.stepping.substeps,
@@ -253,8 +251,8 @@ namespace {
 
 struct PictureArguments {
     std::string garment;
-    BodyOptions body;
-    bench::PictureExperiment experiment;
+    app::BodyOptions body;
+    PictureExperiment experiment;
     std::string json;
 };
 
@@ -265,8 +263,9 @@ int run(const PictureArguments& arguments) {
     cloth.mesh = sim::read_garment(arguments.garment);
     cloth.sett = sim::find_tartan(sim::kDefaultTartan);
     scene.cloths.push_back(std::move(cloth));
-    if (!arguments.body.source.empty()) scene.bodies.push_back(render::make_body_item(make_body(arguments.body).body));
-    const bench::Table table = table_of(measure_pictures(scene, arguments.experiment));
+    if (!arguments.body.source.empty())
+        scene.bodies.push_back(render::make_body_item(app::make_body(arguments.body).body));
+    const Table table = table_of(measure_pictures(scene, arguments.experiment));
     print_table(table);
     write_json_output(arguments.json, document_of({table}));
     return 0;
@@ -274,12 +273,12 @@ int run(const PictureArguments& arguments) {
 
 }  // namespace
 
-void add_bench_picture(CLI::App& bench, int& exit_code) {
+void add_bench_picture(CLI::App& program, int& exit_code) {
     auto arguments = std::make_shared<PictureArguments>();
-    bench::PictureExperiment& experiment = arguments->experiment;
-    CLI::App* command = bench.add_subcommand("picture", "The first picture, and those after it");
+    PictureExperiment& experiment = arguments->experiment;
+    CLI::App* command = program.add_subcommand("picture", "The first picture, and those after it");
     command->add_option("MESH", arguments->garment, "Garment, as dress exports it (.obj or .glb)")->required();
-    add_body_options(*command, arguments->body, "Body that wears it: a file, or mannequin[:bust=92,...]");
+    app::add_body_options(*command, arguments->body, "Body that wears it: a file, or mannequin[:bust=92,...]");
     command->add_option("--triangles", experiment.triangles, "Of the cloth, at least (default 20000)")
         ->check(CLI::Range(1, 5000000));
     command->add_option("--pictures", experiment.pictures, "Of each kind (default 12)")->check(CLI::Range(1, 1000));
@@ -301,14 +300,14 @@ void add_bench_picture(CLI::App& bench, int& exit_code) {
 namespace {
 
 struct RestArguments {
-    bench::RestExperiment experiment{.pattern = "patterns/tshirt.json"};
+    RestExperiment experiment{.pattern = "patterns/tshirt.json"};
     std::string json;
 };
 
 int run(const RestArguments& arguments) {
     check_json_output(arguments.json, {arguments.experiment.pattern});
-    ProgressBar bar(progress_bar_options(false));
-    const bench::Table table = table_of(measure_rest(arguments.experiment, bar.progress()));
+    app::ProgressBar bar(app::progress_bar_options(false));
+    const Table table = table_of(measure_rest(arguments.experiment, bar.progress()));
     bar.finish();
     print_table(table);
     write_json_output(arguments.json, document_of({table}));
@@ -317,9 +316,9 @@ int run(const RestArguments& arguments) {
 
 }  // namespace
 
-void add_bench_rest(CLI::App& bench, int& exit_code) {
+void add_bench_rest(CLI::App& program, int& exit_code) {
     auto arguments = std::make_shared<RestArguments>();
-    CLI::App* command = bench.add_subcommand("rest", "A dressed garment at rest against the same pulled about");
+    CLI::App* command = program.add_subcommand("rest", "A dressed garment at rest against the same pulled about");
     command->add_option("GARMENT", arguments->experiment.pattern, "Garment file (default patterns/tshirt.json)")
         ->type_name("FILE");
     add_json_option(*command, arguments->json);
@@ -332,14 +331,14 @@ void add_bench_rest(CLI::App& bench, int& exit_code) {
 namespace {
 
 struct TshirtArguments {
-    bench::TshirtExperiment experiment{.pattern = "patterns/tshirt.json"};
+    TshirtExperiment experiment{.pattern = "patterns/tshirt.json"};
     std::string json;
 };
 
 int run(const TshirtArguments& arguments) {
     check_json_output(arguments.json, {arguments.experiment.pattern});
-    ProgressBar bar(progress_bar_options(false));
-    const bench::TshirtReport report = measure_tshirt(arguments.experiment, bar.progress());
+    app::ProgressBar bar(app::progress_bar_options(false));
+    const TshirtReport report = measure_tshirt(arguments.experiment, bar.progress());
     bar.finish();
     print_table(table_of(report));
     write_json_output(arguments.json, to_json(report));
@@ -348,11 +347,11 @@ int run(const TshirtArguments& arguments) {
 
 }  // namespace
 
-void add_bench_tshirt(CLI::App& bench, int& exit_code) {
+void add_bench_tshirt(CLI::App& program, int& exit_code) {
     auto arguments = std::make_shared<TshirtArguments>();
-    bench::TshirtExperiment& experiment = arguments->experiment;
+    TshirtExperiment& experiment = arguments->experiment;
     experiment.sway.allocations = allocations_of_this_thread;
-    CLI::App* command = bench.add_subcommand("tshirt", "One adaptation and four steps of a dressed garment");
+    CLI::App* command = program.add_subcommand("tshirt", "One adaptation and four steps of a dressed garment");
     command->add_option("GARMENT", experiment.pattern, "Garment file (default patterns/tshirt.json)")
         ->type_name("FILE");
     command
@@ -376,4 +375,4 @@ void add_bench_tshirt(CLI::App& bench, int& exit_code) {
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-}  // namespace selvedge::app
+}  // namespace selvedge::bench

@@ -1,6 +1,6 @@
 #pragma once
-// The subcommands of `selvedge bench`, and their common output. Each add_ function adds one subcommand; its callback
-// stores the exit code.
+// The subcommands of the program selvedge-bench, which `selvedge bench` starts, and their common output. Each add_
+// function adds one subcommand; its callback stores the exit code.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,17 +11,19 @@ namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
 class App;
 }
 
-namespace selvedge::app {
+namespace selvedge::bench {
 
-void add_bench_collide(CLI::App& bench, int& exit_code);
-void add_bench_contact(CLI::App& bench, int& exit_code);
-void add_bench_drop(CLI::App& bench, int& exit_code);
-void add_bench_fabric(CLI::App& bench, int& exit_code);
-void add_bench_motion(CLI::App& bench, int& exit_code);
-void add_bench_picture(CLI::App& bench, int& exit_code);
-void add_bench_rest(CLI::App& bench, int& exit_code);
-void add_bench_thesis(CLI::App& bench, int& exit_code);
-void add_bench_tshirt(CLI::App& bench, int& exit_code);
+void add_commands(CLI::App& program, int& exit_code);  // all of them
+
+void add_bench_collide(CLI::App& program, int& exit_code);
+void add_bench_contact(CLI::App& program, int& exit_code);
+void add_bench_drop(CLI::App& program, int& exit_code);
+void add_bench_fabric(CLI::App& program, int& exit_code);
+void add_bench_motion(CLI::App& program, int& exit_code);
+void add_bench_picture(CLI::App& program, int& exit_code);
+void add_bench_rest(CLI::App& program, int& exit_code);
+void add_bench_thesis(CLI::App& program, int& exit_code);
+void add_bench_tshirt(CLI::App& program, int& exit_code);
 
 // Adds --json FILE, which every experiment has. `path` must outlive the parsing.
 void add_json_option(CLI::App& command, std::string& path);
@@ -31,12 +33,12 @@ void add_json_option(CLI::App& command, std::string& path);
 void check_json_output(const std::string& path, const std::vector<std::filesystem::path>& inputs = {});
 
 // Prints a table to stdout as Markdown.
-void print_table(const bench::Table& table);
+void print_table(const Table& table);
 
 // Writes a document to the --json file; does nothing if the path is empty.
 void write_json_output(const std::string& path, const sim::Json& document);
 
 // {"tables": [...]}
-sim::Json document_of(const std::vector<bench::Table>& tables);
+sim::Json document_of(const std::vector<Table>& tables);
 
-}  // namespace selvedge::app
+}  // namespace selvedge::bench

@@ -6,32 +6,33 @@
 #include <string>
 
 #include "app/actor.h"
-#include "app/bench.h"
 #include "app/options.h"
 #include "app/progress_bar.h"
 #include "bench/motion/motion.h"
+#include "bench/program/commands.h"
 #include "bench/support/table.h"
 #include "bench/tshirt/dressing.h"
 #include "sim/core/parallel.h"
 #include "sim/pattern/pattern_file.h"
 
-namespace selvedge::app {
+namespace selvedge::bench {
 
-void add_bench_motion(CLI::App& bench, int& exit_code) {
+void add_bench_motion(CLI::App& program, int& exit_code) {
     struct Arguments {
         std::string pattern = "patterns/tshirt.json";
-        BodyOptions body{.source = "mannequin", .load = {}};
-        MotionChoice motion;
-        bench::MotionExperiment experiment{};
+        app::BodyOptions body{.source = "mannequin", .load = {}};
+        app::MotionChoice motion;
+        MotionExperiment experiment{};
         int body_triangles = 0;  // 0: as it is
         bool is_live = false;
         bool is_quiet = false;
     };
     auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = bench.add_subcommand("motion", "A garment on a body that moves, frame by frame");
+    CLI::App* command = program.add_subcommand("motion", "A garment on a body that moves, frame by frame");
     command->add_option("GARMENT", arguments->pattern, "Garment file (default patterns/tshirt.json)");
-    add_body_options(*command, arguments->body, "Body that moves: mannequin or a file with bones (default mannequin)");
-    bench::MotionExperiment& experiment = arguments->experiment;
+    app::add_body_options(*command, arguments->body,
+                          "Body that moves: mannequin or a file with bones (default mannequin)");
+    MotionExperiment& experiment = arguments->experiment;
     command->add_option("--motion", arguments->motion.name, "As of selvedge animate")->type_name("NAME|FILE[#CLIP]");
     command->add_flag("--open-arms", arguments->motion.opens_arms, "As of selvedge animate");
     command->add_option("--from", experiment.from, "Where in the motion to begin, s")->check(CLI::Range(0.0, 3600.0));
@@ -47,18 +48,17 @@ void add_bench_motion(CLI::App& bench, int& exit_code) {
     command->add_flag("--live", arguments->is_live, "Measure it in the editor's session too");
     command->add_flag("-q,--quiet", arguments->is_quiet, "Show no progress");
     command->callback([arguments, &exit_code] {
-        bench::MotionExperiment& chosen = arguments->experiment;
+        MotionExperiment& chosen = arguments->experiment;
         chosen.pattern = sim::load_pattern(arguments->pattern).pattern;
         const sim::ThreadLimit one(1);
-        Actor actor = make_actor(arguments->body, arguments->motion);
-        chosen.body =
-            arguments->body_triangles == 0
-                ? actor.body
-                : std::make_shared<const sim::Body>(bench::split_triangles(*actor.body, arguments->body_triangles));
+        app::Actor actor = app::make_actor(arguments->body, arguments->motion);
+        chosen.body = arguments->body_triangles == 0
+                          ? actor.body
+                          : std::make_shared<const sim::Body>(split_triangles(*actor.body, arguments->body_triangles));
         chosen.clip = actor.clip;
-        ProgressBar bar(progress_bar_options(arguments->is_quiet));
-        const bench::MotionStatistics statistics = measure_motion(chosen, bar.progress());
-        std::optional<bench::LiveStatistics> live;
+        app::ProgressBar bar(app::progress_bar_options(arguments->is_quiet));
+        const MotionStatistics statistics = measure_motion(chosen, bar.progress());
+        std::optional<LiveStatistics> live;
         if (arguments->is_live) live = measure_live(chosen, bar.progress());
         bar.finish();
         std::cout << to_markdown(table_of(statistics));
@@ -67,4 +67,4 @@ void add_bench_motion(CLI::App& bench, int& exit_code) {
     });
 }
 
-}  // namespace selvedge::app
+}  // namespace selvedge::bench

@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "app/actor.h"
-#include "app/bench.h"
 #include "app/edit.h"
 #include "app/options.h"
 #include "app/picture.h"
+#include "bench/program/commands.h"
 #include "bench/support/plot.h"
 #include "bench/thesis/page.h"
 #include "bench/thesis/thesis.h"
@@ -23,7 +23,7 @@
 #include "sim/core/parallel.h"
 #include "sim/pattern/pattern_file.h"
 
-namespace selvedge::app {
+namespace selvedge::bench {
 namespace {
 
 struct ThesisArguments {
@@ -31,9 +31,9 @@ struct ThesisArguments {
     std::vector<std::string> figures;
     std::string folder;
     std::string json;
-    BodyOptions body;    // of chapter 5 and experiment C; empty: the mannequin
-    std::string motion;  // empty: walk
-    bench::ThesisOptions options;
+    app::BodyOptions body;  // of chapter 5 and experiment C; empty: the mannequin
+    std::string motion;     // empty: walk
+    ThesisOptions options;
 };
 
 constexpr std::size_t kMaxRows = 24;  // printed rows of a series
@@ -51,34 +51,35 @@ bool any_of(const Names& names, const Names& wanted) {
 
 // Figure 4.2: the pattern editor with the vertices of a triangle selected for scaling. Its journal goes to a folder of
 // its own, which is removed.
-bench::ThesisResult draw_editor(const bench::ThesisOptions& options) {
+ThesisResult draw_editor(const ThesisOptions& options) {
     namespace fs = std::filesystem;
     std::error_code error;
     const fs::path folder = fs::temp_directory_path(error);
     if (error) throw sim::InputError(folder.string(), "", "no folder for temporary files: " + error.message());
     std::string state = (folder / "selvedge-figure-XXXXXX").string();
     if (mkdtemp(state.data()) == nullptr) throw sim::InputError(state, "", "cannot make this folder");
-    EditorScript script{.file = options.tshirt.string(),
-                        .text = "key t\nclick vertex front 2\nclick vertex front 3 shift\nclick vertex front 4 shift\n",
-                        .name = "figure 4.2",
-                        .state = state};
+    app::EditorScript script{
+        .file = options.tshirt.string(),
+        .text = "key t\nclick vertex front 2\nclick vertex front 3 shift\nclick vertex front 4 shift\n",
+        .name = "figure 4.2",
+        .state = state};
     if (!options.is_quick) script.width_px = 1600, script.height_px = 1000;
-    bench::ThesisResult result{.captures = {{"4.2", "editor", play_script(script)}}};
+    ThesisResult result{.captures = {{"4.2", "editor", app::play_script(script)}}};
     std::error_code ignored;
     fs::remove_all(state, ignored);
     return result;
 }
 
 // Those of bench/thesis, and the one that needs the editor.
-std::vector<bench::Experiment> all_experiments() {
-    std::vector<bench::Experiment> all = bench::thesis_experiments();
+std::vector<Experiment> all_experiments() {
+    std::vector<Experiment> all = thesis_experiments();
     all.push_back({{}, {"4.2"}, draw_editor, true});
     return all;
 }
 
-void check_names(const Names& wanted, Names bench::Experiment::*known, const char* option) {
+void check_names(const Names& wanted, Names Experiment::*known, const char* option) {
     Names all;
-    for (const bench::Experiment& experiment : all_experiments())
+    for (const Experiment& experiment : all_experiments())
         all.insert(all.end(), (experiment.*known).begin(), (experiment.*known).end());
     for (const std::string& name : wanted) {
         if (has(all, name)) continue;
@@ -88,7 +89,7 @@ void check_names(const Names& wanted, Names bench::Experiment::*known, const cha
     }
 }
 
-void check_folder(const std::string& folder) {
+void make_result_folder(const std::string& folder) {
     if (folder.empty()) return;
     std::error_code error;
     std::filesystem::create_directories(folder, error);
@@ -116,23 +117,23 @@ class Run {
         page_.is_quick = arguments.options.is_quick;
     }
 
-    bool wants(const bench::Experiment& experiment) const {
+    bool wants(const Experiment& experiment) const {
         if (experiment.makes_pictures_only && arguments_.folder.empty()) return false;
         return wants_all_ || any_of(experiment.tables, arguments_.tables) ||
                any_of(experiment.figures, arguments_.figures);
     }
 
-    void measure(const bench::Experiment& experiment) {
-        const bench::ThesisResult result = experiment.measure(arguments_.options);
-        for (const bench::Table& table : result.tables)
+    void measure(const Experiment& experiment) {
+        const ThesisResult result = experiment.measure(arguments_.options);
+        for (const Table& table : result.tables)
             if (wants_table(table.name)) show(table);
-        for (const bench::Figure& figure : result.figures)
+        for (const Figure& figure : result.figures)
             if (wants_figure(figure.series.name)) show(figure);
-        for (const bench::Drawing& drawing : result.drawings)
+        for (const Drawing& drawing : result.drawings)
             if (wants_figure(drawing.name)) show(drawing);
-        for (const bench::Capture& capture : result.captures)
+        for (const Capture& capture : result.captures)
             if (wants_figure(capture.name)) show(capture);
-        for (const bench::Trend& trend : result.trends)
+        for (const Trend& trend : result.trends)
             if (wants_item(trend.item)) show(trend);
     }
 
@@ -146,7 +147,7 @@ class Run {
         sim::Json document = document_of(page_.tables);
         document["figures"] = document_of(figures_)["tables"];
         sim::Json& trends = document["trends"] = sim::Json::array();
-        for (const bench::Trend& trend : page_.trends) {
+        for (const Trend& trend : page_.trends) {
             sim::Json json = sim::Json::object();
             json["item"] = trend.item;
             json["reported"] = trend.reported;
@@ -173,33 +174,33 @@ class Run {
         return wants_table(item.front() == 'L' ? "listing-" + number : number);
     }
 
-    void show(const bench::Table& table) {
+    void show(const Table& table) {
         print_table(table);
         page_.tables.push_back(table);
     }
 
-    void show(const bench::Figure& figure) {
+    void show(const Figure& figure) {
         print_table(thinned(figure.series, kMaxRows));
         figures_.push_back(figure.series);
         if (arguments_.folder.empty()) return;
         const std::string stem = "figure-" + figure.series.name;
         write(stem + ".csv", to_csv(figure.series));
-        bench::PageDrawing drawing{.name = figure.series.name,
-                                   .title = figure.series.title,
-                                   .note = figure.series.note,
-                                   .svg = to_svg(plot_of(figure)),
-                                   .data_file = stem + ".csv"};
+        PageDrawing drawing{.name = figure.series.name,
+                            .title = figure.series.title,
+                            .note = figure.series.note,
+                            .svg = to_svg(plot_of(figure)),
+                            .data_file = stem + ".csv"};
         write(stem + ".svg", drawing.svg);
         page_.drawings.push_back(std::move(drawing));
     }
 
-    void show(const bench::Drawing& drawing) {
+    void show(const Drawing& drawing) {
         if (arguments_.folder.empty()) return;
         write("figure-" + drawing.name + ".svg", drawing.svg);
         page_.drawings.push_back({.name = drawing.name, .title = drawing.title, .svg = drawing.svg});
     }
 
-    void show(const bench::Capture& capture) {
+    void show(const Capture& capture) {
         if (arguments_.folder.empty()) return;
         const std::string name = "figure-" + capture.name + "-" + capture.moment + ".png";
         write_png(file(name), capture.image);
@@ -207,7 +208,7 @@ class Run {
         page_.pictures.push_back({.name = capture.name, .file = name, .moment = capture.moment});
     }
 
-    void show(const bench::Trend& trend) {
+    void show(const Trend& trend) {
         std::printf("%s %s. The thesis: %s Here: %s\n\n", trend.item.c_str(), trend.agrees ? "agrees" : "differs",
                     trend.reported.c_str(), trend.measured.c_str());
         page_.trends.push_back(trend);
@@ -224,36 +225,36 @@ class Run {
 
     const ThesisArguments& arguments_;
     bool wants_all_;
-    bench::ThesisPage page_;
-    std::vector<bench::Table> figures_;
+    ThesisPage page_;
+    std::vector<Table> figures_;
 };
 
 // The body and the motion that were asked for.
 void find_actor(ThesisArguments& arguments) {
     if (arguments.body.source.empty() && arguments.motion.empty()) return;
     if (arguments.body.source.empty()) arguments.body.source = "mannequin";
-    Actor actor = make_actor(arguments.body, {.name = arguments.motion.empty() ? "walk" : arguments.motion});
+    app::Actor actor = app::make_actor(arguments.body, {.name = arguments.motion.empty() ? "walk" : arguments.motion});
     arguments.options.body = std::move(actor.body);
     arguments.options.motion = std::move(actor.clip);
 }
 
 int run(ThesisArguments arguments) {
-    check_names(arguments.tables, &bench::Experiment::tables, "--table");
-    check_names(arguments.figures, &bench::Experiment::figures, "--figure");
-    check_folder(arguments.folder);
+    check_names(arguments.tables, &Experiment::tables, "--table");
+    check_names(arguments.figures, &Experiment::figures, "--figure");
+    make_result_folder(arguments.folder);
     check_json_output(arguments.json, {arguments.options.tshirt});
     find_actor(arguments);
     const sim::ThreadLimit one(1);
     Run run(arguments);
-    for (const bench::Experiment& experiment : all_experiments()) {
+    for (const Experiment& experiment : all_experiments()) {
         if (!run.wants(experiment)) continue;
-        if (experiment.makes_pictures_only || experiment.draws) check_can_draw();
+        if (experiment.makes_pictures_only || experiment.draws) app::check_can_draw();
         if (has(experiment.figures, "4.12") || has(experiment.figures, "4.2"))
             sim::load_pattern(arguments.options.tshirt);  // throws before long work
         if (has(experiment.figures, "5.9") || has(experiment.figures, "6.10"))
             sim::load_pattern(arguments.options.dress);  // likewise
     }
-    for (const bench::Experiment& experiment : all_experiments()) {
+    for (const Experiment& experiment : all_experiments()) {
         if (run.wants(experiment)) run.measure(experiment);
     }
     run.write_page();
@@ -263,9 +264,9 @@ int run(ThesisArguments arguments) {
 
 }  // namespace
 
-void add_bench_thesis(CLI::App& bench, int& exit_code) {
+void add_bench_thesis(CLI::App& program, int& exit_code) {
     auto arguments = std::make_shared<ThesisArguments>();
-    CLI::App* command = bench.add_subcommand("thesis", "The thesis' tables and figures, measured here");
+    CLI::App* command = program.add_subcommand("thesis", "The thesis' tables and figures, measured here");
     command->add_option("--table", arguments->tables, "Only these tables, such as 3.1 or listing-3.1 (default: all)");
     command->add_option("--figure", arguments->figures, "Only these figures, such as 3.25 (default: all)");
     command
@@ -278,7 +279,7 @@ void add_bench_thesis(CLI::App& bench, int& exit_code) {
     command->add_option("--dress", arguments->options.dress, "Garment of chapter 5, table 6.4, figures 6.7 and 6.10")
         ->type_name("FILE")
         ->capture_default_str();
-    add_body_options(*command, arguments->body, "Body with bones that wears it (default: the mannequin)");
+    app::add_body_options(*command, arguments->body, "Body with bones that wears it (default: the mannequin)");
     command->add_option("--motion", arguments->motion, "What it does, a loop (default walk)")->type_name("NAME|FILE");
     command->add_flag("--quick", arguments->options.is_quick, "Tiny sizes, one run: does all work? Times mean nothing");
     add_json_option(*command, arguments->json);
@@ -290,4 +291,4 @@ void add_bench_thesis(CLI::App& bench, int& exit_code) {
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-}  // namespace selvedge::app
+}  // namespace selvedge::bench

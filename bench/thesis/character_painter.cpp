@@ -1,20 +1,17 @@
 #include "bench/thesis/character_painter.h"
 
+#include "bench/support/cloth_run.h"
 #include "render/scene/solids.h"
 
 namespace selvedge::bench {
 namespace {
 
-constexpr float kWidth = 0.62F;  // of a picture, as a share of its height
-
-Vec3f at(const sim::Cloth& cloth, sim::VertexId v) {
-    return cloth.x[v.value].head<3>();
-}
+constexpr float kPictureAspect = 0.62F;  // of a picture, as a share of its height
 
 bool faces(const sim::Cloth& cloth, sim::TriangleId leaf, const Vec3f& eye) {
     const std::array<sim::VertexId, 3>& v = cloth.mesh.triangle(leaf).vertices;
-    const Vec3f a = at(cloth, v[0]);
-    return (at(cloth, v[1]) - a).cross(at(cloth, v[2]) - a).dot(eye - a) > 0;
+    const Vec3f a = position_of(cloth, v[0]);
+    return (position_of(cloth, v[1]) - a).cross(position_of(cloth, v[2]) - a).dot(eye - a) > 0;
 }
 
 }  // namespace
@@ -43,8 +40,8 @@ render::Image CharacterPainter::draw(const Subject& subject, const render::Direc
         for (const float x : {-half, half})
             for (const float z : {-half, half}) corners.emplace_back(subject.place + stature_ * Vec3f(x, y, z));
     const int height_px = scale * height_px_;
-    const auto width_px = static_cast<int>(kWidth * static_cast<float>(height_px));
-    scene.camera = render::frame_points(corners, from, {.aspect = kWidth, .margin = 0.02F});
+    const auto width_px = static_cast<int>(kPictureAspect * static_cast<float>(height_px));
+    scene.camera = render::frame_points(corners, from, {.aspect = kPictureAspect, .margin = 0.02F});
     scene.light = studio_light(scene.camera);
     return renderer_.draw(scene, {.width_px = width_px, .height_px = height_px});
 }
@@ -55,7 +52,7 @@ render::SolidItem fixed_edges(const sim::Cloth& cloth) {
     render::SolidItem solid;
     for (const sim::LeafEdge& e : cloth.mesh.leaf_edges()) {
         if (cloth.is_pinned[e.a.value] && cloth.is_pinned[e.b.value])
-            add_rod(solid, at(cloth, e.a), at(cloth, e.b), kRadius, kTurquoise);
+            add_rod(solid, position_of(cloth, e.a), position_of(cloth, e.b), kRadius, kTurquoise);
     }
     return solid;
 }
@@ -70,7 +67,7 @@ render::SolidItem edges_by_sight(const sim::Cloth& cloth, const Vec3f& eye) {
             const sim::TriangleId leaf = cloth.mesh.leaf_at(e.edge, side);
             seen = seen || (leaf && faces(cloth, leaf, eye));
         }
-        add_rod(solid, at(cloth, e.a), at(cloth, e.b), kRadius, seen ? kSeen : kUnseen);
+        add_rod(solid, position_of(cloth, e.a), position_of(cloth, e.b), kRadius, seen ? kSeen : kUnseen);
     }
     return solid;
 }

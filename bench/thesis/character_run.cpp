@@ -7,6 +7,7 @@
 #include "bench/support/cloth_run.h"
 #include "bench/thesis/base_mesh.h"
 #include "sim/body/motion_file.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/cloth/standoff.h"
 #include "sim/dress/dressing.h"
 #include "sim/mannequin/mannequin.h"
@@ -234,7 +235,7 @@ int CharacterRun::vertices_in_contact() const {
     constexpr float kTouches = 0.0001F;  // m above the offset surface
     int count = 0;
     for (const sim::VertexId v : cloth_.mesh.leaf_vertices())
-        count += cloth_.solver.contacts.plane[v.value].w() < kTouches ? 1 : 0;
+        count += cloth_.solver->contacts.plane[v.value].w() < kTouches ? 1 : 0;
     return count;
 }
 

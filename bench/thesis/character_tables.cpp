@@ -27,7 +27,7 @@ namespace selvedge::bench {
 namespace {
 
 constexpr render::Direction kFront{.azimuth = 0, .elevation = 0.05F};
-constexpr render::Direction kSide{.azimuth = 1.5708F, .elevation = 0.05F};
+constexpr render::Direction kFromSide{.azimuth = 1.5708F, .elevation = 0.05F};
 constexpr render::Direction kBack{.azimuth = 3.1416F, .elevation = 0.05F};
 
 constexpr const char* kScene =
@@ -44,7 +44,7 @@ int picture_px(const ThesisOptions& options) {
     return options.is_quick ? 96 : 640;
 }
 
-sim::DrawMesh mesh_of(const DressedCharacter& character, const sim::Cloth& cloth) {
+sim::DrawMesh dress_mesh_of(const DressedCharacter& character, const sim::Cloth& cloth) {
     return draw_mesh(cloth, character.panel_names);
 }
 
@@ -56,7 +56,7 @@ class RunPainter {
 
     render::Image draw(const CharacterRun& run, render::ShowMode show, const render::Direction& from,
                        std::vector<render::SolidItem> solids) {
-        const sim::DrawMesh mesh = mesh_of(character_, run.cloth());
+        const sim::DrawMesh mesh = dress_mesh_of(character_, run.cloth());
         return painter_.draw({.dress = &mesh,
                               .body_x = run.body_x(),
                               .show = show,
@@ -68,7 +68,7 @@ class RunPainter {
     // ms by the clock.
     double dress_alone(const CharacterRun& run) {
         return wall_ms([&] {
-            const sim::DrawMesh mesh = mesh_of(character_, run.cloth());
+            const sim::DrawMesh mesh = dress_mesh_of(character_, run.cloth());
             painter_.draw({.dress = &mesh, .place = place_of(run.body_x())}, kFront);
         });
     }
@@ -581,7 +581,7 @@ ThesisResult draw_back_faces(const ThesisOptions& options) {
              labelled_sheet({{"front, as the viewer sees it: " + count, levels(kFront)}, {"back", levels(kBack)}}, 2)},
             {"5.8", "front-side-back",
              labelled_sheet({{"front, as the viewer sees it", edges(kFront)},
-                             {"side (the viewer is at the left)", edges(kSide)},
+                             {"side (the viewer is at the left)", edges(kFromSide)},
                              {"back; unseen edges green", edges(kBack)}},
                             3)}}};
 }

@@ -13,9 +13,9 @@
 namespace selvedge::bench {
 namespace {
 
-constexpr float kOffset = 0.003F;  // m, from the body to the offset surface
-constexpr double kMoves = 0.01;    // s, that the body goes on while the cloth stays
-constexpr double kWindow = 0.09;   // m, width of the drawing
+constexpr float kDrawnOffset = 0.003F;  // m, from the body to the offset surface
+constexpr double kMoves = 0.01;         // s, that the body goes on while the cloth stays
+constexpr double kWindow = 0.09;        // m, width of the drawing
 constexpr double kWidthPx = 1000, kHeightPx = 640;
 
 using Segment = std::array<Vec2d, 2>;
@@ -94,17 +94,18 @@ Projection project(const CharacterRun& run, const DressedCharacter& character) {
         triangles.push_back(
             {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
     const std::vector<Vec3f> normals = sim::vertex_normals(made.body, triangles);
-    for (std::size_t v = 0; v < made.body.size(); ++v) made.offset.emplace_back(made.body[v] + kOffset * normals[v]);
+    for (std::size_t v = 0; v < made.body.size(); ++v)
+        made.offset.emplace_back(made.body[v] + kDrawnOffset * normals[v]);
     for (const Vec4f& x : run.cloth().x) made.before.emplace_back(x.head<3>());
     made.after = made.before;
     made.closest.resize(made.before.size());
-    float least = kOffset;
+    float least = kDrawnOffset;
     for (const sim::VertexId v : run.cloth().mesh.leaf_vertices()) {
         const auto contact = limbs.contact(made.before[v.value]);
-        if (!contact || contact->distance >= kOffset || contact->distance == 0) continue;
+        if (!contact || contact->distance >= kDrawnOffset || contact->distance == 0) continue;
         const Vec3f out = (made.before[v.value] - contact->point) / contact->distance;
         made.closest[v.value] = contact->point;
-        made.after[v.value] = contact->point + kOffset * out;
+        made.after[v.value] = contact->point + kDrawnOffset * out;
         if (contact->distance < least && !run.cloth().is_pinned[v.value]) {
             least = contact->distance;
             made.deepest = v.value;

@@ -3,34 +3,32 @@
 #include <string>
 
 #include "bench/support/svg.h"
+#include "bench/thesis/inks.h"
 #include "bench/thesis/thesis.h"
 #include "sim/adaptive/configuration.h"
 
 namespace selvedge::bench {
 namespace {
 
-constexpr double kSide = 200, kGap = 36, kHead = 26;  // px
-constexpr double kHeight = 0.866 * kSide;
-constexpr const char* kPale = "#eef2f6";
-constexpr const char* kInk = "#22303f";
-constexpr const char* kAccent = "#b5432a";
+constexpr double kTriangleSide = 200, kGap = 36, kHead = 26;  // px
+constexpr double kTriangleHeight = 0.866 * kTriangleSide;
 
 // The six points of a triangle whose tile starts at this corner: V0 V1 V2 M0 M1 M2.
 std::array<Vec2d, 6> points_at(const Vec2d& corner) {
-    std::array<Vec2d, 6> p{Vec2d(0, kHeight), Vec2d(kSide, kHeight), Vec2d(kSide / 2, 0),
-                           Vec2d::Zero(),     Vec2d::Zero(),         Vec2d::Zero()};
+    const Vec2d v0(0, kTriangleHeight), v1(kTriangleSide, kTriangleHeight), v2(kTriangleSide / 2, 0);
+    std::array<Vec2d, 6> p{v0, v1, v2, Vec2d::Zero(), Vec2d::Zero(), Vec2d::Zero()};
     for (Vec2d& point : p) point += corner;
     for (std::size_t k = 0; k < 3; ++k) p[3 + k] = 0.5 * (p[k] + p[(k + 1) % 3]);
     return p;
 }
 
 void draw_outline(SvgDrawing& svg, const std::array<Vec2d, 6>& p) {
-    svg.line({p[0], p[1], p[2]}, {.stroke = kInk, .fill = kPale, .is_closed = true});
+    svg.line({p[0], p[1], p[2]}, {.stroke = kInk, .fill = kPaleFill, .is_closed = true});
 }
 
 void draw_split_points(SvgDrawing& svg, const std::array<Vec2d, 6>& p, sim::SplitMask split) {
     for (std::size_t k = 0; k < 3; ++k) {
-        if ((split >> k & 1U) != 0) svg.dot(p[3 + k], 4, kAccent);
+        if ((split >> k & 1U) != 0) svg.dot(p[3 + k], 4, kRedInk);
     }
 }
 
@@ -50,18 +48,18 @@ void draw_names(SvgDrawing& svg, const std::array<Vec2d, 6>& p, const sim::Layou
     for (std::size_t i = 0; i < inside.edge_count; ++i) {
         const auto& [a, b] = inside.edges[i].points;
         const Vec2d middle = 0.7 * p[a] + 0.3 * p[b];  // clear of the names of triangles
-        svg.text(middle + Vec2d(3, -3), "e" + std::to_string(i), {.size_px = 11, .fill = kAccent});
+        svg.text(middle + Vec2d(3, -3), "e" + std::to_string(i), {.size_px = 11, .fill = kRedInk});
     }
 }
 
 Vec2d tile_corner(std::size_t i, std::size_t columns) {
-    return {kGap / 2 + static_cast<double>(i % columns) * (kSide + kGap),
-            kHead + 8 + static_cast<double>(i / columns) * (kHeight + kHead + kGap)};
+    return {kGap / 2 + static_cast<double>(i % columns) * (kTriangleSide + kGap),
+            kHead + 8 + static_cast<double>(i / columns) * (kTriangleHeight + kHead + kGap)};
 }
 
 SvgDrawing sheet(std::size_t count, std::size_t columns) {
     const auto rows = static_cast<double>((count + columns - 1) / columns);
-    return {static_cast<double>(columns) * (kSide + kGap), rows * (kHeight + kHead + kGap)};
+    return {static_cast<double>(columns) * (kTriangleSide + kGap), rows * (kTriangleHeight + kHead + kGap)};
 }
 
 std::string name_of(char letter, std::size_t number) {
@@ -95,7 +93,7 @@ std::string configurations_svg(bool has_names) {
         svg.text(corner - Vec2d(0, 10), name_of('C', c), {.size_px = 15, .is_bold = true});
         if (!has_names) {
             svg.text(corner + Vec2d(34, -10), "state " + name_of('S', sim::state_of(configuration)),
-                     {.size_px = 12, .fill = "#6d6a64"});
+                     {.size_px = 12, .fill = kSoftInk});
         }
     }
     return svg.to_text();

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "bench/support/svg.h"
+#include "bench/thesis/inks.h"
 #include "bench/thesis/thesis.h"
 #include "render/surface/edge_curve.h"
 
@@ -99,7 +100,8 @@ double length_of(const std::vector<Vec2d>& points) {
     return sum;
 }
 
-constexpr std::array<const char*, kPercentages.size()> kInks{"#1b3a5c", "#2f6d8f", "#4f9a6a", "#c98a1b", "#b5432a"};
+constexpr std::array<const char*, kPercentages.size()> kPercentageInks{"#1b3a5c", "#2f6d8f", "#4f9a6a", "#c98a1b",
+                                                                       "#b5432a"};
 
 std::string shapes_svg() {
     constexpr double kScale = 300, kTop = 150, kStep = 350;  // px
@@ -111,14 +113,14 @@ std::string shapes_svg() {
             std::vector<Vec2d> line;
             for (const Vec2d& point : curve_points(kShapes[s], kPercentages[p]))
                 line.emplace_back(left + kScale * point.x(), kTop - kScale * point.y());
-            svg.line(line, {.stroke = kInks[p], .width_px = 1.8});
-            svg.dot(line.back(), 2.5, kInks[p]);
+            svg.line(line, {.stroke = kPercentageInks[p], .width_px = 1.8});
+            svg.dot(line.back(), 2.5, kPercentageInks[p]);
         }
         svg.dot({left, kTop}, 2.5, "#222");
     }
     for (std::size_t p = 0; p < kPercentages.size(); ++p) {
         const double y = 60 + 24 * static_cast<double>(p), x = kStep * kShapes.size() + 30;
-        svg.line({{x, y - 4}, {x + 24, y - 4}}, {.stroke = kInks[p], .width_px = 2.5});
+        svg.line({{x, y - 4}, {x + 24, y - 4}}, {.stroke = kPercentageInks[p], .width_px = 2.5});
         svg.text({x + 32, y}, std::to_string(kPercentages[p]) + " %", {.size_px = 13});
     }
     return svg.to_text();
@@ -126,7 +128,7 @@ std::string shapes_svg() {
 
 // Figures 6.1 and 6.3: an edge and its curve.
 
-constexpr std::string_view kRedInk = "#b5432a", kBlueInk = "#2f6d8f", kGreenInk = "#4f9a6a", kGrey = "#8a8780";
+constexpr std::string_view kLightGreenInk = "#4f9a6a", kGreyInk = "#8a8780";
 
 // An edge along x, 1 long, with normals that lean outward, unequally.
 constexpr Shape kExample{"", -40, 22};
@@ -150,14 +152,14 @@ class CurveSketch {
     }
 
     void draw_edge_and_curve() {
-        svg_.line({at(curve_.a), at(curve_.b)}, {.stroke = "#22303f", .width_px = 2});
+        svg_.line({at(curve_.a), at(curve_.b)}, {.stroke = kInk, .width_px = 2});
         std::vector<Vec2d> line;
         for (int i = 0; i <= kSteps; ++i) line.push_back(at(point(static_cast<double>(i) / kSteps)));
-        svg_.line(line, {.stroke = kGreenInk, .width_px = 3});
+        svg_.line(line, {.stroke = kLightGreenInk, .width_px = 3});
         for (int i = 0; i <= 8; ++i) {
             const Vec4f flat(static_cast<float>(i) / 8, 0, 0, 0);
             svg_.line({at(flat), at(point(i / 8.0))}, {.stroke = kBlueInk});
-            svg_.dot(at(point(i / 8.0)), 3.5, kGreenInk);
+            svg_.dot(at(point(i / 8.0)), 3.5, kLightGreenInk);
             svg_.dot(at(flat), 3, kBlueInk);
         }
     }
@@ -193,9 +195,9 @@ std::string bezier_svg() {
         const float sign = end.x() > 0 ? -1.0F : 1.0F;  // towards the other end
         const Vec4f inward(sign * normal.y(), -sign * normal.x(), 0, 0);
         sketch.svg().line({CurveSketch::at(end - 0.15F * inward), CurveSketch::at(end + 0.45F * inward)},
-                          {.stroke = kGrey, .width_px = 1.5, .is_dashed = true});
+                          {.stroke = kGreyInk, .width_px = 1.5, .is_dashed = true});
         sketch.svg().arrow(CurveSketch::at(end), CurveSketch::at(end + 0.16F * normal),
-                           {.stroke = "#c98a1b", .width_px = 2.5});
+                           {.stroke = kGoldInk, .width_px = 2.5});
     }
     sketch.draw_edge_and_curve();
     const Vec4f c1 = (2 * curve.a + curve.b) / 3, c2 = (curve.a + 2 * curve.b) / 3;
@@ -203,10 +205,10 @@ std::string bezier_svg() {
         sketch.svg().arrow(CurveSketch::at(from), CurveSketch::at(to), {.stroke = kRedInk});
     sketch.mark(c1, "C1", kRedInk, 22);
     sketch.mark(c2, "C2", kRedInk, 22);
-    sketch.mark(curve.a, "P0", "#22303f", 22);
-    sketch.mark(bezier.p1, "P1", "#22303f");
-    sketch.mark(bezier.p2, "P2", "#22303f");
-    sketch.mark(curve.b, "P3", "#22303f", 22);
+    sketch.mark(curve.a, "P0", kInk, 22);
+    sketch.mark(bezier.p1, "P1", kInk);
+    sketch.mark(bezier.p2, "P2", kInk);
+    sketch.mark(curve.b, "P3", kInk, 22);
     return sketch.svg().to_text();
 }
 
@@ -216,12 +218,12 @@ std::string lagrange_svg() {
     const BezierPoints bezier = bezier_points(curve);
     sketch.svg().line(
         {CurveSketch::at(curve.a), CurveSketch::at(bezier.p1), CurveSketch::at(bezier.p2), CurveSketch::at(curve.b)},
-        {.stroke = kGrey, .width_px = 1.5, .is_dashed = true});
+        {.stroke = kGreyInk, .width_px = 1.5, .is_dashed = true});
     sketch.draw_edge_and_curve();
-    sketch.mark(curve.a, "P0", "#22303f", 22);
-    sketch.mark(bezier.p1, "P1", kGrey);
-    sketch.mark(bezier.p2, "P2", kGrey);
-    sketch.mark(curve.b, "P3", "#22303f", 22);
+    sketch.mark(curve.a, "P0", kInk, 22);
+    sketch.mark(bezier.p1, "P1", kGreyInk);
+    sketch.mark(bezier.p2, "P2", kGreyInk);
+    sketch.mark(curve.b, "P3", kInk, 22);
     sketch.mark(curve.l1, "L1", kRedInk, 24);
     sketch.mark(curve.l2, "L2", kRedInk, 24);
     return sketch.svg().to_text();
@@ -235,7 +237,7 @@ struct OrderedEdges {
 };
 
 void draw_segments(OrderedEdges& drawn, const Vec2d& a, const Vec2d& b, std::size_t order) {
-    constexpr std::array<std::string_view, 3> kOrderInks{"#c0392b", "#2f6d8f", "#2e8b3a"};
+    constexpr std::array<std::string_view, 3> kOrderInks{"#c0392b", kBlueInk, kGreenInk};
     constexpr std::array<double, 3> kWidths{5, 3.5, 2};
     const int segments = 8 >> order;
     drawn.svg.line({a, b}, {.stroke = kOrderInks[order], .width_px = kWidths[order]});
@@ -267,9 +269,9 @@ std::string order_svg() {
     const std::array<Vec2d, 3> corners{Vec2d(40, 440), Vec2d(520, 440), Vec2d(280, 24)};
     draw_inside_of(drawn, corners, 0);
     for (std::size_t k = 0; k < 3; ++k) draw_segments(drawn, corners[k], corners[(k + 1) % 3], 0);
-    for (const Vec2d& corner : corners) drawn.svg.dot(corner, 7, "#22303f");
+    for (const Vec2d& corner : corners) drawn.svg.dot(corner, 7, kInk);
     drawn.svg.text({20, 478}, "1) red: edges of the coarse triangle  2) blue: inside it  3) green: inside its children",
-                   {.size_px = 12, .fill = "#6d6a64"});
+                   {.size_px = 12, .fill = kSoftInk});
     return drawn.svg.to_text();
 }
 

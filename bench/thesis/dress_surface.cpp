@@ -19,7 +19,7 @@
 namespace selvedge::bench {
 namespace {
 
-constexpr float kOffset = 0.003F;  // m, that the cloth keeps from the body, and so does the surface
+constexpr float kSurfaceOffset = 0.003F;  // m, that the cloth keeps from the body, and so does the surface
 
 // One row of table 6.4: a curved surface over the coarse dress.
 class DrawnSurface {
@@ -41,7 +41,8 @@ class DrawnSurface {
                        adapt_surface(surface_,
                                      {.visibility = row_.coarsens_back_faces ? &visibility_ : nullptr, .glides = true});
                    }
-                   update_surface(surface_, run.cloth().x, normals_, {.body = &run.collider(), .offset = kOffset});
+                   update_surface(surface_, run.cloth().x, normals_,
+                                  {.body = &run.collider(), .offset = kSurfaceOffset});
                });
     }
 
@@ -152,7 +153,7 @@ class DressDrawing {
             render::CurvedSurface surface =
                 render::make_curved_surface(character.base, {.modifier = curve_modifier(kind)});
             set_surface_level(surface, 2);
-            update_surface(surface, run_.cloth().x, normals, {.body = &run_.collider(), .offset = kOffset});
+            update_surface(surface, run_.cloth().x, normals, {.body = &run_.collider(), .offset = kSurfaceOffset});
             tiles.push_back({name(kind), picture(mesh_of(surface, surface.light_normals), render::ShowMode::Plain, 2)});
         }
         return {"6.7", "modifiers", labelled_sheet(tiles, kKinds)};

@@ -11,7 +11,6 @@
 namespace selvedge::bench {
 namespace {
 
-constexpr int kStepsPerUpdate = 4;
 constexpr int kFramesPerPicture = 6;  // of the tables: drawing in software takes far longer than an update
 
 // Means over a run. Times in ms per update.
@@ -21,7 +20,7 @@ struct Means {
     DropTimes wall;
     double update_cpu = 0;
 
-    double step() const { return (wall.simulation + wall.collision) / kStepsPerUpdate; }
+    double step() const { return (wall.simulation + wall.collision) / kStepsPerFrame; }
 };
 
 Means means_of(const ThesisDropRun& run) {

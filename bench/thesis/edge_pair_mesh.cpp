@@ -7,6 +7,7 @@
 #include "bench/support/measured_mesh.h"
 #include "bench/thesis/thesis.h"
 #include "sim/core/assert.h"
+#include "sim/mesh/square.h"
 
 namespace selvedge::bench {
 namespace {
@@ -232,7 +233,7 @@ void add_row(Table& table, const char* name, std::size_t bytes_per_edge, std::si
 
 ThesisResult measure_edge_pair(const ThesisOptions& options) {
     const int quads = options.is_quick ? 4 : 16;
-    const sim::GarmentMesh base = make_square({.columns = quads, .rows = quads});
+    const sim::GarmentMesh base = sim::make_square({.columns = quads, .rows = quads});
     PointerMesh<Pools> trio(base);
     EdgePairMesh pair(base);
     while (trio.level() < 3) trio.refine();

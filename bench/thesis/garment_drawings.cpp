@@ -6,6 +6,7 @@
 
 #include "bench/support/svg.h"
 #include "bench/support/table.h"
+#include "bench/thesis/inks.h"
 #include "bench/thesis/thesis.h"
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/mesh/sew.h"
@@ -13,10 +14,8 @@
 namespace selvedge::bench {
 namespace {
 
-constexpr std::string_view kInk = "#22303f", kSoft = "#6d6a64", kRed = "#b5432a", kBlue = "#2f6d8f", kGreen = "#2e8b3a",
-                           kGold = "#c98a1b";
 constexpr std::array<std::string_view, 3> kPanels{"#f3d9d0", "#f7e6c6", "#dcebd8"};
-constexpr std::array<std::string_view, 3> kPanelInks{kRed, kGold, kGreen};
+constexpr std::array<std::string_view, 3> kPanelInks{kRedInk, kGoldInk, kGreenInk};
 
 std::string cm(double m) {
     return Cell(100 * m, 1).to_text() + " cm";
@@ -40,7 +39,7 @@ std::string data_flow_svg() {
         svg.line({{x, 50}, {x + kWidth, 50}, {x + kWidth, 120}, {x, 120}},
                  {.stroke = kInk, .fill = i < 3 ? kPanels[1] : kPanels[2], .is_closed = true});
         svg.text({x + kWidth / 2, 80}, kStages[i].name, {.anchor = "middle", .is_bold = true});
-        svg.text({x + kWidth / 2, 102}, kStages[i].module, {.size_px = 12, .fill = kSoft, .anchor = "middle"});
+        svg.text({x + kWidth / 2, 102}, kStages[i].module, {.size_px = 12, .fill = kSoftInk, .anchor = "middle"});
         if (i > 0) svg.arrow({x - kStep + kWidth + 4, 85}, {x - 4, 85}, {.stroke = kInk});
     }
     return svg.to_text();
@@ -70,13 +69,13 @@ std::string merging_svg() {
             }
         }
         if (!is_merged) continue;
-        svg.dot(centre, 7, kBlue);
+        svg.dot(centre, 7, kBlueInk);
         for (const double turn : {-0.5236, 1.5708, 3.6652})
-            svg.dot(centre + 140 * Vec2d(std::cos(turn), std::sin(turn)), 7, kBlue);
+            svg.dot(centre + 140 * Vec2d(std::cos(turn), std::sin(turn)), 7, kBlueInk);
     }
     svg.text({20, 388},
              "Black: vertices. Blue: merged vertices. Red, yellow, green: material coordinates of the corners.",
-             {.size_px = 12, .fill = kSoft});
+             {.size_px = 12, .fill = kSoftInk});
     return svg.to_text();
 }
 
@@ -96,7 +95,7 @@ std::string unequal_svg() {
             const Vec2d foot(x, 235 + (is_below ? apart : -apart));
             const std::vector<Vec2d> t = triangle_on(foot, drawn(is_below ? lower : upper), 150, is_below);
             svg.line(t, {.stroke = kInk, .fill = kPanels[is_below ? 1 : 0], .is_closed = true});
-            if (has_red) svg.line({t[0], t[2], t[1]}, {.stroke = kRed, .width_px = 3});
+            if (has_red) svg.line({t[0], t[2], t[1]}, {.stroke = kRedInk, .width_px = 3});
             svg.text(t[2] + Vec2d(0, is_below ? 20 : -8), is_below ? "T1" : "T0",
                      {.anchor = "middle", .is_bold = true});
         }
@@ -111,7 +110,7 @@ std::string unequal_svg() {
              "Differences of length are drawn " + Cell(kShown, 0).to_text() + " times as large. Beyond " +
                  Cell(100 * sim::kSeamEase, 0).to_text() +
                  " % the seam takes the shorter side's length: the longer one gathers.",
-             {.size_px = 12, .fill = kSoft});
+             {.size_px = 12, .fill = kSoftInk});
     return svg.to_text();
 }
 
@@ -142,7 +141,7 @@ std::string continuous_svg() {
         svg.text((corners[0] + corners[1] + corners[2]) / 3, "T" + std::to_string(t),
                  {.anchor = "middle", .is_bold = true});
         svg.line({corners[0], corners[1]}, {.stroke = kPanelInks[t], .width_px = 3});
-        svg.dot((corners[0] + corners[1]) / 2, 5, kGold);
+        svg.dot((corners[0] + corners[1]) / 2, 5, kGoldInk);
     }
     svg.arrow({520, 200}, {600, 200}, {.stroke = kInk, .width_px = 2});
     const Vec2d origin(790, 210);
@@ -157,10 +156,10 @@ std::string continuous_svg() {
         svg.text((at({-half, 0}) + at({half, 0}) + at(tip)) / 3, "T" + std::to_string(t),
                  {.anchor = "middle", .is_bold = true});
     }
-    svg.dot(origin, 5, kGold);
+    svg.dot(origin, 5, kGoldInk);
     svg.text({20, 385},
              "Left: in the coordinates of their panels. Right: as the hinge has them; mid-points (dots) coincide.",
-             {.size_px = 12, .fill = kSoft});
+             {.size_px = 12, .fill = kSoftInk});
     return svg.to_text();
 }
 
@@ -183,16 +182,16 @@ void draw_push(SvgDrawing& svg, double left, bool is_closed, bool is_flipped, co
     }
     const Vec2d a = origin + Vec2d(-130, 165), b = origin + Vec2d(130, 165), c = (a + b) / 2;
     const Vec2d hit = origin + Vec2d(0, surface_at(0));
-    svg.line({a, b}, {.stroke = kSoft, .width_px = 2, .is_dashed = true});
-    svg.line({a, hit, b}, {.stroke = kGreen, .width_px = 3});
+    svg.line({a, b}, {.stroke = kSoftInk, .width_px = 2, .is_dashed = true});
+    svg.line({a, hit, b}, {.stroke = kGreenInk, .width_px = 3});
     for (const Vec2d& end : {a, b}) {
         svg.dot(end, 5, kInk);
-        svg.arrow(end, end + Vec2d(0, is_flipped ? 40 : -40), {.stroke = kBlue});
+        svg.arrow(end, end + Vec2d(0, is_flipped ? 40 : -40), {.stroke = kBlueInk});
     }
-    if (is_flipped) svg.arrow(c, c + Vec2d(0, 70), {.stroke = kBlue, .width_px = 2, .is_dashed = true});
-    svg.arrow(c, hit, {.stroke = kRed, .width_px = 2.5});
-    svg.dot(c, 6, kGold);
-    svg.dot(hit, 6, kGreen);
+    if (is_flipped) svg.arrow(c, c + Vec2d(0, 70), {.stroke = kBlueInk, .width_px = 2, .is_dashed = true});
+    svg.arrow(c, hit, {.stroke = kRedInk, .width_px = 2.5});
+    svg.dot(c, 6, kGoldInk);
+    svg.dot(hit, 6, kGreenInk);
     svg.text({left + 20, 26}, name, {.size_px = 14, .is_bold = true});
 }
 
@@ -203,7 +202,7 @@ std::string push_svg() {
     SvgDrawing svg(430, 330);
     draw_push(svg, 0, true, false, "A new vertex inside an object");
     svg.text({10, 315}, "Yellow: the new vertex. Green: moved out. Blue: normals. Red: the ray.",
-             {.size_px = 12, .fill = kSoft});
+             {.size_px = 12, .fill = kSoftInk});
     return svg.to_text();
 }
 
@@ -211,7 +210,7 @@ std::string both_ways_svg() {
     SvgDrawing svg(860, 330);
     draw_push(svg, 0, false, true, "A: an open surface, the cloth flipped");
     draw_push(svg, 430, true, true, "B: a closed surface, the cloth flipped");
-    svg.text({10, 315}, kPushKey, {.size_px = 12, .fill = kSoft});
+    svg.text({10, 315}, kPushKey, {.size_px = 12, .fill = kSoftInk});
     return svg.to_text();
 }
 

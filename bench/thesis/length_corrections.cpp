@@ -9,8 +9,10 @@
 #include "bench/thesis/provot_cloth.h"
 #include "bench/thesis/thesis.h"
 #include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/contact.h"
 #include "sim/cloth/step.h"
 #include "sim/collide/collider.h"
+#include "sim/mesh/square.h"
 
 namespace selvedge::bench {
 namespace {
@@ -40,16 +42,16 @@ Table single_corrections() {
     return table;
 }
 
-constexpr double kSide = 1;  // m, of the hanging square
-constexpr int kDeepest = 3;
-constexpr int kStepsPerFrame = 4;
+constexpr double kHangingSide = 1;  // m, of the hanging square
+constexpr int kHangingLevels = 3;
 
 // A square of 32 base triangles that hangs by two corners, refined to a level.
 sim::Cloth hanging_cloth(int level) {
     constexpr int kQuads = 4;
-    sim::GarmentMesh base = make_square({.columns = kQuads, .rows = kQuads, .width = kSide, .depth = kSide});
+    sim::GarmentMesh base =
+        sim::make_square({.columns = kQuads, .rows = kQuads, .width = kHangingSide, .depth = kHangingSide});
     base.pins = {0, kQuads};
-    sim::Cloth cloth = make_cloth(base, {sim::find_fabric("cotton_shirting")}, {.max_level = kDeepest});
+    sim::Cloth cloth = make_cloth(base, {sim::find_fabric("cotton_shirting")}, {.max_level = kHangingLevels});
     refresh_contacts(cloth);
     const sim::MinimumLevelDisc everywhere{.panel = 0, .centre = Vec2f::Zero(), .radius = 10, .level = level};
     adapt_cloth(cloth, sim::NoBody{},
@@ -95,8 +97,8 @@ Stretch hang_mass_spring(int level, double seconds) {
     ProvotOptions options;
     sim::set_substep(cloth, step_seconds(cloth, {}) / static_cast<float>(options.substeps));
     const sim::Fabric& fabric = cloth.material.fabrics.front();
-    options.spring = stable_spring(static_cast<float>(fabric.area_density), static_cast<float>(kSide) / (4 << kDeepest),
-                                   cloth.substep);
+    options.spring = stable_spring(static_cast<float>(fabric.area_density),
+                                   static_cast<float>(kHangingSide) / (4 << kHangingLevels), cloth.substep);
     return hang(cloth, seconds, [&] { provot_step(cloth, sim::NoBody{}, options); });
 }
 
@@ -118,7 +120,7 @@ ThesisResult measure_length_corrections(const ThesisOptions& options) {
                 .columns = {"level", "leaf edges", "mass-spring: mean, %", "mass-spring: 99th percentile, %",
                             "selvedge: mean, %", "selvedge: 99th percentile, %"}};
     std::vector<double> weak;
-    for (int level = 0; level <= (options.is_quick ? 1 : kDeepest); ++level) {
+    for (int level = 0; level <= (options.is_quick ? 1 : kHangingLevels); ++level) {
         const Stretch thesis = hang_mass_spring(level, seconds), ours = hang_selvedge(level, seconds);
         weak.push_back(thesis.p99);
         table.add_row({level, hanging_cloth(level).mesh.leaf_edges().size(), Cell(thesis.mean, 1), Cell(thesis.p99, 1),

@@ -14,10 +14,10 @@
 namespace selvedge::bench {
 namespace {
 
-constexpr double kTolerance = 1e-12;  // relative, of a point on a circle
+constexpr double kCircleTolerance = 1e-12;  // relative, of a point on a circle
 
 bool encloses(const Circle& circle, const Vec2d& p) {
-    return (p - circle.centre).squaredNorm() <= circle.radius * circle.radius * (1 + kTolerance) + 1e-24;
+    return (p - circle.centre).squaredNorm() <= circle.radius * circle.radius * (1 + kCircleTolerance) + 1e-24;
 }
 
 Circle circle_of(const Vec2d& a, const Vec2d& b) {

@@ -11,14 +11,12 @@
 
 #include "bench/support/svg.h"
 #include "bench/thesis/character_run.h"
+#include "bench/thesis/inks.h"
 #include "bench/thesis/limb_cylinders.h"
 #include "bench/thesis/thesis.h"
 
 namespace selvedge::bench {
 namespace {
-
-constexpr std::string_view kInk = "#22303f", kPale = "#eef2f6", kSoft = "#6d6a64", kRed = "#b5432a", kBlue = "#2f6d8f",
-                           kGreen = "#2e8b3a", kGold = "#c98a1b";
 
 struct Posed {
     std::vector<Vec3f> x;  // by vertex of the body, m
@@ -46,7 +44,7 @@ std::size_t swinging(const Posed& a, const Posed& b) {
 }
 
 void draw_axes(SvgDrawing& svg, const Vec2d& origin, const std::array<Vec2d, 3>& axes, const std::string& prefix) {
-    constexpr std::array<std::string_view, 3> kInks{kGold, kGreen, kBlue};
+    constexpr std::array<std::string_view, 3> kInks{kGoldInk, kGreenInk, kBlueInk};
     constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
     for (std::size_t k = 0; k < 3; ++k) {
         if (axes[k].norm() < 2) continue;
@@ -111,10 +109,10 @@ std::string frames_svg(const Character& character, const std::array<Posed, 2>& p
         std::vector<Vec2d> points;
         for (const std::uint32_t v : rigid_vertices(*character.body, poses[pose].limbs.bone_map(), cylinder.bone))
             points.push_back(at(poses[pose].x[v]));
-        svg.line(hull_of(points), {.stroke = kSoft, .width_px = 0.8, .fill = kPale, .is_closed = true});
+        svg.line(hull_of(points), {.stroke = kSoftInk, .width_px = 0.8, .fill = kPaleFill, .is_closed = true});
         const Vec3f tip = cylinder.origin + cylinder.high * Vec3f(cylinder.axes.row(2));
-        svg.line({at(cylinder.origin), at(tip)}, {.stroke = kRed, .width_px = 4});
-        svg.dot(at(poses[pose].x[cylinder.vertex]), 6, kBlue);
+        svg.line({at(cylinder.origin), at(tip)}, {.stroke = kRedInk, .width_px = 4});
+        svg.dot(at(poses[pose].x[cylinder.vertex]), 6, kBlueInk);
         std::array<Vec2d, 3> axes;
         for (int k = 0; k < 3; ++k) axes[static_cast<std::size_t>(k)] = 75 * seen(Vec3f(cylinder.axes.row(k)));
         draw_axes(svg, at(cylinder.origin), axes, "l");
@@ -131,12 +129,12 @@ std::string frames_svg(const Character& character, const std::array<Posed, 2>& p
         return Vec2d(origin + kScale * Vec2d(static_cast<double>(p.x()) + 0.35 * static_cast<double>(p.y()),
                                              -static_cast<double>(p.z()) + 0.3 * static_cast<double>(p.y())));
     };
-    svg.line({local(Vec3f::Zero()), local({0, 0, bind.high})}, {.stroke = kRed, .width_px = 4});
+    svg.line({local(Vec3f::Zero()), local({0, 0, bind.high})}, {.stroke = kRedInk, .width_px = 4});
     const Vec3f vertex = bind.axes * (poses[0].x[bind.vertex] - bind.origin);
-    svg.dot(local(vertex), 6, kBlue);
+    svg.dot(local(vertex), 6, kBlueInk);
     draw_axes(svg, origin, {Vec2d(75, 0), Vec2d(0.35 * 75, 0.3 * 75), Vec2d(0, -75)}, "");
     svg.text({20, 458}, "Red: the bone. Blue dot: the rigid vertex that fixes the turn about it.",
-             {.size_px = 12, .fill = kSoft});
+             {.size_px = 12, .fill = kSoftInk});
     return svg.to_text();
 }
 
@@ -155,18 +153,18 @@ std::string stacks_svg(const LimbBounds& limbs, std::size_t index) {
     const Vec2d left(30, 210);
     svg.line(corners_of(left.x(), left.y() - scale * d(cylinder.centre.x() + cylinder.radius),
                         left.x() + scale * length, left.y() - scale * d(cylinder.centre.x() - cylinder.radius)),
-             {.stroke = kSoft, .fill = "#e4e4e1", .is_closed = true});
+             {.stroke = kSoftInk, .fill = "#e4e4e1", .is_closed = true});
     for (std::size_t i = 0; i < cylinder.stacks.size(); ++i) {
         const LimbBounds::Stack& stack = cylinder.stacks[i];
         if (stack.radius < 0) continue;
         const double z0 = stack_length * static_cast<double>(i), z1 = std::min(length, z0 + stack_length);
         svg.line(corners_of(left.x() + scale * z0, left.y() - scale * d(stack.centre.x() + stack.radius),
                             left.x() + scale * z1, left.y() - scale * d(stack.centre.x() - stack.radius)),
-                 {.stroke = kInk, .width_px = 1.2, .fill = kPale, .is_closed = true});
+                 {.stroke = kInk, .width_px = 1.2, .fill = kPaleFill, .is_closed = true});
     }
     svg.line({{left.x() - 12, left.y()}, {left.x() + scale * length + 16, left.y()}},
-             {.stroke = kRed, .width_px = 1.5, .is_dashed = true});
-    svg.text({left.x() + scale * length + 20, left.y() + 4}, "Z", {.fill = kRed});
+             {.stroke = kRedInk, .width_px = 1.5, .is_dashed = true});
+    svg.text({left.x() + scale * length + 20, left.y() + 4}, "Z", {.fill = kRedInk});
     svg.text({20, 26}, "Stacks along the bone, each with its own offset and radius", {.size_px = 14, .is_bold = true});
     const Vec2d right(810, 220);
     const double across = 150 / d(cylinder.radius);
@@ -176,21 +174,21 @@ std::string stacks_svg(const LimbBounds& limbs, std::size_t index) {
     };
     const std::size_t shown = cylinder.stacks.size() / 2;
     const LimbBounds::Stack& stack = cylinder.stacks[shown];
-    svg.circle(at(cylinder.centre), 150, {.stroke = kSoft, .fill = "#e4e4e1"});
-    svg.circle(at(stack.centre), across * d(stack.radius), {.stroke = kInk, .fill = kPale});
+    svg.circle(at(cylinder.centre), 150, {.stroke = kSoftInk, .fill = "#e4e4e1"});
+    svg.circle(at(stack.centre), across * d(stack.radius), {.stroke = kInk, .fill = kPaleFill});
     const int slices = limbs.options().slices;
     const auto rim = [&](double slice) {
         const double turn = 2 * std::numbers::pi * slice / slices;
         return Vec2d(at(stack.centre) + across * d(stack.radius) * Vec2d(std::cos(turn), -std::sin(turn)));
     };
     svg.line({at(stack.centre), rim(4), rim(4.5), rim(5)},
-             {.stroke = kGreen, .width_px = 2, .fill = "#cfe3cf", .is_closed = true});
-    for (int i = 0; i < slices; ++i) svg.line({at(stack.centre), rim(i)}, {.stroke = kSoft, .width_px = 0.7});
-    svg.dot(at(Vec2f::Zero()), 5, kRed);
+             {.stroke = kGreenInk, .width_px = 2, .fill = "#cfe3cf", .is_closed = true});
+    for (int i = 0; i < slices; ++i) svg.line({at(stack.centre), rim(i)}, {.stroke = kSoftInk, .width_px = 0.7});
+    svg.dot(at(Vec2f::Zero()), 5, kRedInk);
     svg.text({650, 26}, "One stack across it, in " + std::to_string(slices) + " slices",
              {.size_px = 14, .is_bold = true});
     svg.text({20, 405}, "Grey: the bounds of the whole cylinder. Red: the bone. Green: one slice.",
-             {.size_px = 12, .fill = kSoft});
+             {.size_px = 12, .fill = kSoftInk});
     return svg.to_text();
 }
 
@@ -214,25 +212,26 @@ std::string pairs_svg(const Character& character, const Posed& posed, std::size_
         return Vec2d(Vec2d(300, 230) +
                      scale * (Vec2d(p.x(), -p.y()) - Vec2d(smallest.centre.x(), -smallest.centre.y())));
     };
-    svg.circle(at(smallest.centre), 180, {.stroke = kGreen, .width_px = 2.5, .fill = "#f3f7f2"});
-    for (const Vec2d& p : points) svg.dot(at(p), 1.6, kSoft);
+    svg.circle(at(smallest.centre), 180, {.stroke = kGreenInk, .width_px = 2.5, .fill = "#f3f7f2"});
+    for (const Vec2d& p : points) svg.dot(at(p), 1.6, kSoftInk);
     const Vec2d &i = on.front(), &j = on[on.size() / 2];
-    svg.circle((at(i) + at(j)) / 2, (at(i) - at(j)).norm() / 2, {.stroke = kGold, .width_px = 1.5, .is_dashed = true});
+    svg.circle((at(i) + at(j)) / 2, (at(i) - at(j)).norm() / 2,
+               {.stroke = kGoldInk, .width_px = 1.5, .is_dashed = true});
     for (const auto& [p, name] : {std::pair(i, "i"), std::pair(j, "j")}) {
         svg.dot(at(p), 5, kInk);
         svg.text(at(p) + Vec2d(9, -7), name, {.size_px = 15, .is_bold = true});
     }
-    svg.arrow(at(Vec2d::Zero()), at(smallest.centre), {.stroke = kBlue, .width_px = 2.5});
-    svg.dot(at(Vec2d::Zero()), 6, kRed);
+    svg.arrow(at(Vec2d::Zero()), at(smallest.centre), {.stroke = kBlueInk, .width_px = 2.5});
+    svg.dot(at(Vec2d::Zero()), 6, kRedInk);
     const auto key = [&](double y, std::string_view ink, const char* text) {
         svg.dot({510, y - 4}, 5, ink);
         svg.text({524, y}, text, {.size_px = 12});
     };
-    key(120, kRed, "the bone, seen along it");
-    key(145, kBlue, "the offset of the cylinder");
-    key(170, kSoft, "rigid vertices");
-    key(195, kGold, "a pair that does not enclose all");
-    key(220, kGreen, "the smallest that does");
+    key(120, kRedInk, "the bone, seen along it");
+    key(145, kBlueInk, "the offset of the cylinder");
+    key(170, kSoftInk, "rigid vertices");
+    key(195, kGoldInk, "a pair that does not enclose all");
+    key(220, kGreenInk, "the smallest that does");
     return svg.to_text();
 }
 

@@ -9,6 +9,7 @@
 
 #include "bench/support/svg.h"
 #include "bench/support/table.h"
+#include "bench/thesis/inks.h"
 #include "bench/thesis/provot_cloth.h"
 #include "bench/thesis/thesis.h"
 #include "sim/adaptive/adapt.h"
@@ -20,9 +21,7 @@
 namespace selvedge::bench {
 namespace {
 
-constexpr std::string_view kInk = "#22303f", kPale = "#eef2f6", kSoft = "#6d6a64", kRed = "#b5432a", kBlue = "#2f6d8f",
-                           kGreen = "#2e8b3a", kGold = "#c98a1b";
-constexpr double kHeight = 0.8660254;  // of an equilateral triangle of side 1
+constexpr double kEquilateralHeight = 0.8660254;  // of an equilateral triangle of side 1
 
 // Triangles in the plane, one panel; material coordinates are positions.
 sim::GarmentMesh flat_base(const std::vector<Vec2d>& points, const std::vector<std::array<int, 3>>& triangles) {
@@ -39,11 +38,11 @@ sim::GarmentMesh flat_base(const std::vector<Vec2d>& points, const std::vector<s
 }
 
 sim::GarmentMesh one_triangle() {
-    return flat_base({{0, 0}, {1, 0}, {0.5, kHeight}}, {{0, 1, 2}});
+    return flat_base({{0, 0}, {1, 0}, {0.5, kEquilateralHeight}}, {{0, 1, 2}});
 }
 
 sim::GarmentMesh two_triangles() {
-    return flat_base({{0, 0}, {1, 0}, {0.5, kHeight}, {1.5, kHeight}}, {{0, 1, 2}, {1, 3, 2}});
+    return flat_base({{0, 0}, {1, 0}, {0.5, kEquilateralHeight}, {1.5, kEquilateralHeight}}, {{0, 1, 2}, {1, 3, 2}});
 }
 
 sim::EdgeId edge_between(const sim::AdaptiveMesh& mesh, std::uint32_t a, std::uint32_t b) {
@@ -90,7 +89,7 @@ Vec2d middle_of(const Placed& at, const std::array<sim::VertexId, 3>& v) {
 
 void draw_leaves(SvgDrawing& svg, const sim::AdaptiveMesh& mesh, const Placed& at) {
     for (const sim::LeafTriangle& t : mesh.leaf_triangles())
-        svg.line({at[t.v[0]], at[t.v[1]], at[t.v[2]]}, {.stroke = kInk, .fill = kPale, .is_closed = true});
+        svg.line({at[t.v[0]], at[t.v[1]], at[t.v[2]]}, {.stroke = kInk, .fill = kPaleFill, .is_closed = true});
 }
 
 void heading(SvgDrawing& svg, const Vec2d& at, const std::string& text) {
@@ -103,19 +102,19 @@ std::string adjacency_svg() {
         {{0, 0},
          {1, 0},
          {2, 0},
-         {-0.5, kHeight},
-         {0.5, kHeight},
-         {1.5, kHeight},
-         {2.5, kHeight},
-         {0, 2 * kHeight},
-         {1, 2 * kHeight},
-         {2, 2 * kHeight}},
+         {-0.5, kEquilateralHeight},
+         {0.5, kEquilateralHeight},
+         {1.5, kEquilateralHeight},
+         {2.5, kEquilateralHeight},
+         {0, 2 * kEquilateralHeight},
+         {1, 2 * kEquilateralHeight},
+         {2, 2 * kEquilateralHeight}},
         {{0, 4, 3}, {0, 1, 4}, {1, 5, 4}, {1, 2, 5}, {2, 6, 5}, {3, 4, 7}, {4, 8, 7}, {4, 5, 8}, {5, 9, 8}, {5, 6, 9}});
     sim::AdaptiveMesh mesh(base);
     SvgDrawing svg(760, 440);
     const Placed at(mesh, {150, 400}, 210);
     draw_leaves(svg, mesh, at);
-    for (const auto& [vertex, colour] : {std::pair(4U, kRed), std::pair(5U, kBlue), std::pair(0U, kGreen)}) {
+    for (const auto& [vertex, colour] : {std::pair(4U, kRedInk), std::pair(5U, kBlueInk), std::pair(0U, kGreenInk)}) {
         const sim::VertexId v(vertex);
         for (const sim::TriangleId t : mesh.triangles_at(v)) {
             const Vec2d to = middle_of(at, mesh.triangle(t).vertices);
@@ -169,25 +168,25 @@ std::string children_svg() {
         for (const double end : {x0, x1}) svg.dot({end, y}, 4.5, kInk);
         if (!mesh.is_split(e)) return;
         const double below = rows.y(level + 1);
-        svg.line({{x, y}, {x, below}}, {.stroke = kSoft, .width_px = 1, .is_dashed = true});
-        svg.dot({x, y}, 5.5, kRed);
-        svg.text({x + 14, y + 20}, "C", {.size_px = 14, .fill = kRed, .anchor = "middle"});
+        svg.line({{x, y}, {x, below}}, {.stroke = kSoftInk, .width_px = 1, .is_dashed = true});
+        svg.dot({x, y}, 5.5, kRedInk);
+        svg.text({x + 14, y + 20}, "C", {.size_px = 14, .fill = kRedInk, .anchor = "middle"});
         svg.text({(x0 + x) / 2, below - 10}, "AC", {.anchor = "middle"});
         svg.text({(x + x1) / 2, below - 10}, "CB", {.anchor = "middle"});
     });
     for (int level = 0; level <= 3; ++level)
-        svg.text({60, rows.y(level) + 22}, "level " + std::to_string(level), {.size_px = 12, .fill = kSoft});
+        svg.text({60, rows.y(level) + 22}, "level " + std::to_string(level), {.size_px = 12, .fill = kSoftInk});
     svg.text({48, 54}, "A", {.size_px = 15, .anchor = "end", .is_bold = true});
     svg.text({852, 54}, "B", {.size_px = 15, .is_bold = true});
     return svg.to_text();
 }
 
-struct Box {
+struct NamedBox {
     Vec2d at = Vec2d::Zero();  // its centre, px
     std::string name;
 };
 
-void draw_box(SvgDrawing& svg, const Box& box, std::string_view fill, double width = 66) {
+void draw_box(SvgDrawing& svg, const NamedBox& box, std::string_view fill, double width = 66) {
     const Vec2d w(width / 2, 0), h(0, 15);
     svg.line({box.at - w - h, box.at + w - h, box.at + w + h, box.at - w + h},
              {.stroke = kInk, .width_px = 1.2, .fill = fill, .is_closed = true});
@@ -195,10 +194,10 @@ void draw_box(SvgDrawing& svg, const Box& box, std::string_view fill, double wid
 }
 
 // From a box to others, from border to border.
-void link(SvgDrawing& svg, const Vec2d& from, const std::vector<Box>& to, std::string_view fill) {
-    for (const Box& box : to) {
+void link(SvgDrawing& svg, const Vec2d& from, const std::vector<NamedBox>& to, std::string_view fill) {
+    for (const NamedBox& box : to) {
         const Vec2d along = (box.at - from).normalized();
-        svg.arrow(from + 24 * along, box.at - 24 * along, {.stroke = kSoft});
+        svg.arrow(from + 24 * along, box.at - 24 * along, {.stroke = kSoftInk});
         draw_box(svg, box, fill);
     }
 }
@@ -217,8 +216,8 @@ std::string edge_links_svg() {
         link(svg, half, {{half + Vec2d(95 * out, 60), side < 0.5 ? "left" : "right"}}, kTriangle);
         draw_box(svg, {half, side < 0.5 ? "half" : "twin"}, "#ffffff", 60);
     }
-    svg.arrow({182, 214}, {358, 214}, {.stroke = kRed});
-    svg.arrow({358, 228}, {182, 228}, {.stroke = kRed});
+    svg.arrow({182, 214}, {358, 214}, {.stroke = kRedInk});
+    svg.arrow({358, 228}, {182, 228}, {.stroke = kRedInk});
     heading(svg, {540, 28}, "Edge-Trio: one edge with two sides");
     const Vec2d edge(770, 220);
     link(svg, edge, {{edge + Vec2d(-110, -120), "A"}, {edge + Vec2d(0, -120), "C"}, {edge + Vec2d(110, -120), "B"}},
@@ -226,13 +225,13 @@ std::string edge_links_svg() {
     link(svg, edge, {{edge + Vec2d(-60, 120), "AC"}, {edge + Vec2d(60, 120), "CB"}}, kEdge);
     for (const double out : {-1.0, 1.0}) {
         const Vec2d side = edge + Vec2d(95 * out, 0);
-        svg.line({edge, side}, {.stroke = kRed});
+        svg.line({edge, side}, {.stroke = kRedInk});
         link(svg, side, {{side + Vec2d(95 * out, 60), out < 0 ? "left" : "right"}}, kTriangle);
         draw_box(svg, {side, out < 0 ? "side 0" : "side 1"}, "#ffffff");
     }
     draw_box(svg, {edge, "edge"}, "#ffffff", 60);
     svg.text({20, 405}, "Blue: vertices. Yellow: edges. Green: triangles. Red: what holds the two sides together.",
-             {.size_px = 12, .fill = kSoft});
+             {.size_px = 12, .fill = kSoftInk});
     return svg.to_text();
 }
 
@@ -248,23 +247,23 @@ std::string triangle_links_svg() {
     for (std::size_t k = 0; k < 3; ++k) {
         const Vec2d &a = at[t.vertices[k]], &b = at[t.vertices[(k + 1) % 3]];
         const Vec2d in_a = a + 0.13 * (middle - a), in_b = b + 0.13 * (middle - b);
-        svg.arrow(in_a + 0.06 * (in_b - in_a), in_b - 0.06 * (in_b - in_a), {.stroke = kRed, .width_px = 2});
+        svg.arrow(in_a + 0.06 * (in_b - in_a), in_b - 0.06 * (in_b - in_a), {.stroke = kRedInk, .width_px = 2});
         const Vec2d side = (in_a + in_b) / 2;
-        svg.arrow(middle, side + 0.18 * (middle - side), {.stroke = kSoft});
-        svg.arrow(middle, a + 0.28 * (middle - a), {.stroke = kBlue});
-        svg.dot(a, 7, kBlue);
+        svg.arrow(middle, side + 0.18 * (middle - side), {.stroke = kSoftInk});
+        svg.arrow(middle, a + 0.28 * (middle - a), {.stroke = kBlueInk});
+        svg.dot(a, 7, kBlueInk);
         const Vec2d out = (a - middle).normalized(), beyond = ((a + b) / 2 - middle).normalized();
         svg.text(a + 22 * out + Vec2d(0, 5), "V" + std::to_string(k),
                  {.size_px = 15, .anchor = "middle", .is_bold = true});
         svg.text((a + b) / 2 + 18 * beyond + Vec2d(0, 5), "E" + std::to_string(k),
-                 {.size_px = 15, .fill = kRed, .anchor = "middle", .is_bold = true});
+                 {.size_px = 15, .fill = kRedInk, .anchor = "middle", .is_bold = true});
     }
     return svg.to_text();
 }
 
 // Figure 3.6: internal triangles inside of their parents, each drawn a little smaller.
 void draw_nested(SvgDrawing& svg, const sim::AdaptiveMesh& mesh, const Placed& at, sim::TriangleId id) {
-    constexpr std::array<std::string_view, 3> kFills{kPale, "#dbe7d6", "#f4e2c4"};
+    constexpr std::array<std::string_view, 3> kFills{kPaleFill, "#dbe7d6", "#f4e2c4"};
     constexpr double kInset = 4;  // px per level, from its second on
     const sim::AdaptiveTriangle& t = mesh.triangle(id);
     const Vec2d middle = middle_of(at, t.vertices);
@@ -291,8 +290,8 @@ std::string patterns_svg() {
         svg.text({kLeft + kStep * tile + kScale / 2, 228}, name, {.anchor = "middle"});
         if (tile > 0) {
             const double x = kLeft + kStep * tile - 58, y = 120;
-            svg.arrow({x, y - 6}, {x + 46, y - 6}, {.stroke = kRed, .width_px = 2});
-            svg.arrow({x + 46, y + 6}, {x, y + 6}, {.stroke = kBlue, .width_px = 2});
+            svg.arrow({x, y - 6}, {x + 46, y - 6}, {.stroke = kRedInk, .width_px = 2});
+            svg.arrow({x + 46, y + 6}, {x, y + 6}, {.stroke = kBlueInk, .width_px = 2});
         }
         ++tile;
     };
@@ -306,14 +305,14 @@ std::string patterns_svg() {
     split_all(mesh, edges_of(mesh, mesh.triangle(sim::TriangleId(0)).internal_triangles[0]));
     show("S7, its child t0 in S7");
     svg.text({kLeft, 258}, "Red: splits. Blue: rejoins. Each is one transition of one triangle and its neighbours.",
-             {.size_px = 12, .fill = kSoft});
+             {.size_px = 12, .fill = kSoftInk});
     return svg.to_text();
 }
 
 // Figures 3.10 and 3.11: green may change, red may not; grey is at the deepest level.
 std::string_view split_colour(const sim::AdaptiveMesh& mesh, sim::EdgeId e) {
-    if (mesh.may_split(e)) return kGreen;
-    return mesh.level(e) == mesh.max_level() ? "#9a9a96" : kRed;
+    if (mesh.may_split(e)) return kGreenInk;
+    return mesh.level(e) == mesh.max_level() ? "#9a9a96" : kRedInk;
 }
 
 std::string flattened_edge_svg() {
@@ -327,7 +326,7 @@ std::string flattened_edge_svg() {
         svg.line({{x0 + gap, y}, {x1 - gap, y}}, {.stroke = split_colour(mesh, e), .width_px = 4});
     };
     const auto draw_centre = [&](sim::EdgeId e, double x, double y) {
-        svg.dot({x, y}, 7.0 - mesh.level(e), mesh.may_rejoin(e) ? kGreen : kRed);
+        svg.dot({x, y}, 7.0 - mesh.level(e), mesh.may_rejoin(e) ? kGreenInk : kRedInk);
     };
     rows.for_each(sim::EdgeId(0), 110, 860, [&](sim::EdgeId e, double x0, double x1) {
         const int level = mesh.level(e);
@@ -337,27 +336,27 @@ std::string flattened_edge_svg() {
             draw_edge(e, x0, x1, kFlat);
             return;
         }
-        svg.line({{x0, y}, {x1, y}}, {.stroke = kSoft, .width_px = 1});
+        svg.line({{x0, y}, {x1, y}}, {.stroke = kSoftInk, .width_px = 1});
         for (const double below : {rows.y(level + 1), kFlat})
             svg.line({{x, y}, {x, below}}, {.stroke = "#c9c6bf", .width_px = 1, .is_dashed = true});
         draw_centre(e, x, y);
         draw_centre(e, x, kFlat);
     });
     for (int level = 0; level <= 3; ++level)
-        svg.text({20, rows.y(level) + 5}, "level " + std::to_string(level), {.size_px = 12, .fill = kSoft});
+        svg.text({20, rows.y(level) + 5}, "level " + std::to_string(level), {.size_px = 12, .fill = kSoftInk});
     heading(svg, {20, kFlat - 40}, "The same, flattened");
     svg.text({20, 440},
              "Lines: edges that may be split are green. Dots: centres of split edges; they may rejoin if green.",
-             {.size_px = 12, .fill = kSoft});
+             {.size_px = 12, .fill = kSoftInk});
     svg.text({20, 458}, "Grey edges have level 3, the deepest here; with a deepest level of 4 they could be split.",
-             {.size_px = 12, .fill = kSoft});
+             {.size_px = 12, .fill = kSoftInk});
     return svg.to_text();
 }
 
 void draw_permissions(SvgDrawing& svg, const sim::AdaptiveMesh& mesh, const Placed& at) {
     for (const sim::LeafTriangle& t : mesh.leaf_triangles())
         svg.line({at[t.v[0]], at[t.v[1]], at[t.v[2]]},
-                 {.stroke = kPale, .width_px = 0.5, .fill = kPale, .is_closed = true});
+                 {.stroke = kPaleFill, .width_px = 0.5, .fill = kPaleFill, .is_closed = true});
     for (const sim::LeafEdge& e : mesh.leaf_edges()) {
         const Vec2d &a = at[e.a], &b = at[e.b];
         const Vec2d gap = 7 * (b - a).normalized();
@@ -365,7 +364,7 @@ void draw_permissions(SvgDrawing& svg, const sim::AdaptiveMesh& mesh, const Plac
     }
     for (int level = 0; level < mesh.max_level(); ++level) {
         for (const sim::EdgeId e : mesh.split_edges(level))
-            svg.dot(at[mesh.centre(e)], 6.5 - level, mesh.may_rejoin(e) ? kGreen : kRed);
+            svg.dot(at[mesh.centre(e)], 6.5 - level, mesh.may_rejoin(e) ? kGreenInk : kRedInk);
     }
 }
 
@@ -391,7 +390,7 @@ std::string permissions_svg() {
     show(3, "Both triangles are refined", both);
     svg.text({30, 605},
              "Lines: edges that may be split are green, others red. Dots: centres that may rejoin are green.",
-             {.size_px = 12, .fill = kSoft});
+             {.size_px = 12, .fill = kSoftInk});
     return svg.to_text();
 }
 
@@ -415,33 +414,33 @@ std::string curvature_svg() {
             const double x = kSpan * (i - kQuads / 2.0), y = kSpan * j;
             svg.line({at(lifted(x, y)), at(lifted(x + kSpan, y)), at(lifted(x + kSpan, y + kSpan)),
                       at(lifted(x, y + kSpan))},
-                     {.stroke = kInk, .width_px = 1, .fill = kPale, .is_closed = true});
+                     {.stroke = kInk, .width_px = 1, .fill = kPaleFill, .is_closed = true});
             svg.line({at(lifted(x, y)), at(lifted(x + kSpan, y + kSpan))}, {.stroke = kInk, .width_px = 1});
         }
     }
     const Vec3d a = lifted(-kSpan, kSpan), b = lifted(0, kSpan);
-    svg.line({at(a), at(b)}, {.stroke = kRed, .width_px = 4});
+    svg.line({at(a), at(b)}, {.stroke = kRedInk, .width_px = 4});
     std::array<Vec3d, 2> normals;
     for (std::size_t k = 0; k < 2; ++k) {
         const Vec3d& end = k == 0 ? a : b;
         normals[k] = Vec3d(end.x(), 0, end.z() + kRadius).normalized();
-        svg.arrow(at(end), at(end + 0.7 * normals[k]), {.stroke = kBlue, .width_px = 2.5});
-        svg.dot(at(end), 5, kBlue);
+        svg.arrow(at(end), at(end + 0.7 * normals[k]), {.stroke = kBlueInk, .width_px = 2.5});
+        svg.dot(at(end), 5, kBlueInk);
     }
-    svg.dot((at(a) + at(b)) / 2, 6, kGold);
+    svg.dot((at(a) + at(b)) / 2, 6, kGoldInk);
     const Vec2d foot(740, 300);
     const double angle = std::acos(normals[0].dot(normals[1]));
     std::vector<Vec2d> arc;
     const auto along = [&](double turn) { return Vec2d(std::sin(turn), -std::cos(turn)); };
     for (int i = 0; i <= 24; ++i) arc.emplace_back(foot + 110 * along(angle * (i / 24.0 - 0.5)));
     for (const double half : {-0.5, 0.5})
-        svg.arrow(foot, foot + 200 * along(half * angle), {.stroke = kBlue, .width_px = 2.5});
-    svg.line(arc, {.stroke = kRed, .width_px = 2});
-    svg.text(foot + Vec2d(0, -120), Cell(angle, 2).to_text() + " rad", {.fill = kRed, .anchor = "middle"});
+        svg.arrow(foot, foot + 200 * along(half * angle), {.stroke = kBlueInk, .width_px = 2.5});
+    svg.line(arc, {.stroke = kRedInk, .width_px = 2});
+    svg.text(foot + Vec2d(0, -120), Cell(angle, 2).to_text() + " rad", {.fill = kRedInk, .anchor = "middle"});
     svg.text({560, 350},
              "An edge asks for a split above " + Cell(options.split_angle, 2).to_text() + " rad, and rejoins below " +
                  Cell(options.rejoin_angle, 2).to_text() + " rad.",
-             {.size_px = 12, .fill = kSoft});
+             {.size_px = 12, .fill = kSoftInk});
     return svg.to_text();
 }
 
@@ -463,12 +462,12 @@ std::string collision_svg() {
             arc.push_back(at(Vec3f(-std::cos(turn), std::sin(turn), 0)));
         }
         arc.emplace_back(origin.x() + 140, 258);
-        svg.line(arc, {.stroke = kInk, .fill = kPale});
+        svg.line(arc, {.stroke = kInk, .fill = kPaleFill});
         const Vec3f& centre = step == 2 ? moved : middle;
-        svg.line({at(a), at(centre), at(b)}, {.stroke = step == 0 ? kRed : kGreen, .width_px = 3});
+        svg.line({at(a), at(centre), at(b)}, {.stroke = step == 0 ? kRedInk : kGreenInk, .width_px = 3});
         for (const Vec3f& end : {a, b}) svg.dot(at(end), 5.5, kInk);
-        if (step > 0) svg.dot(at(centre), 6, kGold);
-        if (step == 2) svg.arrow(at(middle), at(centre), {.stroke = kRed});
+        if (step > 0) svg.dot(at(centre), 6, kGoldInk);
+        if (step == 2) svg.arrow(at(middle), at(centre), {.stroke = kRedInk});
         constexpr std::array<const char*, 3> kNames{"The edge cuts the object", "It is split",
                                                     "C moves to the surface"};
         heading(svg, {origin.x() - 140, 24}, kNames[static_cast<std::size_t>(step)]);
@@ -490,9 +489,9 @@ std::string directions_svg() {
         for (const sim::LeafEdge& e : mesh.leaf_edges()) {
             const Vec2d &a = at[e.a], &b = at[e.b];
             if (std::abs(a.y() - b.y()) > 1) continue;  // one direction is highlighted
-            svg.line({a, b}, {.stroke = kRed, .width_px = 4});
+            svg.line({a, b}, {.stroke = kRedInk, .width_px = 4});
             svg.text((a + b) / 2 + Vec2d(0, 18), Cell(e.rest_length / whole, 1).to_text() + " L",
-                     {.fill = kRed, .anchor = "middle"});
+                     {.fill = kRedInk, .anchor = "middle"});
         }
     }
     return svg.to_text();
@@ -512,11 +511,11 @@ std::string bending_svg() {
         const auto at = [&](const Vec3f& p) { return oblique(p.cast<double>(), origin, 150); };
         for (const std::array<std::size_t, 3>& t : {std::array<std::size_t, 3>{0, 1, 2}, {1, 0, 3}})
             svg.line({at(flat[t[0]]), at(flat[t[1]]), at(flat[t[2]])},
-                     {.stroke = kInk, .fill = kPale, .is_closed = true});
-        svg.line({at(flat[0]), at(flat[1])}, {.stroke = kRed, .width_px = 4});
+                     {.stroke = kInk, .fill = kPaleFill, .is_closed = true});
+        svg.line({at(flat[0]), at(flat[1])}, {.stroke = kRedInk, .width_px = 4});
         for (std::size_t k = 0; k < 4; ++k) {
             if (tile == 1)
-                svg.arrow(at(flat[k]), at(flat[k] + 0.6F / most * forces[k]), {.stroke = kBlue, .width_px = 2.5});
+                svg.arrow(at(flat[k]), at(flat[k] + 0.6F / most * forces[k]), {.stroke = kBlueInk, .width_px = 2.5});
             svg.dot(at(flat[k]), 5, kInk);
             const Vec2d aside(k == 2 ? -16 : 12, k == 1 ? -10 : 18);
             svg.text(at(flat[k]) + aside, kNames[k], {.size_px = 15, .is_bold = true});

@@ -12,6 +12,7 @@
 #include "render/marks/show.h"
 #include "render/scene/solids.h"
 #include "sim/cloth/cloth.h"
+#include "sim/mesh/square.h"
 #include "sim/tartan/tartan_file.h"
 
 namespace selvedge::bench {
@@ -133,7 +134,7 @@ constexpr double kPatternSide = 0.4;  // m, of the cloth
 constexpr float kFaceUp = 0.0F;       // m, height of the flat cloth
 
 sim::Cloth flat_cloth() {
-    return make_cloth(make_square({.columns = 4, .rows = 4, .width = kPatternSide, .depth = kPatternSide}),
+    return make_cloth(sim::make_square({.columns = 4, .rows = 4, .width = kPatternSide, .depth = kPatternSide}),
                       {sim::find_fabric("cotton_shirting")});
 }
 

@@ -12,6 +12,7 @@
 #include "bench/thesis/thesis_drop.h"
 #include "sim/adaptive/criteria.h"
 #include "sim/cloth/cloth.h"
+#include "sim/mesh/square.h"
 
 namespace selvedge::bench {
 namespace {
@@ -63,7 +64,7 @@ ThesisResult measure_memory(const ThesisOptions& options) {
                     "cloth's state"}};
     add_elements(table);
     for (const int quads : options.is_quick ? std::vector<int>{4} : std::vector<int>{4, 8, 16, 32}) {
-        sim::AdaptiveMesh mesh(make_square({.columns = quads, .rows = quads}));
+        sim::AdaptiveMesh mesh(sim::make_square({.columns = quads, .rows = quads}));
         for (int level = 0; level <= mesh.max_level(); ++level) add_hierarchy(table, mesh, level);
     }
     ThesisResult result;
@@ -88,7 +89,7 @@ using Matrix = std::array<std::array<double, sim::kConfigurations>, sim::kConfig
 // A mesh of base triangles whose edges are all split, so that each triangle can take any configuration.
 class TestBed {
  public:
-    explicit TestBed(int quads) : mesh_(make_square({.columns = quads, .rows = quads}), {.max_level = 1}) {
+    explicit TestBed(int quads) : mesh_(sim::make_square({.columns = quads, .rows = quads}), {.max_level = 1}) {
         const std::vector<sim::EdgeId> edges(mesh_.unsplit_edges(0).begin(), mesh_.unsplit_edges(0).end());
         for (const sim::EdgeId e : edges) mesh_.split(e);
     }
@@ -146,7 +147,7 @@ Costs measure(const ThesisOptions& options) {
     return costs;
 }
 
-std::string name_of(std::size_t configuration) {
+std::string configuration_name(std::size_t configuration) {
     return "C" + std::to_string(configuration);
 }
 
@@ -156,7 +157,7 @@ struct ClearCosts {
 };
 
 ClearCosts measure_clearing(const ThesisOptions& options) {
-    PointerTransitions bed(make_square({.columns = options.is_quick ? 2 : 16, .rows = options.is_quick ? 2 : 16}));
+    PointerTransitions bed(sim::make_square({.columns = options.is_quick ? 2 : 16, .rows = options.is_quick ? 2 : 16}));
     std::array<std::vector<double>, sim::kConfigurations> clearing, configuring;
     for (int i = 0; i < (options.is_quick ? 1 : 41); ++i) {
         for (std::size_t c = 0; c < sim::kConfigurations; ++c) {
@@ -185,7 +186,7 @@ Table clear_table(const Costs& costs, const ClearCosts& pointers) {
                 .columns = {"configuration", "Selvedge: clear, us", "Selvedge: configure, us", "pointers: clear, us",
                             "pointers: configure, us"}};
     for (std::size_t c = 0; c < sim::kConfigurations; ++c)
-        table.add_row({name_of(c), c == 0 ? Cell(0.0, 3) : Cell(costs.direct[c][0], 3),
+        table.add_row({configuration_name(c), c == 0 ? Cell(0.0, 3) : Cell(costs.direct[c][0], 3),
                        c == 0 ? Cell(0.0, 3) : Cell(costs.direct[0][c], 3), Cell(pointers.clear[c], 3),
                        Cell(pointers.configure[c], 3)});
     return table;
@@ -193,9 +194,9 @@ Table clear_table(const Costs& costs, const ClearCosts& pointers) {
 
 Table matrix_table(const Matrix& values, const std::string& name, const std::string& title, int decimals) {
     Table table{.name = name, .title = title, .note = "Rows: from. Columns: to.", .columns = {"from"}};
-    for (std::size_t to = 0; to < sim::kConfigurations; ++to) table.columns.push_back(name_of(to));
+    for (std::size_t to = 0; to < sim::kConfigurations; ++to) table.columns.push_back(configuration_name(to));
     for (std::size_t from = 0; from < sim::kConfigurations; ++from) {
-        std::vector<Cell> row{name_of(from)};
+        std::vector<Cell> row{configuration_name(from)};
         for (std::size_t to = 0; to < sim::kConfigurations; ++to)
             row.push_back(from == to ? Cell() : Cell(values[from][to], decimals));
         table.add_row(std::move(row));
@@ -341,7 +342,7 @@ void settle_heap() {
 
 // Runs the baselines alternately. The first run is not measured: it lets pools and lists grow to their full size.
 SquareRun run_square(int quads, int runs) {
-    const sim::GarmentMesh base = make_square({.columns = quads, .rows = quads});
+    const sim::GarmentMesh base = sim::make_square({.columns = quads, .rows = quads});
     sim::AdaptiveMesh mesh(base);
     PointerMesh<Pools> pooled(base);
     PointerMesh<NewDelete> plain(base);

@@ -125,7 +125,7 @@ std::vector<Vec3f> random_points(std::size_t count) {
 }
 
 // The cube at the centre of the unit cube with this share of its volume.
-Cube middle_of(double share) {
+Cube middle_cube(double share) {
     const auto side = static_cast<float>(std::cbrt(share));
     return {.low = Vec3f::Constant(0.5F * (1 - side)), .side = side};
 }
@@ -139,7 +139,7 @@ std::size_t count_found(const Structure& structure, const std::vector<Vec3f>& po
 
 // Returns by how much the octree is slower than the grid.
 double add_row(Table& table, const std::vector<Vec3f>& points, double share, int runs) {
-    const Cube cube = middle_of(share);
+    const Cube cube = middle_cube(share);
     const PointGrid grid(points, cube);
     const PointOctree octree(points, cube);
     SELVEDGE_ASSERT(count_found(grid, points) == grid.size() && count_found(octree, points) == octree.size());

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "bench/support/cloth_run.h"
 #include "sim/collide/collider.h"
 
 namespace selvedge::bench {
@@ -14,13 +15,9 @@ using sim::Hinge;
 using sim::LeafEdge;
 using sim::VertexId;
 
-Vec3f at(const Cloth& cloth, VertexId v) {
-    return cloth.x[v.value].head<3>();
-}
-
 void add_springs(const Cloth& cloth, float spring, std::vector<Vec3f>& forces) {
     for (const LeafEdge& e : cloth.mesh.leaf_edges()) {
-        const Vec3f d = at(cloth, e.b) - at(cloth, e.a);
+        const Vec3f d = position_of(cloth, e.b) - position_of(cloth, e.a);
         const float length = d.norm();
         if (length <= 0) continue;
         const Vec3f pull = d * (spring * (length - e.rest_length) / length);
@@ -32,8 +29,9 @@ void add_springs(const Cloth& cloth, float spring, std::vector<Vec3f>& forces) {
 void add_bending(const Cloth& cloth, float bending, std::vector<Vec3f>& forces) {
     for (const Hinge& hinge : cloth.mesh.hinges()) {
         const std::array<VertexId, 4> v{hinge.a, hinge.b, hinge.left, hinge.right};
-        const std::array<Vec3f, 4> f =
-            bending_forces({at(cloth, v[0]), at(cloth, v[1]), at(cloth, v[2]), at(cloth, v[3])}, bending);
+        const std::array<Vec3f, 4> f = bending_forces(
+            {position_of(cloth, v[0]), position_of(cloth, v[1]), position_of(cloth, v[2]), position_of(cloth, v[3])},
+            bending);
         for (std::size_t i = 0; i < 4; ++i) forces[v[i].value] += f[i];
     }
 }
@@ -54,7 +52,8 @@ void integrate(Cloth& cloth, const ProvotOptions& options, const std::vector<Vec
 // All edges, in the order of the list.
 void correct_lengths(Cloth& cloth, float max_elongation) {
     for (const LeafEdge& e : cloth.mesh.leaf_edges()) {
-        WeightedEnd a{at(cloth, e.a), cloth.inverse_mass[e.a.value]}, b{at(cloth, e.b), cloth.inverse_mass[e.b.value]};
+        WeightedEnd a{position_of(cloth, e.a), cloth.inverse_mass[e.a.value]},
+            b{position_of(cloth, e.b), cloth.inverse_mass[e.b.value]};
         correct_length(a, b, (1 + max_elongation) * e.rest_length);
         cloth.x[e.a.value].head<3>() = a.x;
         cloth.x[e.b.value].head<3>() = b.x;
@@ -66,7 +65,7 @@ void correct_lengths(Cloth& cloth, float max_elongation) {
 void collide(Cloth& cloth, const sim::Collider& body, const ProvotOptions& options) {
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         if (cloth.inverse_mass[v.value] == 0) continue;
-        const sim::Contact contact = body.contact(at(cloth, v));
+        const sim::Contact contact = body.contact(position_of(cloth, v));
         const float depth = options.offset - contact.distance;
         if (depth <= 0) continue;
         Vec4f& x = cloth.x[v.value];

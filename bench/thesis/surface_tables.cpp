@@ -12,6 +12,7 @@
 #include "bench/thesis/thesis.h"
 #include "sim/adaptive/criteria.h"
 #include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/contact.h"
 #include "sim/cloth/step.h"
 #include "sim/collide/collider.h"
 #include "sim/core/parallel.h"
@@ -171,7 +172,6 @@ namespace {
 constexpr double kSquareSide = 0.5;                  // m; gives edges of about 5 cm, as in garments
 constexpr double kPinnedWidth = 0.8;                 // distance of the pinned corners, as a share of the side
 constexpr double kFlagWidth = 1.2, kFlagDrop = 0.8;  // m
-constexpr int kStepsPerFrame = 4;
 
 sim::Pattern rectangle(double width, double height) {
     sim::Panel panel;

@@ -12,6 +12,8 @@
 
 namespace selvedge::bench {
 
+inline constexpr int kStepsPerFrame = 4;  // of the cloth, in a frame of 1/30 s
+
 struct ThesisOptions {
     bool is_quick = false;  // small sizes and one run each, as a smoke test; the times are not meaningful
     std::filesystem::path tshirt = "patterns/tshirt_thesis.json";  // of figures 4.3 and 4.11-4.13

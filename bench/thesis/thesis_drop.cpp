@@ -8,34 +8,36 @@
 #include "bench/support/cloth_run.h"
 #include "bench/support/measured_mesh.h"
 #include "bench/thesis/provot_cloth.h"
+#include "bench/thesis/thesis.h"
 #include "render/marks/show.h"
 #include "sim/adaptive/criteria.h"
+#include "sim/cloth/contact.h"
 #include "sim/cloth/standoff.h"
 #include "sim/cloth/step.h"
 #include "sim/collide/collider.h"
 #include "sim/core/parallel.h"
 #include "sim/dress/drape.h"
 #include "sim/dress/report.h"
+#include "sim/mesh/square.h"
 
 namespace selvedge::bench {
 namespace {
 
-constexpr int kStepsPerFrame = 4;
 constexpr double kFrameSeconds = 1.0 / 30;
 constexpr int kGridSide = 33;
-constexpr double kSide = 1.0;              // m, of the cloth
+constexpr double kDropSide = 1.0;          // m, of the cloth
 constexpr double kBeside = 0.15;           // m, start distance from the centre of a cloth that falls off
 constexpr float kSlipperyFriction = 0.2F;  // times the fabric's friction, so that the cloth does fall off
 constexpr float kNoFloor = -1000.0F;       // m
 constexpr float kNoSamples = 10;           // m, longer than any edge
 constexpr int kProvotSubsteps = 4;         // of a step of the mass-spring cloth
-constexpr int kDeepest = 3;
+constexpr int kDropLevels = 3;
 
 sim::Cloth make_drop_cloth(const ThesisDropOptions& options) {
-    sim::GarmentMesh base =
-        make_square({.columns = 4, .rows = 4, .width = kSide, .depth = kSide, .height = kDropRadius + 0.1});
+    sim::GarmentMesh base = sim::make_square(
+        {.columns = 4, .rows = 4, .width = kDropSide, .depth = kDropSide, .height = kDropRadius + 0.1});
     for (Vec3d& x : base.x) x += Vec3d(0, 0, options.shift + (options.falls_off ? kBeside : 0.0));
-    return make_cloth(base, {sim::find_fabric("cotton_shirting")}, {.max_level = kDeepest});
+    return make_cloth(base, {sim::find_fabric("cotton_shirting")}, {.max_level = kDropLevels});
 }
 
 // The settings of a drape for cloth that falls on a body (DrapeRun).
@@ -52,7 +54,7 @@ struct ThesisDropScene {
 
 // A disc that contains the whole cloth.
 sim::MinimumLevelDisc everywhere(int level) {
-    return {.panel = 0, .centre = Vec2f::Zero(), .radius = 10.0F * static_cast<float>(kSide), .level = level};
+    return {.panel = 0, .centre = Vec2f::Zero(), .radius = 10.0F * static_cast<float>(kDropSide), .level = level};
 }
 
 void refine_uniformly(ThesisDropScene& scene, int level) {
@@ -69,7 +71,7 @@ void make_mass_spring(ThesisDropScene& scene) {
     const sim::Fabric& fabric = scene.cloth.material.fabrics.front();
     sim::set_substep(scene.cloth, step_seconds(scene.cloth, scene.stepping) / kProvotSubsteps);
     const double bending = (fabric.bending_warp + fabric.bending_weft) / 2;
-    const float finest = static_cast<float>(kSide) / (4 << kDeepest);  // m
+    const float finest = static_cast<float>(kDropSide) / (4 << kDropLevels);  // m
     scene.stepping.contact.offset = sim::ContactOptions{}.offset;
     scene.provot = {.substeps = kProvotSubsteps,
                     .spring = stable_spring(static_cast<float>(fabric.area_density), finest, scene.cloth.substep),
@@ -157,13 +159,13 @@ Vec3f barycentric(const std::array<Vec2f, 3>& u, const Vec2f& p) {
     return {1 - b - c, b, c};
 }
 
-// Pre: the material coordinates cover a square of side kSide, as those of make_square() do.
+// Pre: the material coordinates cover a square of side kDropSide, as those of sim::make_square() do.
 std::vector<Vec3f> sample_grid(const sim::Cloth& cloth) {
     std::vector<Vec3f> grid(std::size_t{kGridSide} * kGridSide, Vec3f::Zero());
     Vec2f low = Vec2f::Constant(1e6F);
     for (const sim::LeafTriangle& t : cloth.mesh.leaf_triangles())
         for (const Vec2f& u : t.u) low = low.cwiseMin(u);
-    const float spacing = static_cast<float>(kSide) / (kGridSide - 1);
+    const float spacing = static_cast<float>(kDropSide) / (kGridSide - 1);
     for (const sim::LeafTriangle& t : cloth.mesh.leaf_triangles()) {
         const Vec2f from = (t.u[0].cwiseMin(t.u[1]).cwiseMin(t.u[2]) - low) / spacing;
         const Vec2f to = (t.u[0].cwiseMax(t.u[1]).cwiseMax(t.u[2]) - low) / spacing;
@@ -232,7 +234,7 @@ double mean_distance(const ThesisDropRun& a, const ThesisDropRun& b) {
 
 double mean_bend(const ThesisDropRun& run) {
     constexpr int kInner = kGridSide - 2;
-    const double spacing = kSide / (kGridSide - 1);
+    const double spacing = kDropSide / (kGridSide - 1);
     const auto x = [&](int row, int column) { return run.grid[static_cast<std::size_t>(row * kGridSide + column)]; };
     double sum = 0;
     for (int row = 1; row <= kInner; ++row)

@@ -18,7 +18,7 @@ constexpr std::array<TieBreaker, 4> kTieBreakers{{{"least work", DiagonalChoice:
                                                   {"length", DiagonalChoice::Length},
                                                   {"rest length", DiagonalChoice::RestLength},
                                                   {"curvature", DiagonalChoice::Curvature}}};
-constexpr const char* kFigure = "3.9";
+constexpr const char* kTieBreakerFigure = "3.9";
 
 struct Statistics {
     double triangles = 0;   // mean over the frames
@@ -88,7 +88,7 @@ ThesisResult measure_tie_breakers(const ThesisOptions& options) {
                            Cell(one.adaptation, 4), Cell(one.frame, 3), Cell(one.distance, 1)});
         }
         widest = std::max(widest, spread(all));
-        result.captures.push_back({kFigure, name_of(object), labelled_sheet(tiles, 2)});
+        result.captures.push_back({kTieBreakerFigure, name_of(object), labelled_sheet(tiles, 2)});
     }
     result.tables = {table};
     result.trends = {{.item = "F3.9",

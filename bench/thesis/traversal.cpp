@@ -6,17 +6,18 @@
 #include "bench/support/cloth_run.h"
 #include "bench/support/measured_mesh.h"
 #include "bench/thesis/thesis.h"
+#include "sim/mesh/square.h"
 
 namespace selvedge::bench {
 namespace {
 
-constexpr float kSeconds = 0.001F;   // s, of a step
-constexpr float kSpring = 2.0F;      // N/m; weak, as in the thesis: the corrections keep the length
-constexpr float kBend = 1e-4F;       // N
-constexpr float kDensity = 0.12F;    // kg/m^2
-constexpr float kKept = 0.999F;      // share of the velocity that is kept per step
-constexpr float kTolerance = 1.01F;  // times the rest length, from which an edge is corrected
-const Vec3f kGravity(0, -9.81F, 0);  // m/s^2
+constexpr float kSeconds = 0.001F;       // s, of a step
+constexpr float kSpring = 2.0F;          // N/m; weak, as in the thesis: the corrections keep the length
+constexpr float kBend = 1e-4F;           // N
+constexpr float kDensity = 0.12F;        // kg/m^2
+constexpr float kKept = 0.999F;          // share of the velocity that is kept per step
+constexpr float kCorrectedFrom = 1.01F;  // times the rest length, from which an edge is corrected
+const Vec3f kGravity(0, -9.81F, 0);      // m/s^2
 
 // The work at each element, the same for every traversal.
 
@@ -60,8 +61,8 @@ void move(SpringState& state, std::uint32_t v) {
 void correct_length(SpringState& state, std::uint32_t a, std::uint32_t b, float rest_length) {
     const Vec3f d = state.x[b] - state.x[a];
     const float length = d.norm(), w = state.inverse_mass[a] + state.inverse_mass[b];
-    if (length <= kTolerance * rest_length || w == 0) return;
-    const Vec3f c = ((length - kTolerance * rest_length) / (length * w)) * d;
+    if (length <= kCorrectedFrom * rest_length || w == 0) return;
+    const Vec3f c = ((length - kCorrectedFrom * rest_length) / (length * w)) * d;
     state.x[a] += state.inverse_mass[a] * c;
     state.x[b] -= state.inverse_mass[b] * c;
 }
@@ -210,7 +211,7 @@ TraversalTimes measure_steps(const sim::AdaptiveMesh& mesh, const SpringState& s
 }  // namespace
 
 ThesisResult measure_traversal(const ThesisOptions& options) {
-    const sim::GarmentMesh base = make_square({.columns = 8, .rows = 8});
+    const sim::GarmentMesh base = sim::make_square({.columns = 8, .rows = 8});
     sim::AdaptiveMesh mesh(base);
     sim::NoState none;
     Table table{
