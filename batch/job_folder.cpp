@@ -26,7 +26,7 @@ using Path = std::filesystem::path;
 constexpr std::string_view kUnfinished = ".unfinished@";  // NAME.unfinished@NUMBER
 constexpr std::string_view kOld = ".old@";                // a result that is being replaced
 constexpr std::string_view kLock = ".lock";               // in an unfinished folder
-constexpr std::size_t kMostBytes = 1 << 20;
+constexpr std::size_t kMostRecordBytes = 1 << 20;
 
 // A path that no other process chooses, on whatever machine.
 Path beside(const Path& target, std::string_view mark) {
@@ -76,7 +76,7 @@ std::optional<JobRecord> read_record(const Path& output, const std::string& name
     const Path file = job_folder(output, name) / job_file::kRecord;
     if (!sim::file_exists(file)) return std::nullopt;
     try {
-        const sim::Json json = sim::parse_json(sim::read_file(file, kMostBytes), file.string());
+        const sim::Json json = sim::parse_json(sim::read_file(file, kMostRecordBytes), file.string());
         const sim::JsonView view(json, file.string());
         JobRecord record;
         record.key = view.at("key").string();

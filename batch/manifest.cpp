@@ -25,7 +25,7 @@ using Path = std::filesystem::path;
 using sim::InputError;
 using sim::JsonView;
 
-constexpr std::size_t kMostBytes = std::size_t(256) << 20;
+constexpr std::size_t kMostManifestBytes = std::size_t(256) << 20;
 
 // Outputs, which the batch chooses, and what a job says in a place of its own.
 constexpr std::array<std::string_view, 15> kNotOptions{"garment",
@@ -84,7 +84,7 @@ void add_bodies(const std::string& text, const Path& folder, std::vector<std::st
         bodies.push_back(text);
     } else if (text.ends_with(".txt")) {
         const Path list = folder / text;
-        std::istringstream lines(sim::read_file(list, kMostBytes));
+        std::istringstream lines(sim::read_file(list, kMostManifestBytes));
         for (std::string line; std::getline(lines, line);) {
             while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
             if (!line.starts_with('#') && !line.ends_with(".txt")) add_bodies(line, list.parent_path(), bodies);
@@ -338,7 +338,7 @@ std::vector<Job> parse_manifest(std::string_view text, const Path& file) {
 }
 
 std::vector<Job> read_manifest(const Path& path) {
-    return parse_manifest(sim::read_file(path, kMostBytes), path);
+    return parse_manifest(sim::read_file(path, kMostManifestBytes), path);
 }
 
 JobOption parse_option(const std::string& text) {

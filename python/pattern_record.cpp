@@ -344,7 +344,7 @@ void read_placement(const RecordReader& reader, sim::Panel& panel) {
 sim::Panel panel_of_record(const RecordReader& reader) {
     sim::Panel panel;
     if (reader.record.contains("origin") && !reader.at("origin").is_none()) {
-        const auto origin = reader.at("origin").cast<std::pair<std::shared_ptr<Document>, std::size_t>>();
+        const auto origin = reader.at("origin").cast<std::pair<DocumentPointer, std::size_t>>();
         panel = origin.first->content.pattern.panels.at(origin.second);
     }
     panel.name = reader.text("name");

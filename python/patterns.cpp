@@ -13,8 +13,6 @@
 namespace selvedge::python {
 namespace {
 
-using DocumentPointer = std::shared_ptr<Document>;
-
 DocumentPointer load_document(const std::string& path) {
     const py::gil_scoped_release release;
     return std::make_shared<Document>(Document{sim::load_pattern(path), path});

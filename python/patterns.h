@@ -19,6 +19,8 @@ struct Document {
     std::string file;  // that it was read from; empty: none
 };
 
+using DocumentPointer = std::shared_ptr<Document>;
+
 void add_patterns(py::module_& module);
 
 }  // namespace selvedge::python

@@ -31,7 +31,7 @@ std::mutex& drawing() {
 }
 
 // Shape (height, width, 4), uint8, over the picture's own memory.
-py::array array_of(render::Image image) {
+py::array picture_array(render::Image image) {
     auto kept = std::make_unique<render::Image>(std::move(image));
     const render::Image& picture = *kept;
     const py::capsule owner(kept.get(), [](void* pointer) { delete static_cast<render::Image*>(pointer); });
@@ -57,7 +57,7 @@ py::array render_result(const ResultPointer& result, const std::optional<Wearing
                       .hierarchy = &result->dressed.hierarchy},
                      options);
     }
-    return array_of(std::move(image));
+    return picture_array(std::move(image));
 }
 
 py::array render_mesh(const GarmentMeshView& mesh, const std::optional<WearingBody>& body,
@@ -70,7 +70,7 @@ py::array render_mesh(const GarmentMeshView& mesh, const std::optional<WearingBo
         show_design(options, fabric);
         image = draw({.garment = *mesh.mesh, .body = body ? body->body.get() : nullptr}, options);
     }
-    return array_of(std::move(image));
+    return picture_array(std::move(image));
 }
 
 void write_picture(const py::object& picture, const std::filesystem::path& path) {

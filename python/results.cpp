@@ -79,8 +79,6 @@ app::PictureOptions picture_of(const Result& result, app::PictureOptions picture
 
 namespace {
 
-using DocumentPointer = std::shared_ptr<Document>;
-
 // As the command dresses: see run() in app/dress.cpp.
 ResultPointer dress(const DocumentPointer& pattern, const std::optional<WearingBody>& body,
                     const std::vector<DocumentPointer>& over, const DressArguments& arguments, double seconds,

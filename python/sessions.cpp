@@ -43,7 +43,7 @@ Vec3f vector_of(const Three& numbers, const char* place) {
 
 class CallerSession {
  public:
-    CallerSession(const std::shared_ptr<Document>& pattern, const std::optional<WearingBody>& body,
+    CallerSession(const DocumentPointer& pattern, const std::optional<WearingBody>& body,
                   const DressArguments& arguments, std::optional<int> threads)
         : threads_(within(threads, app::kThreadCounts, "threads")) {
         const py::gil_scoped_release release;
@@ -62,7 +62,7 @@ class CallerSession {
         session_.advance(0);
     }
 
-    void set_pattern(const std::shared_ptr<Document>& pattern) { session_.set_pattern(pattern->content.pattern); }
+    void set_pattern(const DocumentPointer& pattern) { session_.set_pattern(pattern->content.pattern); }
     void set_body(const WearingBody& body) {
         body_ = body;
         session_.set_body(body.body);
@@ -173,7 +173,7 @@ void add_sessions(py::module_& module) {
     add_frames(module);
     constexpr Three kMiddle{1.0 / 3, 1.0 / 3, 1.0 / 3};
     py::class_<CallerSession>(module, "_Session", "A session over a document.")
-        .def(py::init<const std::shared_ptr<Document>&, const std::optional<WearingBody>&, const DressArguments&,
+        .def(py::init<const DocumentPointer&, const std::optional<WearingBody>&, const DressArguments&,
                       std::optional<int>>(),
              py::arg("pattern"), py::arg("body").none(true), py::arg("arguments"), py::arg("threads").none(true),
              "A session whose panels are placed.")

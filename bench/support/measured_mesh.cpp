@@ -6,6 +6,7 @@
 #include <limits>
 #include <tuple>
 
+#include "sim/cloth/cloth.h"
 #include "sim/core/assert.h"
 #include "sim/core/math.h"
 

@@ -5,10 +5,13 @@
 #include <array>
 #include <vector>
 
-#include "sim/cloth/cloth.h"
 #include "sim/core/math.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
+
+namespace selvedge::sim {
+struct Cloth;
+}
 
 namespace selvedge::bench {
 

@@ -156,8 +156,8 @@ std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>&
 
 namespace {
 
-constexpr double kSnap = 1e-4;   // m, an end of the cut closer to a vertex than this is moved to it
-constexpr double kApart = 0.02;  // m, gap between the two parts on the sheet
+constexpr double kCutSnap = 1e-4;  // m, an end of the cut closer to a vertex than this is moved to it
+constexpr double kApart = 0.02;    // m, gap between the two parts on the sheet
 
 // The parameters (0..1, ascending) at which a segment intersects the path.
 std::vector<double> meetings(const Vec2d& from, const Vec2d& to, const std::vector<Vec2d>& path) {
@@ -236,8 +236,8 @@ class PanelCutter {
         }
         const sim::OutlineEdge& edge = own().edges[as_size(best.edge)];
         const double length = outline_length(own(), edge);
-        if (nearest.t * length < kSnap) return edge.start;
-        if ((1 - nearest.t) * length < kSnap) return edge.end;
+        if (nearest.t * length < kCutSnap) return edge.start;
+        if ((1 - nearest.t) * length < kCutSnap) return edge.end;
         return split_sewn(draft_, best, nearest.t);
     }
 

@@ -166,8 +166,8 @@ bool is_crossed(const sim::Pattern& pattern, const sim::Seam& seam) {
 
 namespace {
 
-constexpr double kSnap = 1e-4;  // m, joints closer than this are merged
-constexpr double kSame = 1e-9;  // fractions closer than this are equal
+constexpr double kJointSnap = 1e-4;  // m, joints closer than this are merged
+constexpr double kSame = 1e-9;       // fractions closer than this are equal
 
 // A run of spans with the position of each joint as a fraction of the run's length.
 struct Run {
@@ -185,8 +185,8 @@ Run measured(const sim::Pattern& pattern, const std::vector<EdgeSpan>& spans) {
         if (!(span.from >= 0 && span.from < span.to && span.to <= 1)) {
             throw GeometryError("The part of the edge that is to be sewn has no length.", {place_of(pattern, side)});
         }
-        if (span.from * length < kSnap) span.from = 0;
-        if ((1 - span.to) * length < kSnap) span.to = 1;
+        if (span.from * length < kJointSnap) span.from = 0;
+        if ((1 - span.to) * length < kJointSnap) span.to = 1;
         if (seam_at(pattern, side)) {
             throw GeometryError("This edge of panel " + panel_of(pattern, span.panel).name + " is sewn already.",
                                 {place_of(pattern, side)});
@@ -206,7 +206,7 @@ struct Joint {
 
 std::vector<Joint> joints_of(const Run& first, const Run& second, bool is_reversed) {
     const auto across = [&](double share) { return is_reversed ? 1 - share : share; };
-    const double snap = kSnap / std::min(first.length, second.length);
+    const double snap = kJointSnap / std::min(first.length, second.length);
     std::vector<Joint> joints;
     for (const double share : first.reached) joints.push_back({share, across(share)});
     for (const double share : second.reached) {

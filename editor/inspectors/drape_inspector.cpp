@@ -3,10 +3,10 @@
 #include <imgui.h>
 #include <algorithm>
 #include <cstdio>
-#include <numbers>
 
 #include "editor/inspectors/controls.h"
 #include "editor/inspectors/number_box.h"
+#include "sim/core/math.h"
 
 namespace selvedge::editor {
 namespace {
@@ -96,7 +96,6 @@ void DrapeTrace::take(const sim::SessionFrame& frame) {
 namespace {
 
 constexpr int kMaxLevels = 6;
-constexpr double kDegree = std::numbers::pi / 180;           // rad
 constexpr double kShortestEdge = 0.002, kLongestEdge = 0.2;  // m
 constexpr int kMinTriangles = 100, kMaxTriangles = 200000;
 
@@ -192,16 +191,16 @@ void draw_criteria(InspectorContext& context, sim::SessionOptions& options) {
                                          .value = options.curvature.split_angle,
                                          .unit = Unit::Degrees,
                                          .tip = "An edge splits where the cloth turns by more than this along it.",
-                                         .least = 1 * kDegree,
-                                         .most = 90 * kDegree},
+                                         .least = 1 * sim::kDegree,
+                                         .most = 90 * sim::kDegree},
                                         "Split from");
     const NumberEdit rejoin = number_row(context,
                                          {.name = "drape.rejoin_angle",
                                           .value = options.curvature.rejoin_angle,
                                           .unit = Unit::Degrees,
                                           .tip = "It is put together again where it turns by less; below the other.",
-                                          .least = 0.1 * kDegree,
-                                          .most = 90 * kDegree},
+                                          .least = 0.1 * sim::kDegree,
+                                          .most = 90 * sim::kDegree},
                                          "Rejoin below");
     options.curvature =
         curvature_with(options.curvature, split ? split.value : std::nullopt, rejoin ? rejoin.value : std::nullopt);

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <span>
 
 #include "editor/geometry/expression.h"
@@ -313,8 +312,7 @@ void forget_lost_boxes(InspectorContext& context) {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;  // rad
-constexpr double kInch = 0.0254;                    // m
+constexpr double kInch = 0.0254;  // m
 
 struct UnitRow {
     double size = 1;  // SI value of one unit
@@ -330,7 +328,7 @@ UnitRow row_of(Unit unit) {
         case Unit::Millimetres:
             return {.size = 0.001, .decimals = 1, .word = " mm", .step = 0.1};
         case Unit::Degrees:
-            return {.size = kDegree, .decimals = 2, .word = "\u00B0", .step = 1};
+            return {.size = sim::kDegree, .decimals = 2, .word = "\u00B0", .step = 1};
         case Unit::Factor:
             return {.size = 1, .decimals = 4, .word = "", .step = 0.01};
         case Unit::Plain:
@@ -386,8 +384,8 @@ constexpr std::array<Suffix, 17> kSuffixes{{
     {"m", 1, is_length},
     {"in", kInch, is_length},
     {"\"", kInch, is_length},
-    {"\u00B0", kDegree, [](Unit unit) { return unit == Unit::Degrees; }},
-    {"deg", kDegree, [](Unit unit) { return unit == Unit::Degrees; }},
+    {"\u00B0", sim::kDegree, [](Unit unit) { return unit == Unit::Degrees; }},
+    {"deg", sim::kDegree, [](Unit unit) { return unit == Unit::Degrees; }},
     {"%", 0.01, [](Unit unit) { return unit == Unit::Factor || unit == Unit::Percent; }},
 }};
 

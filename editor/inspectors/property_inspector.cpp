@@ -291,7 +291,7 @@ void draw_panels_section(InspectorContext& context) {
 
 namespace {
 
-constexpr double kShortestEdge = 0.001;  // m, lower limit for typed lengths
+constexpr double kShortestTyped = 0.001;  // m, lower limit for typed lengths
 
 struct FoundPanel {
     const sim::Panel& panel;
@@ -396,7 +396,7 @@ void draw_length(InspectorContext& context, const PartRef& edge, const FoundPane
                                          {.name = "edge.length",
                                           .value = outline_length(found.panel, curve),
                                           .tip = "Type a length: the end of the edge moves, its start stays.",
-                                          .least = kShortestEdge},
+                                          .least = kShortestTyped},
                                          "Length");
     if (!length) return;
     const double before = length.before.value_or(0);

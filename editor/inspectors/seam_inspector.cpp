@@ -41,7 +41,7 @@ void choose(InspectorContext& context, int seam) {
 }
 
 // Highlights the seam in all views while the cursor is over its row.
-void light_up(InspectorContext& context, int seam, bool is_hovered) {
+void light_up_seam(InspectorContext& context, int seam, bool is_hovered) {
     std::optional<int>& lit = context.state.hovered_seam;
     if (is_hovered) {
         context.workspace.hover = {.seam = seam};
@@ -69,7 +69,7 @@ void draw_seam_row(InspectorContext& context, int seam, const SeamMeasures& meas
     if (ImGui::Selectable(("##" + name).c_str(), context.selection().seams.contains(seam), 0, size))
         choose(context, seam);
     note_widget(context, name);
-    light_up(context, seam, ImGui::IsItemHovered());
+    light_up_seam(context, seam, ImGui::IsItemHovered());
     const std::string state = measures.is_wrong()
                                   ? "\nIts sides differ by more than 1 mm: even it, or accept it as ease."
                               : measures.is_uneven ? "\nEased: its sides are meant to differ."

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "editor/geometry/draft.h"
 #include "editor/tools/tool.h"
+#include "sim/core/math.h"
 
 namespace selvedge::editor {
 namespace {
@@ -395,8 +395,6 @@ Vec2d apply(const PlaneMap& map, const Vec2d& p) {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
-
 Vec2d handle_place(const SheetBox& box, const Vec2d& handle) {
     return box.center() + handle.cwiseProduct(box.sizes() / 2);
 }
@@ -452,7 +450,7 @@ void TransformTool::rotate(ToolContext& context, const SheetPointer& pointer) {
     const Vec2d centre = box_.center(), from = pressed_at_ - centre, to = pointer.at - centre;
     if (from.norm() == 0 || to.norm() == 0) return;
     angle_ = std::atan2(sim::cross2(from, to), from.dot(to));
-    const double step = pointer.modifiers.shift ? 15 * kDegree : kDegree;
+    const double step = pointer.modifiers.shift ? 15 * sim::kDegree : sim::kDegree;
     if (pointer.modifiers.shift || snap_options(context, pointer.modifiers).is_on) {
         angle_ = std::round(angle_ / step) * step;
     }
@@ -503,7 +501,7 @@ bool TransformTool::enter(ToolContext& context, const std::vector<double>& numbe
     PlaneMap map;
     if (mode_ == TransformMode::Rotate) {
         if (numbers.size() != 1) return false;
-        map = rotation_about(box.center(), numbers[0] * kDegree);
+        map = rotation_about(box.center(), numbers[0] * sim::kDegree);
     } else {
         if (numbers.size() > 2) return false;
         const Vec2d factors(numbers.front(), numbers.back());

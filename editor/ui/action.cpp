@@ -134,9 +134,9 @@ std::vector<const Action*> search(const std::vector<Action>& actions, std::strin
 
 namespace {
 
-constexpr std::size_t kMaxShown = 12;
+constexpr std::size_t kMostFound = 12;
 
-bool is_pressed(Key key) {
+bool is_key_pressed(Key key) {
     return ImGui::IsKeyPressed(static_cast<int>(key));
 }
 
@@ -165,10 +165,10 @@ void ActionFinder::show(AppState& state) {
     ImGui::SetNextItemWidth(-1);
     if (ImGui::InputTextWithHint("##wanted", "What do you want to do?", &wanted_)) chosen_ = 0;
     std::vector<const Action*> found = search(state.actions, wanted_);
-    if (found.size() > kMaxShown) found.resize(kMaxShown);
+    if (found.size() > kMostFound) found.resize(kMostFound);
     const int count = static_cast<int>(found.size());
-    if (is_pressed(Key::Down)) ++chosen_;
-    if (is_pressed(Key::Up)) --chosen_;
+    if (is_key_pressed(Key::Down)) ++chosen_;
+    if (is_key_pressed(Key::Up)) --chosen_;
     chosen_ = count == 0 ? 0 : (chosen_ + count) % count;
     const Action* wants = nullptr;
     for (int i = 0; i < count; ++i) {
@@ -176,9 +176,9 @@ void ActionFinder::show(AppState& state) {
         if (action_row(state, action, i == chosen_)) wants = &action;
     }
     if (count == 0) ImGui::TextDisabled("No action has this name.");
-    const bool is_confirmed = is_pressed(Key::Enter) || is_pressed(Key::KeypadEnter);
+    const bool is_confirmed = is_key_pressed(Key::Enter) || is_key_pressed(Key::KeypadEnter);
     if (is_confirmed && count > 0) wants = found[static_cast<std::size_t>(chosen_)];
-    if (is_pressed(Key::Escape) || wants != nullptr) is_open_ = false;
+    if (is_key_pressed(Key::Escape) || wants != nullptr) is_open_ = false;
     ImGui::End();
     if (wants != nullptr && !run_action(state, *wants)) {
         state.workspace.messages.warn("'" + wants->title + "' cannot be done now");

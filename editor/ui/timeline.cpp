@@ -20,10 +20,6 @@ namespace {
 
 constexpr float kTrack = 1.7F;  // font heights
 
-ImU32 colour_of(const sim::Rgb8& rgb, int alpha = 255) {
-    return IM_COL32(rgb[0], rgb[1], rgb[2], alpha);
-}
-
 std::string seconds_of(double seconds) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2f", seconds);

@@ -12,13 +12,10 @@
 #include "editor/ui/app_state.h"
 
 namespace selvedge::editor {
-namespace {
 
-ImU32 colour_of(const sim::Rgb8& rgb, int alpha = 255) {
+std::uint32_t colour_of(const sim::Rgb8& rgb, int alpha) {
     return IM_COL32(rgb[0], rgb[1], rgb[2], alpha);
 }
-
-}  // namespace
 
 bool button(AppState& state, const std::string& name, const std::string& label) {
     const bool is_pressed = ImGui::Button((label + "##" + name).c_str());

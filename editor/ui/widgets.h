@@ -2,6 +2,7 @@
 // Small controls that several parts of the interface share, icons, and the timing of status messages. Named controls
 // record their position for scripts and tests.
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -26,6 +27,8 @@ void icon_button(AppState& state, const Action& action, const std::string& icon,
 
 // One action in a list: its title, menu and key.
 bool action_row(AppState& state, const Action& action, bool is_chosen);
+
+std::uint32_t colour_of(const sim::Rgb8& rgb, int alpha = 255);  // as ImGui packs it
 
 void coloured_text(const sim::Rgb8& colour, const std::string& text);
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "editor/viewport3d/pick.h"
+#include "sim/core/math.h"
 
 namespace selvedge::editor {
 namespace {
@@ -110,9 +111,8 @@ std::optional<GizmoHandle> pick_gizmo(const Gizmo& gizmo, const Viewing& viewing
 
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr double kLengthStep = 0.01;  // m
-constexpr double kAngleStep = 5 * kDegree;
+constexpr double kAngleStep = 5 * sim::kDegree;
 constexpr double kMaxMotion = 20;  // m: limits the motion when a ray is almost parallel to an axis or a plane
 
 // The axis parameter (m from `through`) of the point on the axis nearest to the ray. None: they are parallel.
@@ -195,7 +195,7 @@ void GizmoDrag::move(const Viewing& viewing, const Vec2f& px) {
         case GizmoKind::Turn: {
             const double angle = angle_of_cursor(viewing, px);
             const double by = angle - cursor_angle_;
-            angle_ += is_on_edge_ ? by : std::remainder(by, 360 * kDegree);
+            angle_ += is_on_edge_ ? by : std::remainder(by, 360 * sim::kDegree);
             cursor_angle_ = angle;
             return;
         }
@@ -208,7 +208,7 @@ Vec3d GizmoDrag::amounts() const {
     const auto axis = static_cast<Eigen::Index>(handle_.axis);
     Vec3d amounts = Vec3d::Zero();
     const bool is_turn = handle_.kind == GizmoKind::Turn;
-    const double unit = is_turn ? kDegree : 0.01;
+    const double unit = is_turn ? sim::kDegree : 0.01;
     if (!typed_.empty() && handle_.kind != GizmoKind::MoveScreen) {
         if (handle_.kind != GizmoKind::MovePlane) {
             amounts[axis] = unit * typed_[0];
@@ -260,7 +260,7 @@ std::string GizmoDrag::readout() const {
             handle_.kind == GizmoKind::MoveScreen || (i == handle_.axis) != (handle_.kind == GizmoKind::MovePlane);
         if (!is_shown) continue;
         std::array<char, 40> part{};
-        const double value = is_turn ? by[i] / kDegree : 100 * by[i];
+        const double value = is_turn ? by[i] / sim::kDegree : 100 * by[i];
         std::snprintf(part.data(), part.size(), "%s %.1f%s", kNames[static_cast<std::size_t>(i)], value,
                       is_turn ? "\u00B0" : "");
         text += (text.empty() ? "" : "   ") + std::string(part.data());

@@ -21,16 +21,18 @@
 #include "sim/core/assert.h"
 
 namespace selvedge::render {
-namespace {
 
-constexpr float kBodyAmbientVisibility = 0.85F;  // constant ambient visibility, because previews bake none
-constexpr float kSeamInk = 0.28F, kEdgeInk = 0.6F;
-
-// The place of a body's soft shadow on the ground.
+// The place of a body's soft shadow on the ground. Not in the unnamed namespace, because PreviewRenderer::Impl has it
+// as a member: g++ warns of that in a batch of sources.
 struct Footprint {
     Vec3f centre = Vec3f::Zero();
     Vec2f reach = Vec2f::Zero();  // m, half axes along x and z
 };
+
+namespace {
+
+constexpr float kBodyAmbientVisibility = 0.85F;  // constant ambient visibility, because previews bake none
+constexpr float kSeamInk = 0.28F, kEdgeInk = 0.6F;
 
 std::optional<Footprint> footprint_of(const Scene& scene) {
     if (!scene.has_ground) return std::nullopt;
