@@ -112,11 +112,11 @@ render::Scene make_frozen_scene(const FrozenOptions& options) {
 
 namespace {
 
-constexpr std::uint32_t kSide = 49;  // vertices along a side of the frozen sheet
+constexpr std::uint32_t kSheetSide = 49;  // vertices along a side of the frozen sheet
 
 // Every eighth vertex along a side has level 0, every fourth level 1, every second level 2, the others level 3.
 std::uint8_t vertex_level(std::uint32_t v) {
-    const std::uint32_t i = v % kSide, j = v / kSide;
+    const std::uint32_t i = v % kSheetSide, j = v / kSheetSide;
     for (std::uint8_t level = 0; level < 3; ++level) {
         const std::uint32_t step = 8U >> level;
         if (i % step == 0 && j % step == 0) return level;

@@ -14,7 +14,7 @@
 namespace selvedge::test {
 namespace {
 
-constexpr int kSide = 320;  // px
+constexpr int kModeSide = 320;  // px
 
 struct ModeCase {
     const char* name;
@@ -28,8 +28,8 @@ void PrintTo(const ModeCase& tested, std::ostream* out) {
 class GoldenMode : public testing::TestWithParam<ModeCase> {};
 
 TEST_P(GoldenMode, picture_is_as_it_was) {
-    EXPECT_TRUE(
-        matches_golden(draw_frozen(make_frozen_mode(GetParam().mode), kSide), std::string("mode_") + GetParam().name));
+    EXPECT_TRUE(matches_golden(draw_frozen(make_frozen_mode(GetParam().mode), kModeSide),
+                               std::string("mode_") + GetParam().name));
 }
 
 INSTANTIATE_TEST_SUITE_P(Picture, GoldenMode,
@@ -137,7 +137,7 @@ TEST_P(SeededModeFault, is_seen) {
     FrozenMode frozen = make_frozen_mode(GetParam().mode.mode);
     GetParam().seed(frozen);
     const std::string golden = std::string("mode_") + GetParam().mode.name;
-    const render::Comparison comparison = compare(read_reference(golden), draw_frozen(frozen, kSide));
+    const render::Comparison comparison = compare(read_reference(golden), draw_frozen(frozen, kModeSide));
     EXPECT_FALSE(is_alike(comparison)) << "the golden " << golden << " does not see it: " << describe(comparison);
 }
 

@@ -12,7 +12,7 @@
 namespace selvedge::test {
 namespace {
 
-constexpr int kSide = 128;  // px
+constexpr int kWeaveSide = 128;  // px
 constexpr double kOneStep = 1.0 / 255;
 constexpr double kMinWave = 1.5 / 255;  // amplitude in linear light; smaller waves are invisible
 constexpr int kSlowest = 6;             // waves per picture: patterns below have more where threads are near a pixel
@@ -23,7 +23,7 @@ sim::Sett few_threads(sim::Weave weave) {
     return sett;
 }
 
-sim::Sett denim() {
+sim::Sett two_dye_denim() {
     sim::Sett sett = sim::parse_threadcount("B8");
     sett.weft_stripes = sim::parse_threadcount("W8").stripes;
     sett.weave = sim::Weave::Twill31;
@@ -38,7 +38,7 @@ sim::Sett unlike_setts() {
 }
 
 LinearPicture draw(render::Renderer& renderer, const SheetView& view) {
-    return to_linear(renderer.draw(sheet_scene(view), {.width_px = kSide, .height_px = kSide}));
+    return to_linear(renderer.draw(sheet_scene(view), {.width_px = kWeaveSide, .height_px = kWeaveSide}));
 }
 
 // The light on the sheet, measured with a cloth of one colour.
@@ -52,19 +52,19 @@ Vec3d light_on(render::Renderer& renderer, SheetView view) {
 
 // Largest difference of a channel's mean from the value computed from the threads.
 double shift_of(const LinearPicture& picture, const SheetView& view, const Vec3d& light) {
-    const Vec3d expected = lit_dye(dyes_seen(view, kSide, 6).mean(), view, light);
+    const Vec3d expected = lit_dye(dyes_seen(view, kWeaveSide, 6).mean(), view, light);
     return (picture.mean() - expected).cwiseAbs().maxCoeff();
 }
 
 double moire_of(const LinearPicture& picture, const SheetView& view, const Vec3d& light) {
-    const LinearPicture dyes = dyes_seen(view, kSide, 10);
+    const LinearPicture dyes = dyes_seen(view, kWeaveSide, 10);
     double greatest = 0;
     for (int channel = 0; channel < 3; ++channel) {
         std::vector<double> difference = picture.channel(channel);
         for (std::size_t i = 0; i < difference.size(); ++i) {
             difference[i] -= lit_dye(dyes.pixels[i], view, light)[channel];
         }
-        greatest = std::max(greatest, greatest_slow_wave(difference, kSide, kSlowest));
+        greatest = std::max(greatest, greatest_slow_wave(difference, kWeaveSide, kSlowest));
     }
     return greatest;
 }
@@ -87,8 +87,8 @@ std::vector<WeaveCase> weave_cases() {
             {"twill", few_threads(sim::Weave::Twill22)},
             {"twill31", few_threads(sim::Weave::Twill31)},
             {"twill31_behind", few_threads(sim::Weave::Twill31), 0.4, 0, true},
-            {"denim", denim(), 0.1},
-            {"denim_behind", denim(), 0.1, 0, true},
+            {"denim", two_dye_denim(), 0.1},
+            {"denim_behind", two_dye_denim(), 0.1, 0, true},
             {"plain_turned", few_threads(sim::Weave::Plain), 0.37},
             {"twill_turned", few_threads(sim::Weave::Twill22), 0.7853981},
             {"twill_in_key_light", few_threads(sim::Weave::Twill22), 0.5, 0.9, false, 0.5F},
@@ -123,7 +123,7 @@ TEST_P(Weaves, show_no_wave_that_is_not_in_the_cloth) {
     render::Renderer renderer;
     const Vec3d light = light_on(renderer, view_of(GetParam(), 1));
     for (const double threads_per_px : {1.05, 1.4, 1.9, 2.9, 4.0, 6.1, 11.0, 40.0}) {
-        const SheetView view = view_of(GetParam(), threads_per_px * kSide * GetParam().sett.thread_spacing);
+        const SheetView view = view_of(GetParam(), threads_per_px * kWeaveSide * GetParam().sett.thread_spacing);
         EXPECT_LT(moire_of(draw(renderer, view), view, light), kMinWave) << threads_per_px << " threads to a pixel";
     }
 }
@@ -135,10 +135,10 @@ INSTANTIATE_TEST_SUITE_P(Woven, Weaves, testing::ValuesIn(weave_cases()),
 LinearPicture unfiltered(render::Renderer& renderer, const SheetView& view) {
     constexpr int times = 8;
     const render::Image fine =
-        renderer.draw(sheet_scene(view), {.width_px = times * kSide, .height_px = times * kSide});
-    render::Image coarse(kSide, kSide);
-    for (int y = 0; y < kSide; ++y) {
-        for (int x = 0; x < kSide; ++x) coarse.at(x, y) = fine.at(times * x + times / 2, times * y + times / 2);
+        renderer.draw(sheet_scene(view), {.width_px = times * kWeaveSide, .height_px = times * kWeaveSide});
+    render::Image coarse(kWeaveSide, kWeaveSide);
+    for (int y = 0; y < kWeaveSide; ++y) {
+        for (int x = 0; x < kWeaveSide; ++x) coarse.at(x, y) = fine.at(times * x + times / 2, times * y + times / 2);
     }
     return to_linear(coarse);
 }
@@ -150,7 +150,7 @@ TEST(SeededWeaveFault, waves_are_found_where_nothing_is_filtered) {
         const Vec3d light = light_on(renderer, view);
         double greatest = 0;
         for (const double threads_per_px : {1.05, 4.0, 11.0}) {
-            view.field = threads_per_px * kSide * view.sett.thread_spacing;
+            view.field = threads_per_px * kWeaveSide * view.sett.thread_spacing;
             greatest = std::max(greatest, moire_of(unfiltered(renderer, view), view, light));
         }
         EXPECT_GT(greatest, 4 * kMinWave) << turn;
@@ -159,7 +159,7 @@ TEST(SeededWeaveFault, waves_are_found_where_nothing_is_filtered) {
 
 TEST(SeededWeaveFault, a_cloth_of_another_weave_has_another_colour) {
     render::Renderer renderer;
-    const SheetView view{.sett = denim(), .field = 0.4};
+    const SheetView view{.sett = two_dye_denim(), .field = 0.4};
     SheetView twill = view, behind = view;
     twill.sett.weave = sim::Weave::Twill22;
     behind.is_behind = true;

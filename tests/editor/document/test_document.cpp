@@ -8,14 +8,10 @@
 #include "editor/geometry/draft.h"
 #include "sim/pattern/garments.h"
 #include "tests/editor/document/random_commands.h"
-#include "tests/support/checkout.h"
+#include "tests/editor/document/support.h"
 
 namespace selvedge::editor {
 namespace {
-
-sim::PatternDocument shipped(const std::string& name) {
-    return sim::load_pattern(source_folder() + "/patterns/" + name);
-}
 
 Command move_point(const std::string& panel, int vertex, const Vec2d& by) {
     return MoveVertices{.vertices = {{panel, vertex}}, .by = by};

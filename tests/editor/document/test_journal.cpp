@@ -7,14 +7,11 @@
 #include "editor/document/command.h"
 #include "editor/document/document.h"
 #include "sim/core/error.h"
+#include "tests/editor/document/support.h"
 #include "tests/support/checkout.h"
 
 namespace selvedge::editor {
 namespace {
-
-sim::PatternDocument shipped(const std::string& name) {
-    return sim::load_pattern(source_folder() + "/patterns/" + name);
-}
 
 // A document with its journal as text.
 struct Journaled {

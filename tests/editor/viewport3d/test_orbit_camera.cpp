@@ -121,7 +121,7 @@ namespace {
 // A square of 1 m in z = 0, seen from +z.
 const std::vector<Vec3f> kQuad{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 const TriangleList kTriangles{{{0, 1, 2}}, {{0, 2, 3}}};
-const Viewing kFromFront{{.eye = {0.5F, 0.5F, 4}, .target = {0.5F, 0.5F, 0}}, {400, 400}};
+const Viewing kFacingQuad{{.eye = {0.5F, 0.5F, 4}, .target = {0.5F, 0.5F, 0}}, {400, 400}};
 
 TEST(RayPick, finds_the_triangle_and_the_place_in_it) {
     const auto hit = nearest_hit({{0.75F, 0.25F, 2}, {0, 0, -1}}, kQuad, kTriangles);
@@ -157,20 +157,20 @@ TEST(RayPick, takes_the_nearer_of_two_sheets) {
 
 TEST(RayPick, a_ray_goes_through_the_pixel_that_a_point_is_seen_at) {
     const Vec3f point(0.9F, 0.2F, -0.3F);
-    const auto px = px_of(kFromFront, point);
+    const auto px = px_of(kFacingQuad, point);
     ASSERT_TRUE(px.has_value());
-    const Ray ray = ray_through(kFromFront, *px);
+    const Ray ray = ray_through(kFacingQuad, *px);
     EXPECT_NEAR((point - ray.origin).cross(ray.direction).norm(), 0, 1e-5F);
-    EXPECT_FALSE(px_of(kFromFront, {0.5F, 0.5F, 5})) << "behind the eye";
+    EXPECT_FALSE(px_of(kFacingQuad, {0.5F, 0.5F, 5})) << "behind the eye";
 }
 
 TEST(RayPick, measures_how_near_a_line_is_on_the_screen) {
     const Vec2f middle(200, 200);
-    const auto upright = distance_to_path(kFromFront, middle, {{0.6F, -1, 0}, {0.6F, 2, 0}});
+    const auto upright = distance_to_path(kFacingQuad, middle, {{0.6F, -1, 0}, {0.6F, 2, 0}});
     ASSERT_TRUE(upright.has_value());
-    EXPECT_NEAR(upright->px, 0.1F / metres_per_px(kFromFront, {0.6F, 0.5F, 0}), 0.1F);
+    EXPECT_NEAR(upright->px, 0.1F / metres_per_px(kFacingQuad, {0.6F, 0.5F, 0}), 0.1F);
     EXPECT_NEAR(upright->depth, 4, 1e-4F);
-    EXPECT_FALSE(distance_to_path(kFromFront, middle, {{0, 0, 6}, {1, 0, 6}}));
+    EXPECT_FALSE(distance_to_path(kFacingQuad, middle, {{0, 0, 6}, {1, 0, 6}}));
 }
 
 }  // namespace
