@@ -1,4 +1,4 @@
-# Declares the modules (docs/architecture.md) and their tests. A module is a folder, and its target is named after it:
+# Declares the modules (docs/modules.md) and their tests. A module is a folder, and its target is named after it:
 # sim/mesh is selvedge::sim_mesh. A file that is added to a folder is found when the build runs next.
 
 add_library(selvedge_flags INTERFACE)
@@ -65,6 +65,7 @@ function(selvedge_simd_sources TARGET)
     target_include_directories(${objects} PRIVATE ${CMAKE_SOURCE_DIR})
     target_compile_options(${objects} PRIVATE ${selvedge_simd_${level}})
     target_link_libraries(${objects} PRIVATE selvedge_flags Eigen3::Eigen)
+    set_target_properties(${objects} PROPERTIES UNITY_BUILD OFF)
     target_sources(${TARGET} PRIVATE $<TARGET_OBJECTS:${objects}>)
   endforeach()
 endfunction()
@@ -115,11 +116,11 @@ function(selvedge_module)
   endif()
 endfunction()
 
-# selvedge_test(NAME [SOURCES ...] USES folder ... [LABELS ...] [LINK ...] [TOGETHER suite])
-# makes one GoogleTest program, of all sources in this folder unless they are named. ctest runs each of its tests in a
-# process of its own, but those of the suite TOGETHER in one, for they share what is costly to prepare.
+# selvedge_test(NAME [SOURCES ...] USES folder ... [LABELS ...] [LINK ...] [DIVIDED suite parts ...])
+# makes one GoogleTest program, of all sources in this folder unless they are named. ctest runs each of its suites in a
+# process of its own, so that a suite prepares once what is costly; a suite that takes over 30 s is DIVIDED.
 function(selvedge_test NAME)
-  cmake_parse_arguments(ARG "" "TOGETHER" "SOURCES;USES;LABELS;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES;LABELS;LINK;DIVIDED" ${ARGN})
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)
   endif()
@@ -133,15 +134,22 @@ function(selvedge_test NAME)
     selvedge_target_of(${used} used_name)
     target_link_libraries(${target} PRIVATE selvedge::${used_name})
   endforeach()
-  target_link_libraries(${target} PRIVATE selvedge_flags selvedge_test_checkout GTest::gtest_main ${ARG_LINK})
+  target_link_libraries(${target} PRIVATE selvedge_flags selvedge_test_checkout selvedge_test_main ${ARG_LINK})
   target_compile_options(${target} PRIVATE ${SELVEDGE_TEST_OPTIONS})
   target_precompile_headers(${target} REUSE_FROM selvedge_precompiled_test)
-  set(alone "*")
-  if(ARG_TOGETHER)
-    set(alone "-${ARG_TOGETHER}.*")
-    add_test(NAME ${ARG_TOGETHER} COMMAND ${target} --gtest_filter=${ARG_TOGETHER}.*)
-    set_tests_properties(${ARG_TOGETHER} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 600)
-  endif()
-  gtest_discover_tests(${target} TEST_FILTER "${alone}" DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 600)
+  set(suites ${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake)
+  string(REPLACE ";" "|" divided "${ARG_DIVIDED}")
+  string(REPLACE ";" "|" labels "${ARG_LABELS}")
+  add_custom_command(TARGET ${target} POST_BUILD BYPRODUCTS ${suites} VERBATIM
+    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${target}> -DOUTPUT=${suites} -DFOLDER=${CMAKE_CURRENT_BINARY_DIR}
+      -DLABELS=${labels} -DDIVIDED=${divided} -P ${CMAKE_SOURCE_DIR}/cmake/discover_suites.cmake)
+  # A program that was not built shows as a test that cannot be found.
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}_include.cmake @ONLY CONTENT
+"if(EXISTS \"@suites@\")
+  include(\"@suites@\")
+else()
+  add_test(@target@_IS_NOT_BUILT @target@_IS_NOT_BUILT)
+endif()
+")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${CMAKE_CURRENT_BINARY_DIR}/${target}_include.cmake)
 endfunction()
