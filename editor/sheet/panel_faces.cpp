@@ -7,8 +7,8 @@
 
 #include "render/scene/colour.h"
 #include "sim/core/math.h"
+#include "sim/mesh/delaunay.h"
 #include "sim/mesh/sample_outline.h"
-#include "sim/mesh/triangulate.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::editor {

@@ -1,6 +1,5 @@
 #include "sim/mesh/sample_outline.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,6 +8,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/disjoint_sets.h"
 #include "sim/core/error.h"
+#include "sim/mesh/delaunay.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
 
@@ -232,18 +232,10 @@ SampledOutline sample_outline(const Panel& panel, const std::vector<int>& segmen
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
 struct Segment {
     Vec2d start;
     Vec2d end;
 };
-
-// 1 if c is to the left of the line ab, -1 if to the right, 0 if on it; exact.
-int side_of(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
-    const auto point = [](const Vec2d& p) { return Kernel::Point_2(p.x(), p.y()); };
-    return static_cast<int>(CGAL::orientation(point(a), point(b), point(c)));
-}
 
 bool boxes_meet(const Segment& a, const Segment& b) {
     for (int axis = 0; axis < 2; ++axis) {
