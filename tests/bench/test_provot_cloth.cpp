@@ -17,8 +17,8 @@ namespace {
 constexpr float kSubstep = 1.0F / 480;  // s
 
 sim::Cloth patch(double height = 0) {
-    return make_cloth(make_square({.columns = 4, .rows = 4, .height = height}), {sim::find_fabric("cotton_shirting")},
-                      {.substep = kSubstep});
+    return make_cloth(sim::make_square({.columns = 4, .rows = 4, .height = height}),
+                      {sim::find_fabric("cotton_shirting")}, {.substep = kSubstep});
 }
 
 ProvotOptions options_for(const sim::Cloth& cloth) {

@@ -83,7 +83,7 @@ namespace {
 constexpr int kQuads = 10;
 
 sim::GarmentMesh grid() {
-    return make_square({.columns = kQuads, .rows = kQuads});
+    return sim::make_square({.columns = kQuads, .rows = kQuads});
 }
 
 template <class Move>

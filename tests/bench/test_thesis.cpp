@@ -95,7 +95,7 @@ sim::AdaptiveMesh uneven_mesh(const sim::GarmentMesh& base) {
 }
 
 TEST(Traversal, collects_each_leaf_once) {
-    const sim::GarmentMesh base = make_square({.columns = 4, .rows = 4});
+    const sim::GarmentMesh base = sim::make_square({.columns = 4, .rows = 4});
     const sim::AdaptiveMesh mesh = uneven_mesh(base);
     ASSERT_GT(mesh.leaf_triangles().size(), 64U);
     TemporaryLists lists;
@@ -110,7 +110,7 @@ TEST(Traversal, collects_each_leaf_once) {
 }
 
 TEST(Traversal, makes_no_difference_to_what_a_step_does) {
-    const sim::GarmentMesh base = make_square({.columns = 4, .rows = 4, .height = 1});
+    const sim::GarmentMesh base = sim::make_square({.columns = 4, .rows = 4, .height = 1});
     const sim::AdaptiveMesh mesh = uneven_mesh(base);
     SpringState recursion = make_spring_state(mesh, base.x), listed = recursion, flat = recursion;
     TemporaryLists lists;
@@ -149,7 +149,7 @@ TEST(Thesis, uniform_refinement_makes_the_elements_that_the_thesis_counted) {
 
 template <class Store>
 void expect_the_same_elements() {
-    const sim::GarmentMesh base = make_square({.columns = 4, .rows = 4});
+    const sim::GarmentMesh base = sim::make_square({.columns = 4, .rows = 4});
     PointerMesh<Store> mesh(base);
     for (const auto& [vertices, edges, triangles] :
          {std::array<std::size_t, 3>{25, 56, 32}, {81, 264, 160}, {289, 1064, 672}, {1089, 4200, 2720}}) {
@@ -184,7 +184,7 @@ TEST(ListPools, give_a_freed_element_out_again_and_never_one_that_is_in_use) {
 }
 
 TEST(EdgePairMesh, makes_the_same_elements_as_the_adaptive_mesh_and_goes_back) {
-    const sim::GarmentMesh base = make_square({.columns = 4, .rows = 4});
+    const sim::GarmentMesh base = sim::make_square({.columns = 4, .rows = 4});
     EdgePairMesh mesh(base);
     for (const auto& [vertices, edges, triangles] :
          {std::array<std::size_t, 3>{25, 56, 32}, {81, 264, 160}, {289, 1064, 672}, {1089, 4200, 2720}}) {
@@ -215,7 +215,7 @@ TEST(Thesis, an_edge_pair_takes_more_memory_than_an_edge_trio) {
 }
 
 TEST(PointerTransitions, leave_three_entries_of_adjacency_for_each_leaf_and_none_when_cleared) {
-    PointerTransitions bed(make_square({.columns = 2, .rows = 2}));
+    PointerTransitions bed(sim::make_square({.columns = 2, .rows = 2}));
     EXPECT_EQ(bed.adjacency_count(), 0U);
     for (std::size_t c = 0; c < sim::kConfigurations; ++c) {
         const auto configuration = static_cast<sim::Configuration>(c);
@@ -632,7 +632,7 @@ class DiagonalCost : public testing::Test {
         return cost(first) < cost(second);
     }
 
-    sim::Cloth cloth = make_cloth(make_square({.columns = 1, .rows = 1}), {sim::find_fabric("cotton_shirting")});
+    sim::Cloth cloth = make_cloth(sim::make_square({.columns = 1, .rows = 1}), {sim::find_fabric("cotton_shirting")});
     sim::Diagonal first{.a = sim::VertexId(0), .b = sim::VertexId(3), .u_a = {0, 0}, .u_b = {1, 1}};
     sim::Diagonal second{.a = sim::VertexId(1), .b = sim::VertexId(2), .u_a = {1, 0}, .u_b = {0, 0.5F}};
 };

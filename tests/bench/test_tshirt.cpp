@@ -53,7 +53,7 @@ TEST(SplitTriangles, takes_the_least_square_that_suffices) {
 }
 
 SwayStatistics sway_square() {
-    sim::Cloth cloth = make_cloth(make_square({.height = 0.5}), {sim::Fabric{}});
+    sim::Cloth cloth = make_cloth(sim::make_square({.height = 0.5}), {sim::Fabric{}});
     refresh_contacts(cloth);
     return sway(cloth, sim::SphereCollider(Vec3f::Zero(), 0.45F), {.cycles = 12, .settling_cycles = 3});
 }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "sim/cloth/contact_surface.h"
+#include "sim/cloth/resting.h"
 #include "sim/collide/body_collider.h"
 #include "sim/collide/collider.h"
 #include "sim/collide/penetration.h"
