@@ -6,6 +6,7 @@
 #include "bench/support/cloth_run.h"
 #include "bench/support/measured_mesh.h"
 #include "bench/thesis/thesis.h"
+#include "sim/adaptive/criteria.h"
 #include "sim/mesh/square.h"
 
 namespace selvedge::bench {
