@@ -122,9 +122,7 @@ CameraChoice parse_camera(const std::string& text) {
 
 namespace {
 
-using Text = const std::string&;
-
-std::optional<int> parse_level(Text text) {
+std::optional<int> parse_level(const std::string& text) {
     if (text == "adaptive") return std::nullopt;
     int level = -1;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), level);
@@ -139,7 +137,7 @@ std::optional<int> parse_level(Text text) {
 constexpr double kMaxCoefficient = 100;  // of K0 to K3
 
 // A preset by name, or K0,K1,K2,K3.
-render::CurveModifier parse_modifier(Text text) {
+render::CurveModifier parse_modifier(const std::string& text) {
     if (const auto kind = render::parse_surface_kind(text)) return curve_modifier(*kind);
     const auto numbers = parse_numbers(text);
     if (!numbers || numbers->size() != 4) {
@@ -157,14 +155,14 @@ render::CurveModifier parse_modifier(Text text) {
     return modifier;
 }
 
-float parse_soft_cap(Text text) {
+float parse_soft_cap(const std::string& text) {
     const auto numbers = parse_numbers(text);
     if (!numbers || numbers->size() != 1 || numbers->front() < 0.001 || numbers->front() > kMaxCoefficient)
         throw sim::InputError("", "--surface-soft-cap", "'" + text + "' is not a number from 0.001 to 100");
     return static_cast<float>(numbers->front());
 }
 
-render::LightNormals parse_normals(Text text) {
+render::LightNormals parse_normals(const std::string& text) {
     if (text == "recomputed") return render::LightNormals::Recomputed;
     if (text == "interpolated") return render::LightNormals::Interpolated;
     throw sim::InputError("", "--surface-normals", "'" + text + "' is none of recomputed, interpolated");
@@ -173,6 +171,7 @@ render::LightNormals parse_normals(Text text) {
 }  // namespace
 
 void add_surface_options(CLI::App& command, SurfaceChoice& choice) {
+    using Text = const std::string&;
     const auto add = [&](const char* name, Text help, const std::function<void(Text)>& read) {
         return command.add_option_function<std::string>(name, read, help)->group("Surface");
     };

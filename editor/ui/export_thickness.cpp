@@ -13,14 +13,14 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr double kLeast = 1e-5, kMost = 0.05;  // m
+constexpr double kThinnest = 1e-5, kThickest = 0.05;  // m
 
 }  // namespace
 
 ExportThickness parse_export_thickness(const std::string& text) {
     if (text == "fabric") return {.kind = ExportThickness::Kind::Fabric};
     const std::optional<double> metres = parse_quantity(text, Unit::Millimetres);
-    if (!metres || !(*metres >= kLeast && *metres <= kMost))
+    if (!metres || !(*metres >= kThinnest && *metres <= kThickest))
         throw sim::InputError("", "thickness", "'" + text + "' is neither from 0.01 to 50 mm nor 'fabric'");
     return {.kind = ExportThickness::Kind::Given, .metres = *metres};
 }
@@ -41,7 +41,7 @@ void show_export_thickness(AppState& state) {
     ImGui::SetNextItemWidth(6 * ImGui::GetFontSize());
     double mm = 1000 * thickness.metres;
     if (ImGui::InputDouble("##thickness_mm", &mm, 0, 0, "%.2f mm"))
-        thickness.metres = std::clamp(mm / 1000, kLeast, kMost);
+        thickness.metres = std::clamp(mm / 1000, kThinnest, kThickest);
     note_widget(state.widgets, "browser.thickness_mm");
 }
 
