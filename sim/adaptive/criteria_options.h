@@ -1,6 +1,6 @@
 #pragma once
-// The thresholds of the criteria of a mesh's shape (sim/adaptive/criteria.h), and which criteria a cloth has. Apart from
-// the criteria, so that who only stores options does not depend on the mesh.
+// The thresholds of the criteria of a mesh's shape (sim/adaptive/criteria.h), and which criteria a cloth has. Apart
+// from the criteria, so that who only stores options does not depend on the mesh.
 
 namespace selvedge::sim {
 

@@ -1,5 +1,6 @@
 #pragma once
-// How cloth meets a body and the floor (sim/cloth/contact.h). Apart from the contacts, whose state only the solver needs.
+// How cloth meets a body and the floor (sim/cloth/contact.h). Apart from the contacts, whose state only the solver
+// needs.
 
 namespace selvedge::sim {
 

@@ -20,11 +20,11 @@ struct DressOptions {
     double shortest_edge = 0.02;         // m, shorter edges are not split, regardless of max_level
     CriteriaOptions criteria{};
     CurvatureOptions curvature{};
-    std::optional<int> triangle_budget{};             // target number of leaf triangles; none: no limit
-    std::optional<Vec3f> seen_from{};                 // unit, to a viewer: coarse where cloth faces away; none: nowhere
-    std::optional<Fabric> fabric{};                   // overrides the pattern's
-    double max_seconds = 12;                          // of simulated time, without sewing
-    double finish_time = kFinishTime;       // s, see DrapeOptions
+    std::optional<int> triangle_budget{};  // target number of leaf triangles; none: no limit
+    std::optional<Vec3f> seen_from{};      // unit, to a viewer: coarse where cloth faces away; none: nowhere
+    std::optional<Fabric> fabric{};        // overrides the pattern's
+    double max_seconds = 12;               // of simulated time, without sewing
+    double finish_time = kFinishTime;      // s, see DrapeOptions
     bool has_gravity = true;
     bool self_collision = true;  // whether the cloth collides with itself
     bool may_rest = false;       // whether steps skip a cloth at rest (sim/cloth/resting.h)

@@ -4,6 +4,7 @@
 
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/contact.h"
+#include "sim/cloth/solver_lists.h"
 #include "sim/cloth/step.h"
 #include "sim/collide/collider.h"
 #include "sim/mesh/square.h"

@@ -1,6 +1,6 @@
 // main() of all test programs. Beyond GoogleTest's: a crash names the test that it happened in, and each test that is
-// skipped goes with its reason to the file that SELVEDGE_TEST_SKIPS names, of which scripts/test makes a summary. A test
-// that is skipped for want of test data fails where SELVEDGE_TEST_DATA is set.
+// skipped goes with its reason to the file that SELVEDGE_TEST_SKIPS names, of which scripts/test makes a summary. A
+// test that is skipped for want of test data fails where SELVEDGE_TEST_DATA is set.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -60,8 +60,10 @@ class Observer : public testing::EmptyTestEventListener {
         for (int i = 0; i < result.total_part_count(); ++i)
             if (result.GetTestPartResult(i).skipped()) reason += result.GetTestPartResult(i).message();
         record_skip(name_of(test), reason);
-        if (std::getenv("SELVEDGE_TEST_DATA") == nullptr || reason.find("SELVEDGE_TEST_DATA") == std::string::npos) return;
-        std::fprintf(stderr, "%s is skipped in spite of SELVEDGE_TEST_DATA: %s\n", name_of(test).c_str(), reason.c_str());
+        if (std::getenv("SELVEDGE_TEST_DATA") == nullptr || reason.find("SELVEDGE_TEST_DATA") == std::string::npos)
+            return;
+        std::fprintf(stderr, "%s is skipped in spite of SELVEDGE_TEST_DATA: %s\n", name_of(test).c_str(),
+                     reason.c_str());
         skipped_in_spite_of_data_ = true;
     }
 
