@@ -80,6 +80,8 @@ function(selvedge_batches NAME VARIABLE)
     math(EXPR number "${number} + 1")
     set(batch ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_batch_${number}.cpp)
     file(CONFIGURE OUTPUT ${batch} CONTENT "// Made by selvedge_batches.\n${text}" @ONLY)
+    # A local constant may have the name of another source's: -Wshadow is for sources by themselves (dev, parse_singles).
+    set_source_files_properties(${batch} PROPERTIES COMPILE_OPTIONS -Wno-shadow)
     list(APPEND rest ${batch})
   endwhile()
   set(${VARIABLE} ${rest} PARENT_SCOPE)

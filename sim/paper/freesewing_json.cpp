@@ -9,7 +9,7 @@ namespace selvedge::sim {
 namespace {
 
 constexpr double kMm = 0.001;               // m
-constexpr double kShortest = 1e-3;          // mm, of an edge
+constexpr double kShortestLine = 1e-3;      // mm, of an edge
 constexpr double kLargestCoordinate = 1e5;  // mm, of a coordinate
 
 Vec2d read_point(const JsonView& view) {
@@ -36,7 +36,7 @@ void read_path(const JsonView& view, const std::string& name, DrawnPart& part) {
     PathBuilder pen;
     const JsonView ops = view.at("ops");
     for (std::size_t i = 0; i < ops.size(); ++i) read_operation(ops.at(i), pen);
-    for (DrawnPath& path : pen.take(kShortest, kShortest)) {
+    for (DrawnPath& path : pen.take(kShortestLine, kShortestLine)) {
         path.kind = kind_of({.classes = text_of(view, "class"),
                              .name = name + " " + text_of(view, "text"),
                              .is_closed = path.is_closed});

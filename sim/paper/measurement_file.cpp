@@ -16,7 +16,7 @@ namespace selvedge::sim {
 namespace {
 
 constexpr std::size_t kMostBytes = 1000000;
-constexpr std::size_t kMost = 2000;  // measurements
+constexpr std::size_t kMostMeasures = 2000;  // measurements
 constexpr double kInch = 0.0254;
 
 MeasuredSex sex_of(std::string_view text) {
@@ -86,7 +86,7 @@ class YamlReader {
     }
 
     void read_map(const YAML::Node& map) {
-        if (map.size() > kMost) throw InputError(file_, "", "more than 2,000 measurements");
+        if (map.size() > kMostMeasures) throw InputError(file_, "", "more than 2,000 measurements");
         for (const auto& entry : map) {
             if (!entry.first.IsScalar() || !entry.second.IsScalar()) continue;
             const std::string name = entry.first.Scalar();
@@ -156,7 +156,7 @@ MeasurementFile parse_xml(std::string_view text, const std::string& file) {
         const std::string name = one.attribute("name").value();
         const char* value = one.attribute(is_multisize ? "base" : "value").value();
         if (name.empty() || *value == '\0') continue;
-        if (order.size() >= kMost) throw InputError(file, "", "more than 2,000 measurements");
+        if (order.size() >= kMostMeasures) throw InputError(file, "", "more than 2,000 measurements");
         if (formulas.emplace(name, value).second) order.push_back(name);
     }
     if (order.empty()) throw InputError(file, "<body-measurements>", "no measurement with a value");
