@@ -14,7 +14,7 @@ namespace {
 
 std::array<char, 512> running{};  // the name of the test that runs, for a signal handler
 
-void name_crash(int signal) {
+[[maybe_unused]] void name_crash(int signal) {
     constexpr char kCrashed[] = "crashed in the test ";
     // Nothing can be done about a message that cannot be written.
     [[maybe_unused]] ssize_t written = write(STDERR_FILENO, kCrashed, sizeof kCrashed - 1);
