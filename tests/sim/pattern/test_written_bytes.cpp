@@ -1,0 +1,97 @@
+// What is written of a garment, and what is said of wrong values, stays the same from one version to the next.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "sim/core/file.h"
+#include "sim/core/json.h"
+#include "sim/pattern/pattern_file.h"
+#include "tests/support/reference_text.h"
+
+namespace selvedge::sim {
+namespace {
+
+std::string text_of_all_fields() {
+    return read_file(source_folder() + "/tests/reference/all_fields.json", 1 << 20);
+}
+
+TEST(WrittenBytes, a_file_that_has_every_key_comes_back_as_it_was) {
+    const std::string text = text_of_all_fields();
+    EXPECT_EQ(write_pattern(parse_pattern(text, "")), write_json(parse_json(text, "")));
+}
+
+TEST(WrittenBytes, shipped_files_come_back_as_they_were) {
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() + "/patterns")) {
+        if (entry.path().extension() != ".json") continue;
+        EXPECT_EQ(write_pattern(load_pattern(entry.path()), entry.path()), write_json(read_json(entry.path())));
+    }
+}
+
+TEST(WrittenBytes, of_a_garment_that_was_in_no_file) {
+    PatternDocument document = parse_pattern(text_of_all_fields(), "");
+    document.json = Json();
+    expect_reference("written_from_nothing.json", write_pattern(document));
+}
+
+TEST(WrittenBytes, of_a_garment_whose_values_are_all_defaults) {
+    PatternDocument document = parse_pattern(text_of_all_fields(), "");
+    Pattern& pattern = document.pattern;
+    for (Panel& panel : pattern.panels) {
+        Panel plain;
+        plain.name = panel.name;
+        plain.vertices = panel.vertices;
+        plain.is_mirrored = panel.is_mirrored;
+        for (const OutlineEdge& edge : panel.edges) plain.edges.push_back({.start = edge.start, .end = edge.end});
+        panel = plain;
+    }
+    Pattern plain;
+    plain.panels = pattern.panels;
+    for (const Seam& seam : pattern.seams) plain.seams.push_back({.first = seam.first, .second = seam.second});
+    pattern = plain;
+    expect_reference("written_of_defaults.json", write_pattern(document));
+}
+
+// Puts wrong values in place of each value below a key "selvedge", one at a time, and lists the faults of each.
+class FaultLister {
+ public:
+    explicit FaultLister(Json root) : root_(std::move(root)) {}
+
+    std::string list() {
+        visit(root_, "", false);
+        return std::move(lines_);
+    }
+
+ private:
+    void visit(Json& value, const std::string& path, bool is_ours) {
+        if (value.is_object()) {
+            for (Json::Member& member : value.members())
+                visit_replaced(member.value, json_path(path, member.key), is_ours || member.key == "selvedge");
+        } else if (value.is_array()) {
+            for (std::size_t i = 0; i < value.elements().size(); ++i)
+                visit_replaced(value.elements()[i], json_path(path, i), is_ours);
+        }
+    }
+
+    void visit_replaced(Json& value, const std::string& path, bool is_ours) {
+        for (const char* wrong : {"\"x\"", "-7.5", "1e6"}) {
+            if (!is_ours) break;
+            const Json kept = std::exchange(value, parse_json(wrong, ""));
+            for (const Fault& fault : check_pattern_text(write_json(root_), "f"))
+                lines_ += path + " = " + wrong + ": " + describe(fault) + "\n";
+            value = kept;
+        }
+        visit(value, path, is_ours);
+    }
+
+    Json root_;
+    std::string lines_;
+};
+
+TEST(WrittenBytes, of_the_faults_of_each_value) {
+    expect_reference("faults.txt", FaultLister(parse_json(text_of_all_fields(), "f.json")).list());
+}
+
+}  // namespace
+}  // namespace selvedge::sim
