@@ -121,7 +121,8 @@ void set_curve(sim::Pattern& pattern, sim::SeamSide at, const sim::OutlineEdge& 
     edge_of(pattern, at);
     edit_pattern(pattern, [&](sim::Pattern& draft) {
         sim::OutlineEdge& edge = edge_of(draft, at);
-        sim::OutlineEdge changed{.start = edge.start, .end = edge.end, .kind = curve.kind, .label = edge.label};
+        sim::OutlineEdge changed = sim::straightened(edge);
+        changed.kind = curve.kind;
         if (curve.kind == sim::CurveKind::Arc) {
             changed.arc_radius = curve.arc_radius;
             changed.is_large_arc = curve.is_large_arc;

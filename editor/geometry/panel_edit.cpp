@@ -179,13 +179,16 @@ std::vector<double> meetings(const Vec2d& from, const Vec2d& to, const std::vect
 
 // Splits an internal line at its intersections with the path.
 std::vector<sim::InternalLine> cut_line(const sim::InternalLine& line, const std::vector<Vec2d>& path) {
-    std::vector<sim::InternalLine> pieces{{line.name, {}}};
+    sim::InternalLine piece = line;
+    piece.points.clear();
+    std::vector<sim::InternalLine> pieces{piece};
     for (std::size_t i = 0; i < line.points.size(); ++i) {
         if (i > 0) {
             for (const double t : meetings(line.points[i - 1], line.points[i], path)) {
                 const Vec2d point = line.points[i - 1] + t * (line.points[i] - line.points[i - 1]);
                 pieces.back().points.push_back(point);
-                pieces.push_back({line.name, {point}});
+                pieces.push_back(piece);
+                pieces.back().points.push_back(point);
             }
         }
         pieces.back().points.push_back(line.points[i]);
@@ -299,6 +302,9 @@ class PanelCutter {
             const std::vector<Vec2d> points = outline_polyline(kept, edge, 1e-4);
             loop.insert(loop.end(), points.begin(), points.end() - 1);
         }
+        const auto part_of = [&](const Vec2d& point) -> sim::Panel& {
+            return sim::is_inside(point, loop) ? kept : taken;
+        };
         kept.internal_lines.clear();
         const std::vector<sim::InternalLine> lines = std::exchange(taken.internal_lines, {});
         for (const sim::InternalLine& line : lines) {
@@ -306,9 +312,12 @@ class PanelCutter {
                 if (piece.points.empty()) continue;
                 const Vec2d probe =
                     (piece.points[0] + piece.points[std::min<std::size_t>(1, piece.points.size() - 1)]) / 2;
-                (sim::is_inside(probe, loop) ? kept : taken).internal_lines.push_back(std::move(piece));
+                part_of(probe).internal_lines.push_back(std::move(piece));
             }
         }
+        kept.drill_points.clear();
+        const std::vector<Vec2d> drill_points = std::exchange(taken.drill_points, {});
+        for (const Vec2d& point : drill_points) part_of(point).drill_points.push_back(point);
     }
 
     static void drop_foreign_vertices(sim::Panel& kept, sim::Panel& taken) {
@@ -325,7 +334,8 @@ class PanelCutter {
 
     void sew() {
         for (int k = 0; k < cut_edges(); ++k) {
-            draft_.seams.push_back({{panel_, base_ + k}, {other_, taken_ + cut_edges() - 1 - k}, true});
+            draft_.seams.push_back(
+                {.first = {panel_, base_ + k}, .second = {other_, taken_ + cut_edges() - 1 - k}, .is_reversed = true});
         }
     }
 

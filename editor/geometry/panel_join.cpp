@@ -146,6 +146,7 @@ class Merger {
         add_notches(joined, a().notches, a_image);
         add_notches(joined, other_.notches, b_image);
         for (sim::InternalLine& line : other_.internal_lines) joined.internal_lines.push_back(std::move(line));
+        joined.drill_points.insert(joined.drill_points.end(), other_.drill_points.begin(), other_.drill_points.end());
         drop_vertices(joined, inner_vertices(shift));
         remap_edges(draft_, a_, a_image);
         remap_edges(draft_, b_, b_image);
@@ -203,11 +204,12 @@ void unfold(sim::Pattern& draft, const sim::SeamSide& fold) {
     for (const sim::Seam& seam : draft.seams) {
         if (seam.first.panel != fold.panel || seam.second.panel != fold.panel) continue;
         if (seam.first.edge == fold.edge || seam.second.edge == fold.edge) continue;
-        darts.push_back({{fold.panel, image_of(seam.first.edge)},
-                         {fold.panel, image_of(seam.second.edge)},
-                         seam.is_reversed,
-                         "",
-                         seam.is_eased});
+        sim::Seam dart = seam;
+        dart.first.edge = image_of(seam.first.edge);
+        dart.second.edge = image_of(seam.second.edge);
+        dart.name.clear();
+        dart.sewing.clear();
+        darts.push_back(std::move(dart));
     }
     remap_edges(draft, fold.panel, [&](int e) -> std::optional<EdgeImage> {
         if (e == fold.edge) return {};
@@ -266,7 +268,9 @@ void insert_dart(sim::Pattern& pattern, sim::SeamSide at, double t, double width
         const int first = split_alone(draft, at, from / to);
         const int apex = open_wedge(draft, {at.panel, at.edge + 1}, depth);
         if (seam_at(draft, at)) share_seam(draft, at, second, from / (from + 1 - to));
-        draft.seams.push_back({{at.panel, edge_from(panel, first)}, {at.panel, edge_from(panel, apex)}, true});
+        draft.seams.push_back({.first = {at.panel, edge_from(panel, first)},
+                               .second = {at.panel, edge_from(panel, apex)},
+                               .is_reversed = true});
     });
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "editor/geometry/draft.h"
 #include "editor/geometry/edge_remap.h"
@@ -49,18 +50,19 @@ std::vector<sim::Seam> darts_of(const sim::Pattern& pattern, int panel) {
     std::vector<sim::Seam> darts;
     for (const sim::Seam& seam : pattern.seams) {
         if (seam.first.panel != panel || seam.second.panel != panel) continue;
-        darts.push_back({{0, seam.first.edge}, {0, seam.second.edge}, seam.is_reversed, "", seam.is_eased});
+        sim::Seam dart = seam;
+        dart.first.panel = dart.second.panel = 0;
+        dart.name.clear();
+        dart.sewing.clear();
+        darts.push_back(std::move(dart));
     }
     return darts;
 }
 
 // The image of a dart on a mirrored panel of `count` edges.
-sim::Seam dart_across(const sim::Seam& dart, int panel, int count) {
-    return {{panel, sim::mirrored_edge(dart.first.edge, count)},
-            {panel, sim::mirrored_edge(dart.second.edge, count)},
-            dart.is_reversed,
-            "",
-            dart.is_eased};
+sim::Seam dart_across(sim::Seam dart, int panel, int count) {
+    for (sim::SeamSide* side : {&dart.first, &dart.second}) *side = {panel, sim::mirrored_edge(side->edge, count)};
+    return dart;
 }
 
 // For each edge of `panel`, the edge of `target` that starts at the same point; -1: none. First tries a cyclic shift of
@@ -228,8 +230,17 @@ class SymmetryPropagation {
                    std::none_of(wanted.begin(), wanted.end(),
                                 [&](const sim::Seam& dart) { return is_same(dart, seam); });
         });
-        for (const sim::Seam& dart : wanted) {
-            if (!seam_at(draft_, dart.first) && !seam_at(draft_, dart.second)) draft_.seams.push_back(dart);
+        for (sim::Seam& dart : wanted) {
+            const auto found =
+                std::ranges::find_if(draft_.seams, [&](const sim::Seam& seam) { return is_same(dart, seam); });
+            if (found != draft_.seams.end()) {
+                dart.name = found->name;
+                dart.sewing = found->sewing;
+                if (found->first != dart.first) std::swap(dart.first, dart.second);
+                *found = dart;
+            } else if (!seam_at(draft_, dart.first) && !seam_at(draft_, dart.second)) {
+                draft_.seams.push_back(dart);
+            }
         }
     }
 
@@ -275,7 +286,10 @@ class SeamMirror {
             const std::optional<sim::SeamSide> first = across(seam.first), second = across(seam.second);
             if (!first || !second || *first == *second) continue;
             if (seam_at(draft_, *first) || seam_at(draft_, *second)) continue;
-            draft_.seams.push_back({*first, *second, seam.is_reversed, "", seam.is_eased, seam.sewing});
+            sim::Seam& image = draft_.seams.emplace_back(seam);
+            image.first = *first;
+            image.second = *second;
+            image.name.clear();
         }
         separate_sewings(draft_, seams.size());
     }

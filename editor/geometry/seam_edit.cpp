@@ -309,7 +309,9 @@ std::vector<int> sew_runs(sim::Pattern& pattern, const std::vector<EdgeSpan>& fi
         std::vector<int> seams;
         for (std::size_t i = 0; i < pieces.size(); i += 2) {
             seams.push_back(static_cast<int>(draft.seams.size()));
-            draft.seams.push_back({cutter.edge_of_piece(pieces[i]), cutter.edge_of_piece(pieces[i + 1]), is_reversed});
+            draft.seams.push_back({.first = cutter.edge_of_piece(pieces[i]),
+                                   .second = cutter.edge_of_piece(pieces[i + 1]),
+                                   .is_reversed = is_reversed});
         }
         if (seams.size() > 1) {
             const std::string name = free_sewing_name(draft);

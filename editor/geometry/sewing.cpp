@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "editor/geometry/draft.h"
 #include "editor/geometry/edge_remap.h"
@@ -136,17 +137,17 @@ void slide_point(sim::Panel& panel, int vertex, double by) {
         notch.t = at <= moved ? at / moved : (at - moved) / (whole - moved);
     }
     sim::SplitCurve parts = split_curve(panel, *joined, moved / whole, vertex);
-    const auto replace = [&](int edge, sim::OutlineEdge part) {
+    const auto set_curve = [&](int edge, const sim::OutlineEdge& part) {
         sim::OutlineEdge& own = panel.edges[as_size(edge)];
-        part.start = own.start;
-        part.end = own.end;
-        part.label = own.label;
-        part.allowance = own.allowance;
-        own = std::move(part);
+        own.kind = part.kind;
+        own.control = part.control;
+        own.arc_radius = part.arc_radius;
+        own.is_large_arc = part.is_large_arc;
+        own.turns_right = part.turns_right;
     };
     panel.vertices[as_size(vertex)] = parts.point;
-    replace(first, std::move(parts.before));
-    replace(after, std::move(parts.after));
+    set_curve(first, parts.before);
+    set_curve(after, parts.after);
 }
 
 }  // namespace
@@ -245,7 +246,8 @@ std::vector<int> reverse_sewing(sim::Pattern& pattern, int seam) {
         is_reversed = !is_reversed;
         return seams;
     }
-    const sim::Seam old = pattern.seams[as_size(seams.front())];
+    std::vector<sim::Seam> old;  // in the order in which the runs meet
+    for (const int part : seams) old.push_back(pattern.seams[as_size(part)]);
     return edit_pattern(pattern, [&](sim::Pattern& draft) {
         const std::vector<sim::SeamSide> run = edges_of_run(draft, seams, SewingRun::First);
         const std::vector<sim::SeamSide> other = edges_of_run(draft, seams, SewingRun::Second);
@@ -257,14 +259,19 @@ std::vector<int> reverse_sewing(sim::Pattern& pattern, int seam) {
             if (!made.contains(start_of(draft, sewn.first))) starts[0].push_back(start_of(draft, sewn.first));
             if (!made.contains(start_of(draft, sewn.second))) starts[1].push_back(start_of(draft, sewn.second));
         }
-        if (old.is_reversed) std::reverse(starts[1].begin(), starts[1].end());
+        if (old.front().is_reversed) std::reverse(starts[1].begin(), starts[1].end());
         remove_seams(draft, seams);
         join_at(draft, made);
         std::vector<int> sewn =
-            sew_runs(draft, spans_from(draft, starts[0]), spans_from(draft, starts[1]), !old.is_reversed);
-        for (const int part : sewn) {
-            draft.seams[as_size(part)].is_eased = old.is_eased;
-            draft.seams[as_size(part)].sewing = sewn.size() > 1 ? old.sewing : std::string();
+            sew_runs(draft, spans_from(draft, starts[0]), spans_from(draft, starts[1]), !old.front().is_reversed);
+        for (std::size_t i = 0; i < sewn.size(); ++i) {
+            sim::Seam& part = draft.seams[as_size(sewn[i])];
+            const sim::Seam fresh = std::exchange(part, old[std::min(i, old.size() - 1)]);
+            part.first = fresh.first;
+            part.second = fresh.second;
+            part.is_reversed = fresh.is_reversed;
+            if (i >= old.size()) part.name.clear();
+            if (sewn.size() == 1) part.sewing.clear();
         }
         drop_points(draft, made);
         return sewn;

@@ -543,7 +543,9 @@ void draw_internal_line_section(InspectorContext& context, const PartRef& line) 
                                          .tip = "What the line is called.",
                                          .width_px = field_width()});
     if (name) {
-        context.workspace.run(SetInternalLine{.panel = line.panel, .index = line.index, .line = {*name, held.points}});
+        sim::InternalLine renamed = held;
+        renamed.name = *name;
+        context.workspace.run(SetInternalLine{.panel = line.panel, .index = line.index, .line = std::move(renamed)});
     }
     fact(context, "Length", quantity_text(length, Unit::Centimetres), "From its first point to its last.");
     fact(context, "Points", std::to_string(held.points.size()), "That the line goes through.");

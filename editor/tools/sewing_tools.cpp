@@ -46,7 +46,8 @@ bool is_reversed(const SewnEnd& first, const SewnEnd& second) {
 std::optional<sim::Seam> seam_between(const SheetGeometry& geometry, const SewnEnd& first, const SewnEnd& second) {
     const std::optional<int> a = index_of(geometry, first.edge.panel), b = index_of(geometry, second.edge.panel);
     if (!a || !b || geometry.edge(first.edge) == nullptr || geometry.edge(second.edge) == nullptr) return {};
-    return sim::Seam{{*a, first.edge.index}, {*b, second.edge.index}, is_reversed(first, second)};
+    return sim::Seam{
+        .first = {*a, first.edge.index}, .second = {*b, second.edge.index}, .is_reversed = is_reversed(first, second)};
 }
 
 void add_seam_lines(ToolOverlay& overlay, const std::vector<Vec2d>& first, const std::vector<Vec2d>& second,

@@ -333,15 +333,14 @@ void append_fitted(Panel& panel, const MovedEdge& edge, const OutlineEdge& own, 
     const auto add = [&](OutlineEdge piece, const Vec2d& start) {
         piece.start = static_cast<int>(panel.vertices.size());
         piece.end = piece.start + 1;
-        piece.label = own.label;
         panel.vertices.push_back(start);
         panel.edges.push_back(std::move(piece));
     };
     if (edge.is_line) {
-        add({}, edge.line.front());
+        add(straightened(own), edge.line.front());
     } else {
         for (const CubicPoints& cubic : fit_curve(edge.line, {.tolerance = kTolerance})) {
-            OutlineEdge piece;
+            OutlineEdge piece = straightened(own);
             piece.kind = CurveKind::Cubic;
             piece.control = {cubic[1], cubic[2]};
             add(std::move(piece), cubic[0]);

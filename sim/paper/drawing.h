@@ -92,18 +92,9 @@ struct DrawnPart {
     bool operator==(const DrawnPart&) const = default;
 };
 
-// A seam that the file states, as files of Selvedge do. Edges are those of the parts' first closed Sew path, or Cut
-// path if a part has no Sew path.
-struct DrawnSeam {
-    SeamSide first;  // indices of a part and of an edge
-    SeamSide second;
-    bool is_reversed = true;
-    std::string name = {};
-    bool is_eased = false;
-    std::string sewing = {};
-
-    bool operator==(const DrawnSeam&) const = default;
-};
+// A seam that the file states, as files of Selvedge do. Its sides are indices of a part and of an edge: those of the
+// part's first closed Sew path, or Cut path if it has no Sew path.
+using DrawnSeam = Seam;
 
 // The mannequin round which the parts are placed.
 struct DrawnBody {

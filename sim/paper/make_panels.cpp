@@ -243,7 +243,7 @@ class PartReader {
                 const OutlinePlace named = nearest_on_edge(panel_, as_size(*mark.edge), at);
                 if (named.distance < place.distance + kSamePlace) place = named;
             }
-            panel_.notches.push_back({place.edge, place.t, mark.notch, mark.count});
+            panel_.notches.push_back({.edge = place.edge, .t = place.t, .kind = mark.notch, .count = mark.count});
         }
     }
 
@@ -265,7 +265,7 @@ class PartReader {
             const bool is_fold = path.kind == LineKind::FoldLine;
             const bool is_mark = path.kind == LineKind::Internal || path.kind == LineKind::Cutout;
             if ((!is_fold && !is_mark) || path.edges.empty()) continue;
-            InternalLine line{path.name, {}, is_fold ? LineUse::Fold : LineUse::Mark};
+            InternalLine line{.name = path.name, .points = {}, .use = is_fold ? LineUse::Fold : LineUse::Mark};
             const Panel curve = as_panel(scaled(path, scale_));
             for (const OutlineEdge& edge : curve.edges) {
                 std::vector<Vec2d> points = outline_polyline(curve, edge, kChordError);
@@ -538,8 +538,7 @@ class PanelMaker {
 
     // Seams that the file states. A part that was unfolded or left out has none.
     void add_seams(const std::vector<int>& first_panel) {
-        for (const DrawnSeam& drawn : drawing_.seams) {
-            Seam seam{drawn.first, drawn.second, drawn.is_reversed, drawn.name, drawn.is_eased, drawn.sewing};
+        for (Seam seam : drawing_.seams) {
             bool is_whole = true;
             for (SeamSide* side : {&seam.first, &seam.second}) {
                 if (side->panel < 0 || as_size(side->panel) >= first_panel.size()) {

@@ -51,7 +51,7 @@ bool read_wrap(std::string_view key, RecordWords& words, DrawnPlacement& placeme
     const Vec2d apex = kMillimetre * words.point();
     const double sine = words.real();
     if (!(std::abs(sine) >= kLeastConeSine && std::abs(sine) <= 1)) return false;
-    placement.wrap_cone = WrapCone{apex, sine};
+    placement.wrap_cone = WrapCone{.apex = apex, .sine = sine};
     return words.is_good() && words.is_at_end();
 }
 

@@ -254,7 +254,7 @@ class OwnReader {
                                      ": one of its panels is not there, left out");
             return;
         }
-        DrawnSeam seam{*first, *second};
+        Seam seam{.first = *first, .second = *second};
         seam.is_reversed = value(attributes, "reversed") != "false";
         seam.is_eased = value(attributes, "eased") == "true";
         seam.name = value(attributes, "name");

@@ -148,7 +148,8 @@ std::optional<OutlineEdge> rejoined(const Panel& panel, const OutlineEdge& a, co
 OutlineEdge arc_as_cubic(const Panel& panel, const OutlineEdge& edge) {
     const ArcCircle circle = arc_circle(panel, edge);
     if (std::abs(circle.sweep) > std::numbers::pi * 1.01) return joined_curve(panel, {edge});  // best single cubic
-    OutlineEdge cubic{.start = edge.start, .end = edge.end, .kind = CurveKind::Cubic, .label = edge.label};
+    OutlineEdge cubic = straightened(edge);
+    cubic.kind = CurveKind::Cubic;
     const double handle = circle.radius * 4 / 3 * std::tan(std::abs(circle.sweep) / 4);
     cubic.control = {start_of(panel, edge) + handle * curve_direction(panel, edge, EdgeEnd::Start),
                      end_of(panel, edge) - handle * curve_direction(panel, edge, EdgeEnd::End)};
@@ -194,6 +195,15 @@ void split_edge(Panel& panel, int edge, double t) {
             notch.t = std::min(1.0, notch.t / t);
         }
     }
+}
+
+OutlineEdge straightened(OutlineEdge edge) {
+    edge.kind = CurveKind::Line;
+    edge.control = OutlineEdge().control;
+    edge.arc_radius = 0;
+    edge.is_large_arc = false;
+    edge.turns_right = false;
+    return edge;
 }
 
 OutlineEdge reversed_edge(const OutlineEdge& edge) {
@@ -253,7 +263,8 @@ Vec2d curve_direction(const Panel& panel, const OutlineEdge& edge, EdgeEnd at) {
 }
 
 OutlineEdge joined_curve(const Panel& panel, const std::vector<OutlineEdge>& chain) {
-    OutlineEdge joined{.start = chain.front().start, .end = chain.back().end, .label = chain.front().label};
+    OutlineEdge joined = straightened(chain.front());
+    joined.end = chain.back().end;
     if (std::all_of(chain.begin(), chain.end(), [](const OutlineEdge& e) { return e.kind == CurveKind::Line; })) {
         return joined;
     }

@@ -27,6 +27,9 @@ struct NearestOnEdge {
 };
 NearestOnEdge nearest_on_edge(const Panel& panel, const OutlineEdge& edge, const Vec2d& u);
 
+// The edge with all that it has, as a straight line.
+OutlineEdge straightened(OutlineEdge edge);
+
 // The same curve, reversed: from its end to its start.
 OutlineEdge reversed_edge(const OutlineEdge& edge);
 
@@ -43,7 +46,7 @@ enum class EdgeEnd { Start, End };
 Vec2d curve_direction(const Panel& panel, const OutlineEdge& edge, EdgeEnd at);
 
 // Replaces a chain of edges by one edge: a line if all are lines; the original curve if they are parts of a split
-// curve; else the least-squares cubic with the chain's end tangents. Label and start come from the first edge.
+// curve; else the least-squares cubic with the chain's end tangents. All but shape and end comes from the first edge.
 OutlineEdge joined_curve(const Panel& panel, const std::vector<OutlineEdge>& chain);
 
 // Applies `map` to the marked vertices of an outline. If both ends of an edge move, `map` also transforms its curve; if

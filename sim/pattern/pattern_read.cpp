@@ -230,7 +230,7 @@ class Reader : private FaultReader {
         if (!at || !value) return;
         if (!(std::abs(*value) >= kLeastConeSine && std::abs(*value) <= 1))
             return error(sine, "the sine is from 0.01 to 1, or as much below 0");
-        panel.wrap_cone = WrapCone{*at, *value};
+        panel.wrap_cone = WrapCone{.apex = *at, .sine = *value};
     }
 
     void read_internal_lines(const Node& lines, Panel& panel) {

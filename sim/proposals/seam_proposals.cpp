@@ -377,7 +377,7 @@ void accept_proposals(Pattern& pattern, const std::vector<SeamProposal>& proposa
     for (const SeamProposal& proposal : proposals) {
         const std::string sewing = proposal.parts.size() > 1 ? free_sewing_name(pattern) : std::string();
         for (const auto& [first, second] : proposal.parts) {
-            Seam seam{cutter.side(first), cutter.side(second)};
+            Seam seam{.first = cutter.side(first), .second = cutter.side(second)};
             seam.is_eased = proposal.is_eased;
             seam.sewing = sewing;
             pattern.seams.push_back(seam);

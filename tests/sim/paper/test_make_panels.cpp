@@ -392,6 +392,20 @@ TEST(CutLine, ends_notches_near_corners_on_the_cut_line) {
     }
 }
 
+TEST(CutLine, taken_off_leaves_the_edges_all_that_is_not_their_shape) {
+    Panel panel = sample_panel();
+    for (OutlineEdge& edge : panel.edges) {
+        edge.label = "hem";
+        edge.allowance = 0.02;
+        edge.allowance_corner = AllowanceCorner::Squared;
+    }
+    for (const OutlineEdge& edge : inset_panel(panel, 0.01).edges) {
+        EXPECT_EQ(edge.label, "hem");
+        EXPECT_EQ(edge.allowance, 0.02);
+        EXPECT_EQ(edge.allowance_corner, AllowanceCorner::Squared);
+    }
+}
+
 TEST(CutLine, refuses_an_allowance_that_leaves_nothing) {
     Panel strip;
     strip.name = "strip";
