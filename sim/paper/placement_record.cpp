@@ -9,6 +9,7 @@
 #include "sim/paper/record_words.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/fault.h"
+#include "sim/pattern/limits.h"
 #include "sim/pattern/pattern_read.h"
 
 namespace selvedge::sim {

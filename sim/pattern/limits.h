@@ -17,6 +17,9 @@ struct LimitFault {
 // sim/pattern/pattern_read.h, check_edit() in editor/geometry/draft.h).
 std::vector<LimitFault> limit_faults(const Panel& panel);
 
+inline constexpr double kLeastConeSine = 0.01;  // of a WrapCone: a sharper needle would wind the cloth round itself
+inline constexpr double kLeastBodyHeight = 0.3, kGreatestBodyHeight = 3;  // m
+
 // Edge lengths of a base mesh, m. Fewer than two of the longest ones cannot go round a leg, of 55 cm.
 inline constexpr double kShortestMeshEdge = 0.005, kLongestMeshEdge = 0.3;
 inline constexpr const char* kMeshEdgesText = "0.5 to 30 cm";

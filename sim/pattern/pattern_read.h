@@ -18,9 +18,6 @@ struct PatternReading {
     std::vector<int> seam_indices;    // per seam of the pattern: its index in the file
 };
 
-inline constexpr double kLeastConeSine = 0.01;  // of a WrapCone: a sharper needle would wind the cloth round itself
-inline constexpr double kLeastBodyHeight = 0.3, kGreatestBodyHeight = 3;  // m
-
 // Reads the pattern and records faults in the JSON. Does not check shapes: see check_shapes().
 PatternReading read_pattern(const Json& root, const std::string& file);
 
