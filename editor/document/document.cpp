@@ -11,6 +11,7 @@
 #include "editor/geometry/draft.h"
 #include "editor/geometry/panel_edit.h"
 #include "sim/core/assert.h"
+#include "sim/pattern/field_moves.h"
 #include "sim/pattern/limits.h"
 #include "sim/pattern/pattern_file.h"
 
@@ -23,9 +24,7 @@ struct Changed {
 };
 
 bool is_drawn_alike(const sim::Pattern& a, const sim::Pattern& b) {
-    return std::equal(
-        a.panels.begin(), a.panels.end(), b.panels.begin(), b.panels.end(),
-        [](const sim::Panel& p, const sim::Panel& q) { return p.vertices == q.vertices && p.edges == q.edges; });
+    return std::ranges::equal(a.panels, b.panels, sim::has_same_outline);
 }
 
 // Keeps panels at their position on the sheet when outlines change or panels are added or removed: a panel that the

@@ -6,6 +6,7 @@
 #include "editor/geometry/edge_remap.h"
 #include "editor/geometry/panel_edit.h"
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/field_moves.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::editor {
@@ -145,8 +146,7 @@ class Merger {
         joined.notches.clear();
         add_notches(joined, a().notches, a_image);
         add_notches(joined, other_.notches, b_image);
-        for (sim::InternalLine& line : other_.internal_lines) joined.internal_lines.push_back(std::move(line));
-        joined.drill_points.insert(joined.drill_points.end(), other_.drill_points.begin(), other_.drill_points.end());
+        gather_fields(joined, other_);
         drop_vertices(joined, inner_vertices(shift));
         remap_edges(draft_, a_, a_image);
         remap_edges(draft_, b_, b_image);
@@ -204,12 +204,9 @@ void unfold(sim::Pattern& draft, const sim::SeamSide& fold) {
     for (const sim::Seam& seam : draft.seams) {
         if (seam.first.panel != fold.panel || seam.second.panel != fold.panel) continue;
         if (seam.first.edge == fold.edge || seam.second.edge == fold.edge) continue;
-        sim::Seam dart = seam;
+        sim::Seam& dart = darts.emplace_back(copy_of(seam));
         dart.first.edge = image_of(seam.first.edge);
         dart.second.edge = image_of(seam.second.edge);
-        dart.name.clear();
-        dart.sewing.clear();
-        darts.push_back(std::move(dart));
     }
     remap_edges(draft, fold.panel, [&](int e) -> std::optional<EdgeImage> {
         if (e == fold.edge) return {};

@@ -9,6 +9,7 @@
 #include "editor/geometry/panel_edit.h"
 #include "editor/geometry/sewing.h"
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/field_moves.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::editor {
@@ -36,13 +37,8 @@ std::string name_across(const std::string& name) {
 }
 
 // Equality of what a mirror link keeps equal: all but name, mirror_of and sheet position.
-bool is_same_shape(sim::Panel one, sim::Panel other) {
-    for (sim::Panel* panel : {&one, &other}) {
-        panel->name.clear();
-        panel->mirror_of.clear();
-        panel->sheet_position.reset();
-    }
-    return one == other;
+bool is_alike(const sim::Panel& one, const sim::Panel& other) {
+    return sim::copy_of(one) == sim::copy_of(other);
 }
 
 // Darts: seams between two edges of the same panel. Their panel index is 0 in the result.
@@ -50,11 +46,8 @@ std::vector<sim::Seam> darts_of(const sim::Pattern& pattern, int panel) {
     std::vector<sim::Seam> darts;
     for (const sim::Seam& seam : pattern.seams) {
         if (seam.first.panel != panel || seam.second.panel != panel) continue;
-        sim::Seam dart = seam;
+        sim::Seam& dart = darts.emplace_back(sim::copy_of(seam));
         dart.first.panel = dart.second.panel = 0;
-        dart.name.clear();
-        dart.sewing.clear();
-        darts.push_back(std::move(dart));
     }
     return darts;
 }
@@ -63,6 +56,11 @@ std::vector<sim::Seam> darts_of(const sim::Pattern& pattern, int panel) {
 sim::Seam dart_across(sim::Seam dart, int panel, int count) {
     for (sim::SeamSide* side : {&dart.first, &dart.second}) *side = {panel, sim::mirrored_edge(side->edge, count)};
     return dart;
+}
+
+void swap_sides(sim::Seam& seam) {
+    std::swap(seam.first, seam.second);
+    reverse_fields(seam);
 }
 
 // For each edge of `panel`, the edge of `target` that starts at the same point; -1: none. First tries a cyclic shift of
@@ -159,9 +157,7 @@ class SymmetryPropagation {
 
     sim::Panel image() {
         sim::Panel target = mirror_image(draft_.panels[as_size(source_)]);
-        target.name = own().name;
-        target.mirror_of = own().mirror_of;
-        target.sheet_position = own().sheet_position;
+        keep_names(target, own());
         return target;
     }
 
@@ -234,9 +230,8 @@ class SymmetryPropagation {
             const auto found =
                 std::ranges::find_if(draft_.seams, [&](const sim::Seam& seam) { return is_same(dart, seam); });
             if (found != draft_.seams.end()) {
-                dart.name = found->name;
-                dart.sewing = found->sewing;
-                if (found->first != dart.first) std::swap(dart.first, dart.second);
+                if (found->first != dart.first) swap_sides(dart);
+                keep_names(dart, *found);
                 *found = dart;
             } else if (!seam_at(draft_, dart.first) && !seam_at(draft_, dart.second)) {
                 draft_.seams.push_back(dart);
@@ -286,10 +281,10 @@ class SeamMirror {
             const std::optional<sim::SeamSide> first = across(seam.first), second = across(seam.second);
             if (!first || !second || *first == *second) continue;
             if (seam_at(draft_, *first) || seam_at(draft_, *second)) continue;
-            sim::Seam& image = draft_.seams.emplace_back(seam);
+            sim::Seam& image = draft_.seams.emplace_back(sim::copy_of(seam));
             image.first = *first;
             image.second = *second;
-            image.name.clear();
+            image.sewing = seam.sewing;
         }
         separate_sewings(draft_, seams.size());
     }
@@ -334,7 +329,7 @@ Change change_of(const sim::Pattern& pattern, int panel, const sim::Pattern& bef
         was = before.panels.begin() + panel;
     if (was == before.panels.end()) return {};
     const int index = static_cast<int>(was - before.panels.begin());
-    return {!is_same_shape(now, *was) || darts_of(pattern, panel) != darts_of(before, index),
+    return {!is_alike(now, *was) || darts_of(pattern, panel) != darts_of(before, index),
             std::abs(edge_count(now) - edge_count(*was))};
 }
 

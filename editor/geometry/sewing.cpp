@@ -4,12 +4,12 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <utility>
 
 #include "editor/geometry/draft.h"
 #include "editor/geometry/edge_remap.h"
 #include "editor/geometry/seam_edit.h"
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/field_moves.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::editor {
@@ -137,17 +137,11 @@ void slide_point(sim::Panel& panel, int vertex, double by) {
         notch.t = at <= moved ? at / moved : (at - moved) / (whole - moved);
     }
     sim::SplitCurve parts = split_curve(panel, *joined, moved / whole, vertex);
-    const auto set_curve = [&](int edge, const sim::OutlineEdge& part) {
-        sim::OutlineEdge& own = panel.edges[as_size(edge)];
-        own.kind = part.kind;
-        own.control = part.control;
-        own.arc_radius = part.arc_radius;
-        own.is_large_arc = part.is_large_arc;
-        own.turns_right = part.turns_right;
-    };
     panel.vertices[as_size(vertex)] = parts.point;
-    set_curve(first, parts.before);
-    set_curve(after, parts.after);
+    keep_properties(parts.before, panel.edges[as_size(first)]);
+    keep_properties(parts.after, panel.edges[as_size(after)]);
+    panel.edges[as_size(first)] = std::move(parts.before);
+    panel.edges[as_size(after)] = std::move(parts.after);
 }
 
 }  // namespace
@@ -266,10 +260,7 @@ std::vector<int> reverse_sewing(sim::Pattern& pattern, int seam) {
             sew_runs(draft, spans_from(draft, starts[0]), spans_from(draft, starts[1]), !old.front().is_reversed);
         for (std::size_t i = 0; i < sewn.size(); ++i) {
             sim::Seam& part = draft.seams[as_size(sewn[i])];
-            const sim::Seam fresh = std::exchange(part, old[std::min(i, old.size() - 1)]);
-            part.first = fresh.first;
-            part.second = fresh.second;
-            part.is_reversed = fresh.is_reversed;
+            keep_properties(part, old[std::min(i, old.size() - 1)]);
             if (i >= old.size()) part.name.clear();
             if (sewn.size() == 1) part.sewing.clear();
         }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "editor/geometry/panel_edit.h"
+#include "sim/pattern/field_moves.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::editor {
@@ -106,8 +107,7 @@ void SheetGeometry::update(const sim::Pattern& pattern, std::uint64_t revision, 
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
         const sim::Panel& panel = pattern.panels[i];
         const auto same = std::find_if(kept.begin(), kept.end(), [&](const PanelShape& old) {
-            return old.panel.name == panel.name && old.panel.vertices == panel.vertices &&
-                   old.panel.edges == panel.edges;
+            return old.panel.name == panel.name && has_same_outline(old.panel, panel);
         });
         if (same != kept.end()) {
             panels_.push_back(std::move(*same));

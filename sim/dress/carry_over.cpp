@@ -11,6 +11,7 @@
 #include "sim/collide/collider.h"
 #include "sim/core/assert.h"
 #include "sim/mesh/sew.h"
+#include "sim/pattern/field_moves.h"
 #include "sim/pattern/garments.h"
 #include "sim/pattern/outline.h"
 
@@ -116,12 +117,12 @@ void place_vertices(Cloth& cloth, const DrapedPanels& draped, const std::vector<
 PatternChange compare(const Pattern& before, const Pattern& after) {
     if (!has_same_panels(before, after) || !has_same_joins(before, after)) return PatternChange::Kind;
     if (!is_worn_in_same_order(before, after)) return PatternChange::Kind;
-    const auto outline = [](const Panel& panel) {
-        std::vector<OutlineEdge> edges = panel.edges;
-        for (OutlineEdge& edge : edges) edge.label.clear();
-        return std::tuple(panel.vertices, edges, panel.pins);
+    const auto has_same_mesh = [](const Panel& one, const Panel& other) {
+        return has_same_outline(one, other) && one.pins == other.pins;
     };
-    if (before.edge_length != after.edge_length || differ(before, after, outline)) return PatternChange::Outlines;
+    if (before.edge_length != after.edge_length || !std::ranges::equal(before.panels, after.panels, has_same_mesh)) {
+        return PatternChange::Outlines;
+    }
     const auto cloth = [](const Panel& panel) {
         return std::tuple(panel.fabric, panel.interlinings, panel.grain_angle);
     };
@@ -210,8 +211,7 @@ double half_tangent(const Vec2d& a, const Vec2d& b) {
 
 }  // namespace
 
-OutlineMap::OutlineMap(const Panel& from, const Panel& to)
-    : is_identity_(from.vertices == to.vertices && from.edges == to.edges) {
+OutlineMap::OutlineMap(const Panel& from, const Panel& to) : is_identity_(has_same_outline(from, to)) {
     SELVEDGE_ASSERT(from.edges.size() == to.edges.size());
     if (is_identity_) return;
     from_ = samples_of(from);

@@ -9,6 +9,7 @@
 #include "sim/core/error.h"
 #include "sim/mesh/sample_outline.h"
 #include "sim/mesh/triangulate.h"
+#include "sim/pattern/field_moves.h"
 
 namespace selvedge::sim {
 
@@ -37,7 +38,7 @@ PanelMesh triangulate_or_reuse(const Panel& panel, const std::vector<int>& segme
                                const PanelMeshCache& cache) {
     const auto is_same = [&](const CachedPanelMesh& one) {
         return one.segments == segments && one.options == options && one.vertices == panel.vertices &&
-               one.edges == panel.edges;
+               have_same_shapes(one.edges, panel.edges);
     };
     if (cache.meshes) {
         const auto found = std::ranges::find_if(cache.meshes->panels, is_same);

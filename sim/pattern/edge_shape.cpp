@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/core/math.h"
+#include "sim/pattern/field_moves.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
@@ -211,19 +212,18 @@ OutlineEdge reversed_edge(const OutlineEdge& edge) {
     std::swap(other.start, other.end);
     if (edge.kind == CurveKind::Cubic) std::swap(other.control[0], other.control[1]);
     if (edge.kind == CurveKind::Arc) other.turns_right = !edge.turns_right;
+    reverse_fields(other);
     return other;
 }
 
 OutlineEdge mapped_curve(const Panel& panel, const OutlineEdge& edge, const Eigen::Affine2d& map) {
-    OutlineEdge other = edge;
-    if (edge.kind == CurveKind::Arc) {
-        if (is_similarity(map)) {
-            const double determinant = map.linear().determinant();
-            other.arc_radius *= std::sqrt(std::abs(determinant));
-            if (determinant < 0) other.turns_right = !edge.turns_right;
-            return other;
-        }
-        other = arc_as_cubic(panel, edge);
+    const bool is_arc = edge.kind == CurveKind::Arc && is_similarity(map);
+    OutlineEdge other = edge.kind == CurveKind::Arc && !is_arc ? arc_as_cubic(panel, edge) : edge;
+    move_fields(other, {.map = map});
+    if (is_arc) {
+        const double determinant = map.linear().determinant();
+        other.arc_radius *= std::sqrt(std::abs(determinant));
+        if (determinant < 0) other.turns_right = !edge.turns_right;
     }
     if (other.kind == CurveKind::Quadratic || other.kind == CurveKind::Cubic) other.control[0] = map * other.control[0];
     if (other.kind == CurveKind::Cubic) other.control[1] = map * other.control[1];
@@ -302,27 +302,17 @@ void move_outline(Panel& panel, const VertexMove& move) {
 }
 
 Panel mapped_panel(const Panel& panel, const Eigen::Affine2d& map) {
-    Panel mapped = panel;
-    for (Vec2d& vertex : mapped.vertices) vertex = map * vertex;
-    for (std::size_t e = 0; e < panel.edges.size(); ++e) mapped.edges[e] = mapped_curve(panel, panel.edges[e], map);
-    for (InternalLine& line : mapped.internal_lines) {
-        for (Vec2d& point : line.points) point = map * point;
-    }
-    for (Vec2d& point : mapped.drill_points) point = map * point;
-    const bool is_upright = map.linear()(0, 1) == 0 && map.linear()(1, 0) == 0 && map.linear()(1, 1) > 0;
-    if (mapped.wrap_cone) mapped.wrap_cone->apex = map * mapped.wrap_cone->apex;
-    if (!is_upright) mapped.wrap_cone.reset();  // its axis would be another one
-    const Vec2d warp = map.linear() * Vec2d(-std::sin(panel.grain_angle), std::cos(panel.grain_angle));
-    const double turned = std::atan2(-warp.x(), warp.y());
-    if (std::abs(std::remainder(turned - panel.grain_angle, 2 * std::numbers::pi)) > 1e-12) mapped.grain_angle = turned;
-    if (map.linear().determinant() >= 0) return mapped;
-    mapped.sett_offset.x() = -panel.sett_offset.x();
     const int count = static_cast<int>(panel.edges.size());
-    const std::vector<OutlineEdge> edges = mapped.edges;
-    for (int e = 0; e < count; ++e) mapped.edges[as_size(mirrored_edge(e, count))] = reversed_edge(edges[as_size(e)]);
-    for (Notch& notch : mapped.notches) {
-        notch.edge = mirrored_edge(notch.edge, count);
-        notch.t = 1 - notch.t;
+    const PlaneMove move{.map = map, .edge_count = count};
+    Panel mapped = panel;
+    move_fields(mapped, move);
+    const bool is_upright = map.linear()(0, 1) == 0 && map.linear()(1, 0) == 0 && map.linear()(1, 1) > 0;
+    if (!is_upright) mapped.wrap_cone.reset();  // its axis would be another one
+    for (Vec2d& vertex : mapped.vertices) vertex = map * vertex;
+    for (int e = 0; e < count; ++e) {
+        const OutlineEdge edge = mapped_curve(panel, panel.edges[as_size(e)], map);
+        const int index = move.is_mirror() ? mirrored_edge(e, count) : e;
+        mapped.edges[as_size(index)] = move.is_mirror() ? reversed_edge(edge) : edge;
     }
     return mapped;
 }
@@ -335,15 +325,6 @@ Eigen::Affine2d reflection(const Vec2d& from, const Vec2d& to) {
     map.linear() = 2 * along * along.transpose() - Eigen::Matrix2d::Identity();
     map.translation() = from - map.linear() * from;
     return map;
-}
-
-// Adds the images of the half's marks to those that the panel has of it.
-void add_mirrored_marks(Panel& panel, const Panel& half, const Eigen::Affine2d& map) {
-    for (InternalLine line : half.internal_lines) {
-        for (Vec2d& point : line.points) point = map * point;
-        panel.internal_lines.push_back(std::move(line));
-    }
-    for (const Vec2d& point : half.drill_points) panel.drill_points.emplace_back(map * point);
 }
 
 }  // namespace
@@ -381,7 +362,9 @@ Panel unfolded(const Panel& half, int fold) {
     for (const int pin : half.pins) {
         if (image[as_size(pin)] != pin) panel.pins.push_back(image[as_size(pin)]);
     }
-    add_mirrored_marks(panel, half, map);
+    Panel mirrored = half;
+    move_fields(mirrored, {.map = map, .edge_count = count});
+    gather_fields(panel, mirrored);
     return panel;
 }
 

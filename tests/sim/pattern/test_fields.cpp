@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <set>
+#include <string>
+
+#include "sim/pattern/field_moves.h"
+#include "sim/pattern/pattern_fields.h"
+
+namespace selvedge::sim {
+namespace {
+
+template <class Part>
+class FieldsOf : public ::testing::Test {};
+using Parts = ::testing::Types<OutlineEdge, InternalLine, Notch, WrapCone, SurfaceDesign, Underlay, SeamSide, Panel,
+                               Seam, Pattern>;
+TYPED_TEST_SUITE(FieldsOf, Parts);
+
+template <class T>
+void change(T& value) {
+    if constexpr (std::is_same_v<T, bool>) {
+        value = !value;
+    } else if constexpr (std::is_enum_v<T>) {
+        value = static_cast<T>(1);
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        value += "x";
+    } else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, int>) {
+        value += 1;
+    } else if constexpr (Described<T>) {
+        std::apply([&](const auto& first, const auto&...) { change(value.*first.member); }, fields_of<T>());
+    } else if constexpr (requires { value.has_value(); }) {
+        value.emplace();
+    } else if constexpr (requires { value.rows(); }) {
+        value.data()[0] += 1;
+    } else if constexpr (requires { value.resize(1); }) {
+        value.resize(value.size() + 1);
+    } else {
+        change(value[0](0));
+    }
+}
+
+TYPED_TEST(FieldsOf, are_all_part_of_its_equality) {
+    for_each_field<TypeParam>([](const auto& field) {
+        TypeParam part{};
+        change(part.*field.member);
+        EXPECT_FALSE(part == TypeParam{}) << field.name;
+    });
+}
+
+TYPED_TEST(FieldsOf, have_names_of_their_own) {
+    std::set<std::string_view> names, keys, journal;
+    std::size_t count = 0;
+    for_each_field<TypeParam>([&](const auto& field) {
+        names.insert(field.name);
+        keys.insert(field.key);
+        journal.insert(field.journal);
+        ++count;
+    });
+    EXPECT_EQ(names.size(), count);
+    EXPECT_EQ(keys.size(), count);
+    EXPECT_EQ(journal.size(), count);
+}
+
+TYPED_TEST(FieldsOf, have_defaults_within_their_ranges) {
+    const TypeParam usual{};
+    visit_fields(usual, [](const auto& field, const auto& value) {
+        if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(value)>>) {
+            EXPECT_TRUE(field.range.holds(static_cast<double>(value))) << field.name;
+        }
+    });
+}
+
+Panel marked_panel() {
+    Panel panel;
+    panel.vertices = {{0, 0}, {0.4, 0}, {0.4, 0.3}};
+    panel.edges = {{.start = 0, .end = 1, .label = "hem", .allowance = 0.02},
+                   {.start = 1, .end = 2, .kind = CurveKind::Arc, .arc_radius = 0.3},
+                   {.start = 2, .end = 0, .allowance_corner = AllowanceCorner::Squared}};
+    panel.grain_angle = 0.25;
+    panel.sett_offset = {0.01, 0.02};
+    panel.notches = {{.edge = 1, .t = 0.25, .kind = NotchKind::V}};
+    panel.internal_lines = {{.name = "fold", .points = {{0.1, 0.05}, {0.2, 0.1}}, .use = LineUse::Fold}};
+    panel.drill_points = {{0.3, 0.1}};
+    panel.wrap_cone = WrapCone{.apex = {0.5, 0.25}, .sine = 0.5};
+    panel.mirror_of = "other";
+    return panel;
+}
+
+TEST(FieldMoves, two_mirrorings_or_flips_give_the_panel_back) {
+    const Eigen::Affine2d mirror(Eigen::Scaling(-1.0, 1.0));
+    Panel panel = mapped_panel(mapped_panel(marked_panel(), mirror), mirror);
+    EXPECT_EQ(panel, marked_panel());
+    flip_fields(panel);
+    EXPECT_EQ(panel.grain_angle, -0.25);
+    EXPECT_EQ(panel.wrap_cone->apex, Vec2d(-0.5, 0.25));
+    EXPECT_EQ(panel.internal_lines[0].points[1], Vec2d(-0.2, 0.1));
+    EXPECT_EQ(panel.sett_offset, Vec2d(0.01, 0.02));
+    EXPECT_EQ(panel.notches, marked_panel().notches);
+    flip_fields(panel);
+    EXPECT_EQ(panel, marked_panel());
+}
+
+TEST(FieldMoves, a_mirroring_moves_what_lies_in_the_panel) {
+    const Panel panel = mapped_panel(marked_panel(), Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
+    EXPECT_EQ(panel.sett_offset, Vec2d(-0.01, 0.02));
+    EXPECT_EQ(panel.notches[0], (Notch{.edge = 2, .t = 0.75, .kind = NotchKind::V}));
+    EXPECT_EQ(panel.drill_points[0], Vec2d(-0.3, 0.1));
+    EXPECT_NEAR(panel.grain_angle, -0.25, 1e-15);
+    EXPECT_EQ(panel.edges[0].allowance, 0.02);
+    EXPECT_EQ(panel.edges[1].allowance_corner, AllowanceCorner::Squared) << "edge 2, reversed";
+}
+
+TEST(FieldMoves, a_turn_turns_directions_and_keeps_lengths) {
+    const Panel panel = mapped_panel(marked_panel(), Eigen::Affine2d(Eigen::Rotation2Dd(0.5)));
+    EXPECT_NEAR(panel.grain_angle, 0.75, 1e-12);
+    EXPECT_EQ(panel.sett_offset, Vec2d(0.01, 0.02));
+    EXPECT_EQ(panel.notches, marked_panel().notches);
+    EXPECT_FALSE(panel.wrap_cone);
+}
+
+TEST(FieldMoves, a_copy_has_no_names_and_a_replacement_keeps_them) {
+    const Seam seam{.first = {0, 1}, .second = {1, 2}, .name = "side", .is_eased = true, .sewing = "all"};
+    Seam copy = copy_of(seam);
+    EXPECT_EQ(copy, (Seam{.first = {0, 1}, .second = {1, 2}, .is_eased = true}));
+    keep_names(copy, seam);
+    EXPECT_EQ(copy, seam);
+    OutlineEdge edge{.start = 4, .end = 5};
+    keep_properties(edge, marked_panel().edges[0]);
+    EXPECT_EQ(edge, (OutlineEdge{.start = 4, .end = 5, .label = "hem", .allowance = 0.02}));
+}
+
+TEST(FieldMoves, an_outline_is_the_same_whatever_its_edges_are_called_and_allow) {
+    Panel panel = marked_panel();
+    panel.edges[0].allowance = 0.03;
+    panel.edges[1].label = "side";
+    EXPECT_TRUE(has_same_outline(panel, marked_panel()));
+    panel.edges[1].arc_radius = 0.4;
+    EXPECT_FALSE(has_same_outline(panel, marked_panel()));
+}
+
+}  // namespace
+}  // namespace selvedge::sim
