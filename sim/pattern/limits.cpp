@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <type_traits>
+#include <utility>
 
+#include "sim/core/json.h"
 #include "sim/pattern/fault.h"
+#include "sim/pattern/field.h"
+#include "sim/pattern/pattern_fields.h"
 
 namespace selvedge::sim {
 namespace {
@@ -27,27 +33,103 @@ std::string layer_problem() {
     return "a layer is a whole number from -" + most + " to " + most;
 }
 
+namespace {
+
+const char* const kFar = "further than 100 m";
+
+// Checks values by the descriptions of their fields, and values in them.
+class FieldChecker {
+ public:
+    std::vector<LimitFault> take() { return std::move(faults_); }
+
+    // All but the shape.
+    template <Described Part>
+    void check_part(const std::string& place, const Part& part) {
+        visit_fields(part, [&](const auto& field, const auto& value) {
+            if (field.descent != Descent::Shape) check(place + std::string(field.key), field, value);
+        });
+    }
+
+    void check(const std::string& place, const auto& field, double value) {
+        const bool is_on_plane = is_length(field.measure);
+        if (is_on_plane && !is_near(value)) return add(place, kFar);
+        if (!is_on_plane && !std::isfinite(value)) return add(place, "not finite");
+        check_range(place, field.range, value);
+    }
+    void check(const std::string& place, const auto& field, int value) { check_range(place, field.range, value); }
+    void check(const std::string& place, const auto& field, const Vec2d& value) {
+        if (!is_near(value)) return add(place, kFar);
+        check_range(place, field.range, value.minCoeff());
+        if (value.maxCoeff() != value.minCoeff()) check_range(place, field.range, value.maxCoeff());
+    }
+    void check(const std::string& place, const auto&, const Vec3d& value) {
+        if (!is_near(value)) add(place, kFar);
+    }
+    void check(const std::string& place, const auto& field, const std::string& value) {
+        if (field.measure == Measure::Colour && !value.empty() && !is_colour_text(value))
+            add(place, "'" + value + "' is no colour: #RRGGBB is");
+    }
+    template <Described Part>
+    void check(const std::string& place, const auto&, const Part& part) {
+        check_part(place + ".", part);
+    }
+    template <class T>
+    void check(const std::string& place, const auto& field, const std::optional<T>& value) {
+        if (value) check(place, field, *value);
+    }
+    // Of a list, the first fault, at the list.
+    template <class T>
+    void check(const std::string& place, const auto& field, const std::vector<T>& values) {
+        FieldChecker inner;
+        for (const T& value : values) inner.check("", field, value);
+        if (!inner.faults_.empty()) add(place, inner.faults_.front().problem);
+    }
+    template <class T>
+    void check(const std::string&, const auto&, const T&) {}  // a flag, word or matrix
+
+ private:
+    void check_range(const std::string& place, const Range& range, double value) {
+        if (range.holds(value)) return;
+        std::string problem(range.problem.empty() ? "# is out of range" : range.problem);
+        if (const std::size_t number = problem.find('#'); number != std::string::npos)
+            problem.replace(number, 1, "the value");
+        add(place, problem);
+    }
+    void add(const std::string& place, const std::string& problem) { faults_.push_back({place, problem}); }
+
+    std::vector<LimitFault> faults_;
+};
+
+}  // namespace
+
 std::vector<LimitFault> limit_faults(const Panel& panel) {
-    std::vector<LimitFault> faults;
-    const auto require = [&](bool is_within, const char* place, const std::string& problem) {
-        if (!is_within) faults.push_back({place, problem});
+    FieldChecker checker;
+    const auto place_of = [](const auto& field) {
+        const bool is_garmentcodes = field.key == "translation" || field.key == "label";
+        return (is_garmentcodes ? "" : "selvedge.") + std::string(field.key);
     };
-    const std::string far = "further than 100 m";
-    require(is_near(panel.translation), "translation", far);
-    require(panel.rotation.allFinite(), "rotation", "not finite");
-    require(std::abs(panel.layer) <= kHighestLayer, "selvedge.layer", layer_problem());
-    require(std::isfinite(panel.grain_angle), "selvedge.grainline", "not finite");
-    require(is_near(panel.sett_offset), "selvedge.sett_offset", far);
-    require(is_near(panel.wrap_radius), "selvedge.wrap_radius", far);
-    require(!panel.wrap_cone || is_near(panel.wrap_cone->apex), "selvedge.wrap_cone.apex", far);
-    require(!panel.sheet_position || is_near(*panel.sheet_position), "selvedge.sheet_position", far);
-    const auto are_near = [](const std::vector<Vec2d>& points) {
-        return std::ranges::all_of(points, [](const Vec2d& point) { return is_near(point); });
-    };
-    require(std::ranges::all_of(panel.internal_lines, [&](const InternalLine& line) { return are_near(line.points); }),
-            "selvedge.internal_lines", far);
-    require(are_near(panel.drill_points), "selvedge.drill_points", far);
+    visit_fields(panel, [&](const auto& field, const auto& value) {
+        if (field.descent != Descent::Shape) checker.check(place_of(field), field, value);
+    });
+    for (std::size_t e = 0; e < panel.edges.size(); ++e)
+        checker.check_part(json_path("edges", e) + ".selvedge.", panel.edges[e]);
+    std::vector<LimitFault> faults = checker.take();
+    if (!panel.rotation.allFinite()) faults.push_back({"rotation", "not finite"});
     return faults;
+}
+
+std::vector<LimitFault> limit_faults(const Seam& seam) {
+    FieldChecker checker;
+    checker.check_part("", seam);
+    return checker.take();
+}
+
+std::vector<LimitFault> limit_faults(const Pattern& pattern) {
+    FieldChecker checker;
+    visit_fields(pattern, [&]<class SomeField>(const SomeField& field, const auto& value) {
+        if constexpr (SomeField::is_key) checker.check(std::string(field.key), field, value);
+    });
+    return checker.take();
 }
 
 }  // namespace selvedge::sim

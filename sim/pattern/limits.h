@@ -17,6 +17,10 @@ struct LimitFault {
 // sim/pattern/pattern_read.h, check_edit() in editor/geometry/draft.h).
 std::vector<LimitFault> limit_faults(const Panel& panel);
 
+// The same of a seam, and of the pattern's own fields, without its panels and seams. Places are keys.
+std::vector<LimitFault> limit_faults(const Seam& seam);
+std::vector<LimitFault> limit_faults(const Pattern& pattern);
+
 inline constexpr double kLeastConeSine = 0.01;  // of a WrapCone: a sharper needle would wind the cloth round itself
 inline constexpr double kLeastBodyHeight = 0.3, kGreatestBodyHeight = 3;  // m
 

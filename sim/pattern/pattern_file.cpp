@@ -12,9 +12,10 @@
 #include "sim/core/json.h"
 #include "sim/core/math.h"
 #include "sim/pattern/enum_names.h"
-#include "sim/pattern/fabric_file.h"
+#include "sim/pattern/field_write.h"
 #include "sim/pattern/named_file.h"
 #include "sim/pattern/outline.h"
+#include "sim/pattern/pattern_fields.h"
 #include "sim/pattern/pattern_read.h"
 
 namespace selvedge::sim {
@@ -165,12 +166,6 @@ void check_shapes(PatternReading& reading, const std::string& file, double units
 
 namespace {
 
-// Keeps the number's text in the file if its value is unchanged (to 1e-9); otherwise writes at most nine decimals.
-void set_number(Json& place, double value) {
-    if (place.is_number() && std::abs(place.number() - value) <= 1e-9 * std::max(1.0, std::abs(value))) return;
-    place = Json(std::round(value * 1e9) / 1e9 + 0.0);
-}
-
 void set_numbers(Json& place, std::initializer_list<double> values) {
     if (!place.is_array()) place = Json::array();
     place.elements().resize(values.size());
@@ -190,11 +185,8 @@ void set_number_unless_zero(Json& object, const char* key, double value) {
     set_number(object[key], value);
 }
 
-// The word for the value of an enumeration; the first value is the default.
-template <class T>
-void set_name(Json& object, const char* key, T value) {
-    set_unless_default(object, key, std::string(name_of_value(value)), std::string(name_of_value(T{})));
-}
+template <auto kMember>
+using ByHand = Field<kMember, FileForm::ByHand>;
 
 class Writer {
  public:
@@ -210,7 +202,7 @@ class Writer {
         write_panels(garment["panels"]);
         write_seams(garment["stitches"]);
         if (Json* order = garment.find("panel_order")) write_panel_order(*order);
-        write_additions();
+        write_garment_additions();
         return std::move(root_);
     }
 
@@ -297,23 +289,20 @@ class Writer {
             if (!place.is_object()) place = Json::object();
             set_numbers(place["endpoints"], {double(edge.start), double(edge.end)});
             set_unless_default(place, "label", edge.label, std::string());
-            write_edge_additions(place, edge);
+            write_additions(place, [&](Json& own) { values_of(panel).write(own, edge); });
             write_curvature(place, panel, edge);
         }
     }
 
-    void write_edge_additions(Json& place, const OutlineEdge& edge) {
-        const Json* found = place.find("selvedge");
-        Json own = found ? *found : Json::object();
-        set_optional(own, "allowance", edge.allowance);
-        set_name(own, "allowance_corner", edge.allowance_corner);
-        if (found || !own.members().empty()) place["selvedge"] = std::move(own);
-    }
+    FieldWriter values_of(const Panel& panel) const { return FieldWriter(units_, panel.is_mirrored, file_); }
 
-    // A length in metres that need not be there.
-    void set_optional(Json& object, const char* key, const std::optional<double>& length) {
-        if (!length) return object.erase(key);
-        set_number(object[key], units_ * *length);
+    // Additions are under the key `selvedge` of a panel, an edge or the file, which is created only if it has members.
+    template <class Write>
+    static void write_additions(Json& object, const Write& write) {
+        const Json* found = object.find("selvedge");
+        Json own = found ? *found : Json::object();
+        write(own);
+        if (found || !own.members().empty()) object["selvedge"] = std::move(own);
     }
 
     void write_curvature(Json& place, const Panel& panel, const OutlineEdge& edge) {
@@ -363,90 +352,37 @@ class Writer {
         }
     }
 
-    // Additions are under the panel's key `selvedge`, which is created only if it has members.
     void write_panel_additions(Json& json, const Panel& panel) {
-        const Json* found = json.find("selvedge");
-        Json own = found ? *found : Json::object();
-        set_number_unless_zero(own, "grainline", (panel.is_mirrored ? -1 : 1) * panel.grain_angle / kDegree);
-        if (own.find("sett_offset") || !panel.sett_offset.isZero(0)) {
-            set_numbers(own["sett_offset"], {units_ * panel.sett_offset.x(), units_ * panel.sett_offset.y()});
-        }
-        write_fabric(own, panel.fabric);
+        static const Panel usual;
+        const FieldWriter values = values_of(panel);
+        write_additions(json, [&](Json& own) {
+            visit_fields(panel, [&]<class SomeField>(const SomeField& field, const auto& value) {
+                if constexpr (SomeField::is_key) {
+                    values.write_field(own, field, value, usual.*SomeField::member);
+                } else if constexpr (requires { this->write_by_hand(field, own, panel); }) {
+                    write_by_hand(field, own, panel);
+                }
+            });
+        });
+    }
+
+    void write_by_hand(const ByHand<&Panel::interlinings>&, Json& own, const Panel& panel) const {
         if (own.find("interlinings") || !panel.interlinings.empty()) write_interlinings(own["interlinings"], panel);
+    }
+    void write_by_hand(const ByHand<&Panel::surface>&, Json& own, const Panel& panel) const {
         write_surface(own, panel.surface);
-        set_number_unless_zero(own, "layer", panel.layer);
-        set_unless_default(own, "garment", panel.garment, std::string());
-        if (own.find("pins") || !panel.pins.empty()) write_pins(own["pins"], panel);
-        if (own.find("internal_lines") || !panel.internal_lines.empty()) {
-            write_internal_lines(own["internal_lines"], panel);
-        }
-        if (own.find("notches") || !panel.notches.empty()) write_notches(own["notches"], panel);
-        set_number_unless_zero(own, "wrap_radius", units_ * panel.wrap_radius);
-        if (!panel.wrap_cone) own.erase("wrap_cone");
-        if (const auto& cone = panel.wrap_cone) {
-            Json& bent = own["wrap_cone"];
-            if (!bent.is_object()) bent = Json::object();
-            const Vec2d apex = in_file(panel, cone->apex);
-            set_numbers(bent["apex"], {apex.x(), apex.y()});
-            set_number(bent["sine"], cone->sine);
-        }
-        if (panel.mirror_of.empty()) own.erase("mirror_of");
-        set_unless_default(own, "mirror_of", panel.mirror_of, std::string());
-        if (!panel.sheet_position) own.erase("sheet_position");
-        if (const auto& position = panel.sheet_position) {
-            set_numbers(own["sheet_position"], {units_ * position->x(), units_ * position->y()});
-        }
-        write_cutting(own, panel);
-        if (found || !own.members().empty()) json["selvedge"] = std::move(own);
     }
-
-    void write_cutting(Json& own, const Panel& panel) {
-        set_optional(own, "allowance", panel.allowance);
-        if (own.find("pieces") || panel.pieces != 1) set_number(own["pieces"], panel.pieces);
-        if (own.find("worn") || !panel.is_worn) own["worn"] = Json(panel.is_worn);
-        if (own.find("drill_points") || !panel.drill_points.empty())
-            write_points(own["drill_points"], panel, panel.drill_points);
+    void write_by_hand(const ByHand<&Panel::wrap_cone>&, Json& own, const Panel& panel) const {
+        if (!panel.wrap_cone) return own.erase("wrap_cone");
+        Json& bent = own["wrap_cone"];
+        if (!bent.is_object()) bent = Json::object();
+        const Vec2d apex = in_file(panel, panel.wrap_cone->apex);
+        set_numbers(bent["apex"], {apex.x(), apex.y()});
+        set_number(bent["sine"], panel.wrap_cone->sine);
     }
-
-    void write_points(Json& json, const Panel& panel, const std::vector<Vec2d>& points) {
-        if (!json.is_array()) json = Json::array();
-        json.elements().resize(points.size());
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const Vec2d p = in_file(panel, points[i]);
-            set_numbers(json.elements()[i], {p.x(), p.y()});
-        }
-    }
-
-    static void write_pins(Json& json, const Panel& panel) {
-        if (!json.is_array()) json = Json::array();
-        json.elements().resize(panel.pins.size());
-        for (std::size_t i = 0; i < panel.pins.size(); ++i) set_number(json.elements()[i], panel.pins[i]);
-    }
-
-    static void write_notches(Json& json, const Panel& panel) {
-        if (!json.is_array()) json = Json::array();
-        json.elements().resize(panel.notches.size());
-        for (std::size_t i = 0; i < panel.notches.size(); ++i) {
-            Json& place = json.elements()[i];
-            if (!place.is_object()) place = Json::object();
-            set_number(place["edge"], panel.notches[i].edge);
-            set_number(place["at"], panel.notches[i].t);
-            set_name(place, "kind", panel.notches[i].kind);
-            if (place.find("count") || panel.notches[i].count != 1) set_number(place["count"], panel.notches[i].count);
-        }
-    }
-
-    void write_internal_lines(Json& json, const Panel& panel) {
-        if (!json.is_array()) json = Json::array();
-        json.elements().resize(panel.internal_lines.size());
-        for (std::size_t i = 0; i < panel.internal_lines.size(); ++i) {
-            const InternalLine& line = panel.internal_lines[i];
-            Json& place = json.elements()[i];
-            if (!place.is_object()) place = Json::object();
-            set_unless_default(place, "name", line.name, std::string());
-            set_name(place, "use", line.use);
-            write_points(place["points"], panel, line.points);
-        }
+    void write_by_hand(const ByHand<&Panel::mirror_of>&, Json& own, const Panel& panel) const {
+        if (panel.mirror_of.empty()) return own.erase("mirror_of");
+        own["mirror_of"] = Json(panel.mirror_of);
     }
 
     void write_seams(Json& json) {
@@ -486,48 +422,43 @@ class Writer {
         }
     }
 
-    void write_additions() {
-        const Json* found = root_.find("selvedge");
-        Json own = found ? *found : Json::object();
-        write_fabric(own, pattern_.fabric);
-        set_unless_default(own, "tartan", pattern_.tartan, std::string());
-        write_sett_place(own);
-        write_surface(own, pattern_.surface);
+    void write_garment_additions() {
+        static const Pattern usual;
+        const FieldWriter values(units_, false, file_);
+        write_additions(root_, [&](Json& own) {
+            visit_fields(pattern_, [&]<class SomeField>(const SomeField& field, const auto& value) {
+                if constexpr (SomeField::is_key) {
+                    values.write_field(own, field, value, usual.*SomeField::member);
+                } else if constexpr (requires { this->write_by_hand(field, own, pattern_); }) {
+                    write_by_hand(field, own, pattern_);
+                }
+            });
+        });
+    }
+
+    void write_by_hand(const ByHand<&Pattern::surface>&, Json& own, const Pattern& pattern) const {
+        write_surface(own, pattern.surface);
+    }
+    void write_by_hand(const ByHand<&Pattern::matched_sett>&, Json& own, const Pattern&) const {
         write_matched_sett(own);
+    }
+    void write_by_hand(const ByHand<&Pattern::seams>&, Json& own, const Pattern&) const {
         write_seam_names(own);
-        write_eased(own);
+        write_listed(own, "eased", [](const Seam& seam) { return seam.is_eased; });
         write_sewings(own);
-        write_body(own);
-        write_underlays(own);
-        if (own.find("body_height") || pattern_.body_height != Pattern().body_height) {
-            set_number(own["body_height"], units_ * pattern_.body_height);
-        }
-        set_number_unless_zero(own, "allowance", units_ * pattern_.allowance);
-        set_unless_default(own, "size", pattern_.size, std::string());
-        if (pattern_.edge_length) set_number(own["edge_length"], units_ * *pattern_.edge_length);
-        if (!pattern_.edge_length) own.erase("edge_length");
-        if (found || !own.members().empty()) root_["selvedge"] = std::move(own);
+        write_seam_fields(own);
     }
-
-    void write_body(Json& own) const {
-        if (is_body_file(pattern_.body)) return set_named_file(own["body"], pattern_.body, file_);
-        set_unless_default(own, "body", pattern_.body, std::string());
+    void write_by_hand(const ByHand<&Pattern::body>&, Json& own, const Pattern& pattern) const {
+        if (is_body_file(pattern.body)) return set_named_file(own["body"], pattern.body, file_);
+        set_unless_default(own, "body", pattern.body, std::string());
     }
-
-    void write_fabric(Json& own, const std::string& fabric) const {
-        if (is_fabric_file(fabric)) return set_named_file(own["fabric"], fabric, file_);
-        set_unless_default(own, "fabric", fabric, std::string());
-    }
+    void write_by_hand(const ByHand<&Pattern::underlays>&, Json& own, const Pattern&) const { write_underlays(own); }
 
     void write_interlinings(Json& json, const Panel& panel) const {
         if (!json.is_array()) json = Json::array();
         json.elements().resize(panel.interlinings.size());
-        for (std::size_t i = 0; i < panel.interlinings.size(); ++i) {
-            const std::string& fabric = panel.interlinings[i];
-            Json& name = json.elements()[i];
-            if (is_fabric_file(fabric)) set_named_file(name, fabric, file_);
-            if (!is_fabric_file(fabric)) name = fabric;
-        }
+        for (std::size_t i = 0; i < panel.interlinings.size(); ++i)
+            set_fabric(json.elements()[i], panel.interlinings[i], file_);
     }
 
     void write_underlays(Json& own) const {
@@ -569,15 +500,6 @@ class Writer {
         set_unless_default(place, "ground", surface->ground, std::string());
     }
 
-    void write_sett_place(Json& own) const {
-        if (pattern_.sett_size) set_number(own["sett_size"], units_ * *pattern_.sett_size);
-        if (!pattern_.sett_size) own.erase("sett_size");
-        const Vec2d position = units_ * pattern_.sett_position;
-        if (own.find("sett_position") || !position.isZero(0)) {
-            set_numbers(own["sett_position"], {position.x(), position.y()});
-        }
-    }
-
     void write_matched_sett(Json& own) const {
         if (!pattern_.matched_sett) return own.erase("matched_sett");
         const MatchedSett& matched = *pattern_.matched_sett;
@@ -601,10 +523,6 @@ class Writer {
             Json& place = names[name];
             if (!is_at(place, seam->first) && !is_at(place, seam->second)) write_side(place, seam->first);
         }
-    }
-
-    void write_eased(Json& own) const {
-        write_listed(own, "eased", [](const Seam& seam) { return seam.is_eased; });
     }
 
     void write_sewings(Json& own) const {
@@ -646,6 +564,36 @@ class Writer {
         }
         if (list.elements().empty() && (removed > 0 || !found)) return own.erase(key);
         own[key] = std::move(list);
+    }
+
+    // The fields of seams that are keys, each with one of the seam's edges. Keeps existing entries of seams that are
+    // still there; removes one that has nothing left to say.
+    void write_seam_fields(Json& own) const {
+        const Json* found = own.find("seams");
+        Json list = found && found->is_array() ? *found : Json::array();
+        std::vector<Json>& entries = list.elements();
+        const auto is_of = [&](const Seam& seam, const Json& entry) {
+            return is_at(entry, seam.first) || is_at(entry, seam.second);
+        };
+        std::erase_if(entries, [&](const Json& entry) {
+            return std::ranges::none_of(pattern_.seams, [&](const Seam& seam) { return is_of(seam, entry); });
+        });
+        const FieldWriter values(units_, false, file_);
+        for (const Seam& seam : pattern_.seams) {
+            const auto old = std::ranges::find_if(entries, [&](const Json& entry) { return is_of(seam, entry); });
+            Json entry;
+            write_side(entry, seam.first);
+            const std::size_t bare = entry.members().size();
+            if (old != entries.end()) entry = *old;
+            const std::size_t before = entry.members().size();
+            values.write(entry, seam);
+            const bool is_bare = entry.members().size() == bare;
+            if (old != entries.end()) *old = entry;
+            if (old == entries.end() && !is_bare) entries.push_back(entry);
+            if (old != entries.end() && is_bare && before > bare) entries.erase(old);
+        }
+        if (entries.empty()) return own.erase("seams");
+        own["seams"] = std::move(list);
     }
 
     bool is_at(const Json& json, const SeamSide& side) const {

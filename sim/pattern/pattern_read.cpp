@@ -4,36 +4,25 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "sim/core/math.h"
-#include "sim/pattern/enum_names.h"
-#include "sim/pattern/fabric.h"
-#include "sim/pattern/fabric_file.h"
 #include "sim/pattern/fault.h"
+#include "sim/pattern/field_moves.h"
+#include "sim/pattern/field_read.h"
 #include "sim/pattern/limits.h"
 #include "sim/pattern/outline.h"
+#include "sim/pattern/pattern_fields.h"
 
 namespace selvedge::sim {
 namespace {
 
 constexpr std::size_t kMostPanels = 10'000;
 
-// Sets the value that the text names.
-template <class T>
-void read_choice(FaultReader& reader, const JsonNode& node, T& value) {
-    constexpr auto names = names_of(T{});
-    if (const auto index = reader.choice(node, names.texts)) value = static_cast<T>(*index);
-}
-
-// Between an outline and its cut line, in file units; returns metres.
-std::optional<double> read_allowance(FaultReader& reader, const JsonNode& node) {
-    const auto width = reader.length(node);
-    if (!width || (*width >= 0 && *width <= kWidestAllowance)) return width;
-    reader.error(node, "an allowance is from 0 to 50 cm");
-    return std::nullopt;
-}
-
 using Node = JsonNode;
+
+template <auto kMember>
+using ByHand = Field<kMember, FileForm::ByHand>;
 
 class Reader : private FaultReader {
  public:
@@ -120,89 +109,49 @@ class Reader : private FaultReader {
 
     void read_panel_additions(const Node& node, Panel& panel) {
         if (!expect(node, Json::Kind::Object)) return;
-        if (const Node grain = node.member("grainline")) panel.grain_angle = number(grain).value_or(0) * kDegree;
-        if (const Node offset = node.member("sett_offset")) panel.sett_offset = point(offset).value_or(Vec2d::Zero());
-        if (const Node fabric = node.member("fabric")) panel.fabric = read_fabric_name(fabric);
-        if (const Node interlinings = node.member("interlinings")) read_interlinings(interlinings, panel);
-        if (const Node surface = node.member("surface")) panel.surface = read_design(*this, surface);
-        if (const Node layer = node.member("layer")) {
-            const auto value = number(layer);
-            if (value && (*value != std::floor(*value) || std::abs(*value) > kHighestLayer)) {
-                error(layer, layer_problem());
-            } else {
-                panel.layer = static_cast<int>(value.value_or(0));
+        const FieldReader values(*this, &panel);
+        visit_fields(panel, [&]<class SomeField>(const SomeField& field, auto& value) {
+            if constexpr (SomeField::is_key) {
+                values.read_field(node, field, value);
+            } else if constexpr (requires(Node at) { this->read_by_hand(field, at, panel); }) {
+                if (const Node at = node.member(field.key)) read_by_hand(field, at, panel);
             }
-        }
-        if (const Node garment = node.member("garment")) panel.garment = text(garment).value_or("");
-        if (const Node pins = node.member("pins"); pins && expect(pins, Json::Kind::Array)) {
-            for (std::size_t i = 0; i < pins.size(); ++i) {
-                if (const auto pin = index(pins.element(i), panel.vertices.size(), "vertex"))
-                    panel.pins.push_back(*pin);
-            }
-        }
-        if (const Node lines = node.member("internal_lines")) read_internal_lines(lines, panel);
-        if (const Node notches = node.member("notches")) read_notches(notches, panel);
-        if (const Node wrap = node.member("wrap_radius")) {
-            panel.wrap_radius = length(wrap).value_or(0);
-            if (panel.wrap_radius < 0) error(wrap, "wrap_radius must not be negative");
-        }
-        if (const Node cone = node.member("wrap_cone")) read_wrap_cone(cone, panel);
-        if (const Node other = node.member("mirror_of")) {
-            const auto name = text(other);
-            if (name) mirrors_.push_back({other, panel.name, *name});
-            panel.mirror_of = name.value_or("");
-        }
-        if (const Node position = node.member("sheet_position")) panel.sheet_position = point(position);
-        read_cutting(node, panel);
+        });
     }
 
-    // What the panel's paper says: allowance, pieces, drill points.
-    void read_cutting(const Node& node, Panel& panel) {
-        if (const Node width = node.member("allowance")) panel.allowance = read_allowance(*this, width);
-        if (const Node count = node.member("pieces"))
-            panel.pieces = whole_number(count, 1, kMostPieces).value_or(panel.pieces);
-        if (const Node worn = node.member("worn")) panel.is_worn = flag(worn).value_or(true);
-        if (const Node points = node.member("drill_points"); points && expect(points, Json::Kind::Array)) {
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                if (const auto p = point(points.element(i))) panel.drill_points.push_back(*p);
-            }
-        }
-    }
-
-    void read_interlinings(const Node& node, Panel& panel) {
+    void read_by_hand(const ByHand<&Panel::interlinings>&, const Node& node, Panel& panel) {
         if (!expect(node, Json::Kind::Array)) return;
         if (node.size() > kMostInterlinings) {
             return error(node,
                          std::to_string(node.size()) + " interlinings: at most " + std::to_string(kMostInterlinings));
         }
         for (std::size_t i = 0; i < node.size(); ++i) {
-            panel.interlinings.push_back(read_fabric_name(node.element(i)));
+            panel.interlinings.push_back(read_fabric_name(*this, node.element(i)));
             if (panel.interlinings.back().empty()) error(node.element(i), "an interlining names a fabric");
         }
     }
 
-    // [{"edge": INDEX, "at": FRACTION}]. The fraction is measured from the start of the edge, which is the same vertex
-    // in the file and in the Panel.
-    void read_notches(const Node& notches, Panel& panel) {
-        if (!expect(notches, Json::Kind::Array)) return;
-        for (std::size_t i = 0; i < notches.size(); ++i) {
-            const Node node = notches.element(i);
-            if (!expect(node, Json::Kind::Object)) continue;
-            const Node edge = node.member("edge");
-            const Node at = node.member("at");
-            if (!edge) error(node, "no key 'edge'");
-            if (!at) error(node, "no key 'at'");
-            if (!edge || !at) continue;
-            const auto edge_index = index(edge, panel.edges.size(), "edge");
-            const auto fraction = number(at);
-            if (fraction && !(*fraction >= 0 && *fraction <= 1)) error(at, "a notch lies from 0 to 1 along its edge");
-            if (!edge_index || !fraction) continue;
-            Notch notch{.edge = *edge_index, .t = *fraction};
-            if (const Node kind = node.member("kind")) read_choice(*this, kind, notch.kind);
-            if (const Node count = node.member("count"))
-                notch.count = whole_number(count, 1, kMostNotchesTogether).value_or(notch.count);
-            panel.notches.push_back(notch);
-        }
+    void read_by_hand(const ByHand<&Panel::surface>&, const Node& node, Panel& panel) {
+        panel.surface = read_design(*this, node);
+    }
+
+    void read_by_hand(const ByHand<&Panel::wrap_cone>&, const Node& node, Panel& panel) {
+        if (!expect(node, Json::Kind::Object)) return;
+        if (panel.wrap_radius > 0) return error(node, "a panel has wrap_radius or wrap_cone, not both");
+        const Node apex = node.member("apex"), sine = node.member("sine");
+        if (!apex || !sine) return error(node, std::string("no key '") + (apex ? "sine" : "apex") + "'");
+        const auto at = point(apex);
+        const auto value = number(sine);
+        if (!at || !value) return;
+        if (!(std::abs(*value) >= kLeastConeSine && std::abs(*value) <= 1))
+            return error(sine, "the sine is from 0.01 to 1, or as much below 0");
+        panel.wrap_cone = WrapCone{.apex = *at, .sine = *value};
+    }
+
+    void read_by_hand(const ByHand<&Panel::mirror_of>&, const Node& node, Panel& panel) {
+        const auto name = text(node);
+        if (name) mirrors_.push_back({node, panel.name, *name});
+        panel.mirror_of = name.value_or("");
     }
 
     // The panel named by mirror_of must exist, be another panel, and not be a mirror image itself.
@@ -217,40 +166,6 @@ class Reader : private FaultReader {
                        !other.mirror_of.empty()) {
                 error(mirror.node, "panel '" + mirror.of + "' is a mirror image itself, of '" + other.mirror_of + "'");
             }
-        }
-    }
-
-    void read_wrap_cone(const Node& node, Panel& panel) {
-        if (!expect(node, Json::Kind::Object)) return;
-        if (panel.wrap_radius > 0) return error(node, "a panel has wrap_radius or wrap_cone, not both");
-        const Node apex = node.member("apex"), sine = node.member("sine");
-        if (!apex || !sine) return error(node, std::string("no key '") + (apex ? "sine" : "apex") + "'");
-        const auto at = point(apex);
-        const auto value = number(sine);
-        if (!at || !value) return;
-        if (!(std::abs(*value) >= kLeastConeSine && std::abs(*value) <= 1))
-            return error(sine, "the sine is from 0.01 to 1, or as much below 0");
-        panel.wrap_cone = WrapCone{.apex = *at, .sine = *value};
-    }
-
-    void read_internal_lines(const Node& lines, Panel& panel) {
-        if (!expect(lines, Json::Kind::Array)) return;
-        for (std::size_t i = 0; i < lines.size(); ++i) {
-            const Node node = lines.element(i);
-            InternalLine line;
-            if (!expect(node, Json::Kind::Object)) continue;
-            if (const Node name = node.member("name")) line.name = text(name).value_or("");
-            if (const Node use = node.member("use")) read_choice(*this, use, line.use);
-            const Node points = node.member("points");
-            if (!points) {
-                error(node, "no key 'points'");
-                continue;
-            }
-            if (!expect(points, Json::Kind::Array)) continue;
-            for (std::size_t k = 0; k < points.size(); ++k) {
-                if (const auto p = point(points.element(k))) line.points.push_back(*p);
-            }
-            panel.internal_lines.push_back(std::move(line));
         }
     }
 
@@ -326,36 +241,35 @@ class Reader : private FaultReader {
     void read_additions(const Node& node) {
         if (!node || !expect(node, Json::Kind::Object)) return;
         Pattern& pattern = out_.pattern;
-        if (const Node fabric = node.member("fabric")) pattern.fabric = read_fabric_name(fabric);
-        if (const Node tartan = node.member("tartan")) pattern.tartan = text(tartan).value_or("");
-        if (const Node size = node.member("sett_size")) read_sett_size(size);
-        if (const Node position = node.member("sett_position")) {
-            pattern.sett_position = point(position).value_or(Vec2d::Zero());
-        }
-        if (const Node surface = node.member("surface")) pattern.surface = read_design(*this, surface);
-        if (const Node matched = node.member("matched_sett")) read_matched_sett(matched);
-        if (const Node names = node.member("seam_names")) read_seam_names(names);
-        if (const Node eased = node.member("eased")) read_eased(eased);
-        if (const Node sewings = node.member("sewings")) read_sewings(sewings);
-        if (const Node body = node.member("body")) pattern.body = text(body).value_or("");
-        if (const Node height = node.member("body_height")) {
-            const auto value = length(height);
-            if (value && (*value < kLeastBodyHeight || *value > kGreatestBodyHeight)) {
-                error(height, height.value->number_text() + " is not a body height: 30 to 300 cm");
-            } else {
-                pattern.body_height = value.value_or(pattern.body_height);
+        const FieldReader values(*this);
+        visit_fields(pattern, [&]<class SomeField>(const SomeField& field, auto& value) {
+            if constexpr (SomeField::is_key) {
+                values.read_field(node, field, value);
+            } else if constexpr (requires { this->read_by_hand(field, node, pattern); }) {
+                read_by_hand(field, node, pattern);
             }
-        }
-        if (const Node width = node.member("allowance")) pattern.allowance = read_allowance(*this, width).value_or(0);
-        if (const Node underlays = node.member("underlays")) read_underlays(underlays);
-        if (const Node size = node.member("size")) pattern.size = text(size).value_or("");
-        if (const Node edge = node.member("edge_length")) {
-            pattern.edge_length = length(edge);
-            if (pattern.edge_length &&
-                (*pattern.edge_length < kShortestMeshEdge || *pattern.edge_length > kLongestMeshEdge)) {
-                error(edge, edge.value->number_text() + " is no edge length of a mesh: " + kMeshEdgesText + " are");
-            }
-        }
+        });
+    }
+
+    // Of the pattern: `own` has the keys.
+
+    void read_by_hand(const ByHand<&Pattern::surface>&, const Node& own, Pattern& pattern) {
+        if (const Node surface = own.member("surface")) pattern.surface = read_design(*this, surface);
+    }
+    void read_by_hand(const ByHand<&Pattern::matched_sett>&, const Node& own, Pattern&) {
+        if (const Node matched = own.member("matched_sett")) read_matched_sett(matched);
+    }
+    void read_by_hand(const ByHand<&Pattern::seams>&, const Node& own, Pattern&) {
+        if (const Node names = own.member("seam_names")) read_seam_names(names);
+        if (const Node eased = own.member("eased")) read_eased(eased);
+        if (const Node sewings = own.member("sewings")) read_sewings(sewings);
+        if (const Node seams = own.member("seams")) read_seam_fields(seams);
+    }
+    void read_by_hand(const ByHand<&Pattern::body>&, const Node& own, Pattern& pattern) {
+        if (const Node body = own.member("body")) pattern.body = text(body).value_or("");
+    }
+    void read_by_hand(const ByHand<&Pattern::underlays>&, const Node& own, Pattern&) {
+        if (const Node underlays = own.member("underlays")) read_underlays(underlays);
     }
 
     void read_underlays(const Node& list) {
@@ -384,14 +298,6 @@ class Reader : private FaultReader {
             if (underlay.opacity < 0 || underlay.opacity > 1) error(opacity, "an opacity is from 0 to 1");
         }
         out_.pattern.underlays.push_back(std::move(underlay));
-    }
-
-    void read_sett_size(const Node& node) {
-        const auto size = length(node);
-        if (size && (*size < kSmallestSett || *size > kLargestSett)) {
-            return error(node, node.value->number_text() + " is no size of a sett's repeat: 0.1 to 500 cm are");
-        }
-        out_.pattern.sett_size = size;
     }
 
     void read_matched_sett(const Node& node) {
@@ -447,6 +353,18 @@ class Reader : private FaultReader {
         }
     }
 
+    // [{"panel", "edge", KEY: ...}]: the fields of the seams at those edges that are keys.
+    void read_seam_fields(const Node& seams) {
+        if (!expect(seams, Json::Kind::Array)) return;
+        std::set<const Seam*> listed;
+        for (std::size_t i = 0; i < seams.size(); ++i) {
+            Seam* seam = read_seam_at(seams.element(i));
+            if (!seam) continue;
+            if (!listed.insert(seam).second) error(seams.element(i), "the seam is listed already");
+            FieldReader(*this).read(seams.element(i), *seam);
+        }
+    }
+
     // The seam at the edge {"panel", "edge"}. Returns nullptr and records an error if there is none.
     Seam* read_seam_at(const Node& node) {
         const auto side = read_edge(node);
@@ -455,16 +373,6 @@ class Reader : private FaultReader {
         if (seam != seam_at_.end()) return &out_.pattern.seams[seam->second];
         error(node, "this edge is not sewn");
         return nullptr;
-    }
-
-    std::string read_fabric_name(const Node& node) {
-        const auto name = text(node);
-        if (!name || name->empty() || is_fabric_file(*name)) return name.value_or("");
-        const std::vector<std::string> known = fabric_names();
-        if (std::find(known.begin(), known.end(), *name) == known.end()) {
-            warn(node, "no fabric '" + *name + "' ships with the program");
-        }
-        return *name;
     }
 
     struct Mirror {
@@ -549,20 +457,14 @@ class OutlineReader {
         const auto start = reader_.index(endpoints.element(0), panel_.vertices.size(), "vertex");
         const auto end = reader_.index(endpoints.element(1), panel_.vertices.size(), "vertex");
         if (const JsonNode label = node.member("label")) edge.label = reader_.text(label).value_or("");
-        if (const JsonNode own = node.member("selvedge")) read_edge_additions(own, edge);
+        if (const JsonNode own = node.member("selvedge"); own && reader_.expect(own, Json::Kind::Object))
+            FieldReader(reader_, &panel_).read(own, edge);
         if (!start || !end) return;
         edge.start = *start;
         edge.end = *end;
         if (*start == *end) return reader_.error(endpoints, "the edge starts and ends at the same vertex");
         const JsonNode curvature = node.member("curvature");
         if (curvature && !curvature.value->is_null()) read_curvature(curvature, edge);
-    }
-
-    void read_edge_additions(const JsonNode& node, OutlineEdge& edge) {
-        if (!reader_.expect(node, Json::Kind::Object)) return;
-        if (const JsonNode width = node.member("allowance")) edge.allowance = read_allowance(reader_, width);
-        if (const JsonNode corner = node.member("allowance_corner"))
-            read_choice(reader_, corner, edge.allowance_corner);
     }
 
     void read_curvature(const JsonNode& node, OutlineEdge& edge) {
@@ -666,12 +568,7 @@ void convert_to_panel_frame(FaultReader& reader, const JsonNode& panel_node, Pan
         for (Vec2d& control : edge.control) control.x() = -control.x();
         edge.turns_right = edge.kind == CurveKind::Arc && !edge.turns_right;
     }
-    for (InternalLine& line : panel.internal_lines) {
-        for (Vec2d& p : line.points) p.x() = -p.x();
-    }
-    for (Vec2d& p : panel.drill_points) p.x() = -p.x();
-    if (panel.wrap_cone) panel.wrap_cone->apex.x() = -panel.wrap_cone->apex.x();
-    panel.grain_angle = -panel.grain_angle;
+    flip_fields(panel);
 }
 
 }  // namespace selvedge::sim

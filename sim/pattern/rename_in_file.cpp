@@ -34,8 +34,10 @@ void rename_panel_in_file(Json& specification, const std::string& from, const st
     if (Json* names = own ? own->find("seam_names") : nullptr; names && names->is_object()) {
         for (Json::Member& name : names->members()) rename_text(name.value.find("panel"), from, to);
     }
-    if (Json* eased = own ? own->find("eased") : nullptr; eased && eased->is_array()) {
-        for (Json& side : eased->elements()) rename_text(side.find("panel"), from, to);
+    for (const char* key : {"eased", "seams"}) {
+        Json* list = own ? own->find(key) : nullptr;
+        if (!list || !list->is_array()) continue;
+        for (Json& side : list->elements()) rename_text(side.find("panel"), from, to);
     }
     if (Json* sewings = own ? own->find("sewings") : nullptr; sewings && sewings->is_object()) {
         for (Json::Member& sewing : sewings->members()) {
