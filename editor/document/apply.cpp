@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "editor/document/set_fields.h"
 #include "editor/geometry/draft.h"
 #include "editor/geometry/outline_edit.h"
 #include "editor/geometry/panel_edit.h"
@@ -532,6 +533,11 @@ Outcome run(sim::Pattern& pattern, const AcceptEase& command) {
 Outcome run(sim::Pattern& pattern, const SlideSewing& command) {
     check_seam(pattern, command.seam);
     slide_sewing(pattern, command.seam, command.is_second ? SewingRun::Second : SewingRun::First, command.by);
+    return {};
+}
+
+Outcome run(sim::Pattern& pattern, const SetFields& command) {
+    set_fields(pattern, command);
     return {};
 }
 

@@ -9,17 +9,18 @@
 #include <variant>
 
 #include "editor/document/command_types.h"
+#include "editor/document/part_commands.h"
 #include "sim/core/json.h"
 
 namespace selvedge::editor {
 
-using Command =
-    std::variant<RenamePattern, SetFabric, ReplaceFabric, SetTartan, SetBody, SetEdgeLength, MatchSetts, TranslateAll,
-                 RemoveParts, AddPanels, RenamePanel, DuplicatePanels, SymmetricCopy, UnlinkPanel, MovePanels,
-                 TransformPanels, PlacePanel, PlacePanels, SetGrain, SetSettOffset, SetPins, SetLayer, CutPanel,
-                 MergePanels, UnfoldPanel, MoveVertices, TransformVertices, SetCurve, AddVertex, AddDart,
-                 AddInternalLine, SetInternalLine, AddNotch, MoveNotch, SewEdges, SewRuns, ReverseSeam, NameSeam,
-                 AcceptEase, SlideSewing, EvenSeam, PutOver, TakeOff, SetUnderlays, SetSurface, SetAllowance>;
+using Command = std::variant<RenamePattern, SetFabric, ReplaceFabric, SetTartan, SetBody, SetEdgeLength, MatchSetts,
+                             TranslateAll, RemoveParts, AddPanels, RenamePanel, DuplicatePanels, SymmetricCopy,
+                             UnlinkPanel, MovePanels, TransformPanels, PlacePanel, PlacePanels, SetGrain, SetSettOffset,
+                             SetPins, SetLayer, CutPanel, MergePanels, UnfoldPanel, MoveVertices, TransformVertices,
+                             SetCurve, AddVertex, AddDart, AddInternalLine, SetInternalLine, AddNotch, MoveNotch,
+                             SewEdges, SewRuns, ReverseSeam, NameSeam, AcceptEase, SlideSewing, EvenSeam, PutOver,
+                             TakeOff, SetUnderlays, SetSurface, SetAllowance, SetFields>;
 
 // The command that changes one of the photos under the sheet. Pre: the pattern has it.
 SetUnderlays set_underlay(const sim::Pattern& pattern, std::size_t index, const sim::Underlay& changed,

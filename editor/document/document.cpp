@@ -74,13 +74,16 @@ void follow_links(sim::Pattern& changed, const sim::Pattern& before, const std::
     }
 }
 
-// Of the panels that changed: a file with such values could not be opened again.
+// Of the panels and seams that changed: a file with such values could not be opened again.
 void require_limits(const sim::Pattern& changed, const sim::Pattern& before) {
     for (const sim::Panel& panel : changed.panels) {
         const auto was = std::ranges::find(before.panels, panel.name, &sim::Panel::name);
         if (was != before.panels.end() && *was == panel) continue;
         for (const sim::LimitFault& fault : limit_faults(panel))
             throw GeometryError("'" + panel.name + "': " + fault.place + ": " + fault.problem, {{.panel = panel.name}});
+    }
+    for (const sim::Seam& seam : changed.seams) {
+        for (const sim::LimitFault& fault : limit_faults(seam)) throw GeometryError(fault.place + ": " + fault.problem);
     }
 }
 
