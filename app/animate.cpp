@@ -1,5 +1,4 @@
 // selvedge animate GARMENT: dresses a body and lets it move; writes a film, animation caches and a report.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "app/actor.h"
+#include "app/arguments.h"
 #include "app/baked_textures.h"
 #include "app/camera_path.h"
 #include "app/commands.h"
@@ -335,94 +335,69 @@ int run(AnimateArguments arguments) {
     return exit_code_of(outcome_of(animation));
 }
 
-void add_motion_options(CLI::App& command, AnimateArguments& arguments) {
+void add_motion_options(Command& command, AnimateArguments& arguments) {
     sim::AnimationOptions& animation = arguments.animation;
-    command
-        .add_option(
-            "--motion", arguments.motion.name,
-            "A shipped motion or pose, a clip of the body's file, or a file with one (default: the first of the "
-            "body's file)")
-        ->type_name("NAME|FILE[#CLIP]")
-        ->group("Motion");
-    command
-        .add_flag("--open-arms", arguments.motion.opens_arms,
-                  "Open the arms of the body's own motion where they would cut its trunk")
-        ->group("Motion");
+    add_option(command, "--motion", arguments.motion.name,
+               "A shipped motion or pose, a clip of the body's file, or a file with one (default: the first of the "
+               "body's file)",
+               {.type = "NAME|FILE[#CLIP]", .group = "Motion"});
+    add_flag(command, "--open-arms", arguments.motion.opens_arms,
+             "Open the arms of the body's own motion where they would cut its trunk", {.group = "Motion"});
     add_number<double>(command, "--from", {0, 3600}, "Where in the motion to begin, s (default 0)",
-                       [&animation](double seconds) { animation.from = seconds; })
-        ->type_name("S")
-        ->group("Motion");
+                       {.type = "S", .group = "Motion"}, [&animation](double seconds) { animation.from = seconds; });
     const auto seconds = [&animation](double length) { animation.seconds = length; };
-    CLI::Option* length =
-        add_number<double>(command, "--seconds", {0, 3600},
-                           "How much of it to show after --blend, s (default: all; of a loop, once)", seconds)
-            ->type_name("S")
-            ->group("Motion");
+    add_number<double>(command, "--seconds", {0, 3600},
+                       "How much of it to show after --blend, s (default: all; of a loop, once)",
+                       {.type = "S", .group = "Motion"}, seconds);
     add_number<double>(
         command, "--to", {0, 3600},
         "Where in the motion to end, s, instead of --seconds; behind its end, a loop goes on, and of any "
         "other the last pose is held",
-        [&animation](double to) { animation.to = to; })
-        ->type_name("S")
-        ->group("Motion")
-        ->excludes(length);
+        {.type = "S", .group = "Motion", .excludes = {"--seconds"}}, [&animation](double to) { animation.to = to; });
     add_number<double>(command, "--speed", {0.05, 20}, "Speed of the motion (default 1)",
-                       [&animation](double speed) { animation.speed = speed; })
-        ->type_name("FACTOR")
-        ->group("Motion");
+                       {.type = "FACTOR", .group = "Motion"}, [&animation](double speed) { animation.speed = speed; });
     add_number<double>(command, "--blend", {0.1, 60}, "Time from the dressed pose into the motion, s (default 1.5)",
-                       [&animation](double blend) { animation.blend_seconds = blend; })
-        ->type_name("S")
-        ->group("Motion");
-    add_number<int>(command, "--fps", {1, 240}, "Frames per second (default 25)",
-                    [&arguments](int rate) { arguments.frames_per_second = rate; })
-        ->type_name("N")
-        ->group("Motion");
+                       {.type = "S", .group = "Motion"},
+                       [&animation](double blend) { animation.blend_seconds = blend; });
+    add_number<int>(command, "--fps", {1, 240}, "Frames per second (default 25)", {.type = "N", .group = "Motion"},
+                    [&arguments](int rate) { arguments.frames_per_second = rate; });
 }
 
-void add_output_options(CLI::App& command, AnimateArguments& arguments) {
-    command.add_option("--film", arguments.film, "A film: .mp4 or .gif by ffmpeg, or a folder of PNG files (frames/)")
-        ->type_name("FILE")
-        ->group("Output");
-    command
-        .add_flag("--fixed-camera", arguments.camera_stays, "The camera stays where it is, and has all in the picture")
-        ->group("Output");
-    command
-        .add_option("--export", arguments.caches,
-                    "The moving garment on one mesh: .pc2, .glb (with the body) or frames/*.obj; may be repeated")
-        ->type_name("FILE")
-        ->group("Output")
-        ->allow_extra_args(false);
+void add_output_options(Command& command, AnimateArguments& arguments) {
+    add_option(command, "--film", arguments.film, "A film: .mp4 or .gif by ffmpeg, or a folder of PNG files (frames/)",
+               {.type = "FILE", .group = "Output"});
+    add_flag(command, "--fixed-camera", arguments.camera_stays,
+             "The camera stays where it is, and has all in the picture", {.group = "Output"});
+    add_option(command, "--export", arguments.caches,
+               "The moving garment on one mesh: .pc2, .glb (with the body) or frames/*.obj; may be repeated",
+               {.type = "FILE", .group = "Output", .takes_one_value = true});
     add_number<int>(command, "--export-triangles", {1, 1'000'000},
-                    "The exported mesh has at most so many triangles (default 20000)",
-                    [&arguments](int triangles) { arguments.cache_triangles = triangles; })
-        ->type_name("N")
-        ->group("Output");
+                    "The exported mesh has at most so many triangles (default 20000)", {.type = "N", .group = "Output"},
+                    [&arguments](int triangles) { arguments.cache_triangles = triangles; });
     add_number<int>(command, "--texture-size", {64, 16384}, "Side of the textures of .glb, in pixels (default 2048)",
-                    [&arguments](int size_px) { arguments.atlas.size_px = size_px; })
-        ->type_name("PX")
-        ->group("Output");
-    command.add_flag("--no-textures{false}", arguments.has_textures, "A .glb without colour")->group("Output");
-    command.add_option("--report", arguments.report_file, "What came of it, as JSON")
-        ->type_name("JSON")
-        ->group("Output");
+                    {.type = "PX", .group = "Output"},
+                    [&arguments](int size_px) { arguments.atlas.size_px = size_px; });
+    add_flag(command, "--no-textures{false}", arguments.has_textures, "A .glb without colour", {.group = "Output"});
+    add_option(command, "--report", arguments.report_file, "What came of it, as JSON",
+               {.type = "JSON", .group = "Output"});
 }
 
 }  // namespace
 
-void add_animate_command(CLI::App& app, int& exit_code) {
+void add_animate_command(Command& app, int& exit_code) {
     auto arguments = std::make_shared<AnimateArguments>();
     arguments->picture.width_px = arguments->picture.height_px = 720;
-    CLI::App* command = app.add_subcommand("animate", "Dress a body and let it move: a film, or a cache for Blender");
-    add_garment_options(*command, arguments->garment);
-    add_thread_options(*command, arguments->garment);
-    add_body_options(*command, arguments->body,
+    Command& command = add_command(app, "animate", "Dress a body and let it move: a film, or a cache for Blender");
+    add_garment_options(command, arguments->garment);
+    add_thread_options(command, arguments->garment);
+    add_body_options(command, arguments->body,
                      "Body that moves: mannequin[:sex=female,bust=92,...], or a .glb, .gltf or .fbx file with bones "
                      "(default: the pattern's, or mannequin:sex=female)");
-    add_motion_options(*command, *arguments);
-    add_picture_options(*command, arguments->picture);
-    add_output_options(*command, *arguments);
-    command->footer(
+    add_motion_options(command, *arguments);
+    add_picture_options(command, arguments->picture);
+    add_output_options(command, *arguments);
+    set_footer(
+        command,
         "The body is dressed at rest, goes over into the motion within --blend seconds, and moves. Ctrl-C ends early\n"
         "and leaves a film and caches of what was done.\n"
         "Exit code: 0 done, 2 wrong input or a file that could not be written, 3 a fault of the drape, at rest or in\n"
@@ -431,7 +406,7 @@ void add_animate_command(CLI::App& app, int& exit_code) {
         "  selvedge animate patterns/tshirt.json --motion walk --film walk.mp4\n"
         "  selvedge animate patterns/skirt.json --body dancer.glb --film dance/ --export dance.glb\n"
         "  selvedge animate patterns/tshirt.json --motion walk.bvh --seconds 4 --export cache.pc2");
-    command->callback([arguments, &exit_code] {
+    set_action(command, [arguments, &exit_code] {
         if (arguments->film.empty() && arguments->caches.empty() && arguments->report_file.empty())
             throw sim::InputError("", "animate", "has nothing to write: add --film, --export or --report");
         exit_code = run(*arguments);

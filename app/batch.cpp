@@ -1,6 +1,4 @@
 // selvedge batch MANIFEST -o DIR: dresses many garments on many bodies, and shows what came of them in a gallery.
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -15,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/arguments.h"
 #include "app/batch_progress.h"
 #include "app/commands.h"
 #include "app/dress_command.h"
@@ -335,10 +334,12 @@ int run(BatchArguments arguments) {
     return stop.exit_code();
 }
 
-void add_job_options(CLI::App& command, BatchArguments& arguments) {
-    command.add_option("MANIFEST", arguments.manifest, "List of jobs, JSON or CSV (docs/batch.md)")->type_name("FILE");
-    const auto add = [&](const char* name, std::vector<std::string>& values, const char* help, const char* type) {
-        return command.add_option(name, values, help)->type_name(type)->group("Jobs")->allow_extra_args(false);
+void add_job_options(Command& command, BatchArguments& arguments) {
+    add_option(command, "MANIFEST", arguments.manifest, "List of jobs, JSON or CSV (docs/batch.md)", {.type = "FILE"});
+    const auto add = [&](const char* name, std::vector<std::string>& values, const char* help, const char* type,
+                         char delimiter = 0) {
+        add_option(command, name, values, help,
+                   {.type = type, .group = "Jobs", .takes_one_value = true, .delimiter = delimiter});
     };
     add("--patterns", arguments.product.garments,
         "Instead of a manifest: garment files, such as 'patterns/*.json'; may "
@@ -346,61 +347,55 @@ void add_job_options(CLI::App& command, BatchArguments& arguments) {
         "GLOB");
     add("--bodies", arguments.product.bodies,
         "Bodies for each of them: mannequin:..., files, or a .txt file with one a line; may be repeated", "GLOB|LIST");
-    add("--fabrics", arguments.product.fabrics, "Fabrics for each of them, with commas between", "LIST")
-        ->delimiter(',');
+    add("--fabrics", arguments.product.fabrics, "Fabrics for each of them, with commas between", "LIST", ',');
     add("--set", arguments.options,
         "An option of dress for all jobs, such as seconds=8 or no-self-collision; may be "
         "repeated",
         "NAME=VALUE");
 }
 
-void add_output_options(CLI::App& command, BatchArguments& arguments) {
-    command.add_option("-o,--output", arguments.batch.output, "Folder for the results; made if it is not there")
-        ->required()
-        ->type_name("DIR");
-    command.add_flag("--no-pictures{false}", arguments.has_pictures, "No pictures, which is faster");
-    command.add_option("--export", arguments.exports, "Each garment as obj, glb, ply or stl; may be repeated")
-        ->type_name("FORMAT")
-        ->check(CLI::IsMember({"obj", "glb", "ply", "stl"}))
-        ->allow_extra_args(false);
-    command.add_option("--compare", arguments.compared, "The output of an earlier run: the gallery shows what changed")
-        ->type_name("DIR");
+void add_output_options(Command& command, BatchArguments& arguments) {
+    add_option(command, "-o,--output", arguments.batch.output, "Folder for the results; made if it is not there",
+               {.type = "DIR", .is_required = true});
+    add_flag(command, "--no-pictures{false}", arguments.has_pictures, "No pictures, which is faster");
+    add_option(command, "--export", arguments.exports, "Each garment as obj, glb, ply or stl; may be repeated",
+               {.type = "FORMAT", .takes_one_value = true, .one_of = {"obj", "glb", "ply", "stl"}});
+    add_option(command, "--compare", arguments.compared, "The output of an earlier run: the gallery shows what changed",
+               {.type = "DIR"});
 }
 
-void add_worker_options(CLI::App& command, BatchArguments& arguments) {
+void add_worker_options(Command& command, BatchArguments& arguments) {
     batch::BatchOptions& options = arguments.batch;
     options.workers = int(std::max(1U, std::thread::hardware_concurrency()));
-    add_number<int>(command, "-j,--jobs", {1, 1024}, "Jobs at a time (default: one per CPU core)", [&](int jobs) {
-        options.workers = jobs;
-    })->type_name("N");
-    add_number<double>(command, "--time-limit", {1, 86400}, "Longest time for one job, s (default 300)",
-                       [&](double seconds) { options.limits.seconds = seconds; })
-        ->type_name("S");
+    add_number<int>(command, "-j,--jobs", {1, 1024}, "Jobs at a time (default: one per CPU core)", {.type = "N"},
+                    [&](int jobs) { options.workers = jobs; });
+    add_number<double>(command, "--time-limit", {1, 86400}, "Longest time for one job, s (default 300)", {.type = "S"},
+                       [&](double seconds) { options.limits.seconds = seconds; });
     add_number<double>(command, "--memory-limit", {64, 1e6}, "Most memory for one job, MB (default 4000)",
-                       [&](double megabytes) { options.limits.memory_bytes = std::size_t(megabytes * 1e6); })
-        ->type_name("MB");
-    command.add_option("--cache", arguments.cache, "Folder that keeps bodies and their fields (default: the user's)")
-        ->type_name("DIR");
-    add_number<double>(command, "--cache-size", {50, 1e7}, "Most that it keeps, MB (default 4096)",
-                       [&](double megabytes) { arguments.cache_mb = megabytes; })
-        ->type_name("MB");
-    command.add_flag("--no-cache{false}", arguments.has_cache, "Keep no bodies");
-    command.add_option("--shard", arguments.shard, "Only the jobs I, I + N, I + 2 N, ... of the list")
-        ->type_name("I/N");
-    command.add_flag("--merge", arguments.only_merges, "Do no jobs: gather the results of all shards");
-    command.add_flag("--again", options.does_all_again, "Do also what was done before with the same inputs");
-    command.add_flag("-q,--quiet", arguments.is_quiet, "Show no progress and no summary");
+                       {.type = "MB"},
+                       [&](double megabytes) { options.limits.memory_bytes = std::size_t(megabytes * 1e6); });
+    add_option(command, "--cache", arguments.cache, "Folder that keeps bodies and their fields (default: the user's)",
+               {.type = "DIR"});
+    add_number<double>(command, "--cache-size", {50, 1e7}, "Most that it keeps, MB (default 4096)", {.type = "MB"},
+                       [&](double megabytes) { arguments.cache_mb = megabytes; });
+    add_flag(command, "--no-cache{false}", arguments.has_cache, "Keep no bodies");
+    add_option(command, "--shard", arguments.shard, "Only the jobs I, I + N, I + 2 N, ... of the list",
+               {.type = "I/N"});
+    add_flag(command, "--merge", arguments.only_merges, "Do no jobs: gather the results of all shards");
+    add_flag(command, "--again", options.does_all_again, "Do also what was done before with the same inputs");
+    add_flag(command, "-q,--quiet", arguments.is_quiet, "Show no progress and no summary");
 }
 
 }  // namespace
 
-void add_batch_command(CLI::App& app, int& exit_code) {
+void add_batch_command(Command& app, int& exit_code) {
     auto arguments = std::make_shared<BatchArguments>();
-    CLI::App* command = app.add_subcommand("batch", "Dress many garments on many bodies");
-    add_job_options(*command, *arguments);
-    add_output_options(*command, *arguments);
-    add_worker_options(*command, *arguments);
-    command->footer(
+    Command& command = add_command(app, "batch", "Dress many garments on many bodies");
+    add_job_options(command, *arguments);
+    add_output_options(command, *arguments);
+    add_worker_options(command, *arguments);
+    set_footer(
+        command,
         "What was done before with the same inputs, options and program is not done again, so a batch that was "
         "stopped\n"
         "goes on. Ctrl+C lets the jobs that run end; twice stops at once.\n"
@@ -411,7 +406,7 @@ void add_batch_command(CLI::App& app, int& exit_code) {
         "      --fabrics cotton_shirting,denim -o out --export glb\n"
         "  selvedge batch jobs.json -o new --compare old\n"
         "  selvedge batch jobs.json -o out --shard 3/8        # and when all are done: --merge");
-    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+    set_action(command, [arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 }  // namespace selvedge::app

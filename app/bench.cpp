@@ -1,12 +1,12 @@
 // selvedge bench: starts selvedge-bench, the program of the experiments, which lies beside this one.
 #include <unistd.h>
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "app/arguments.h"
 #include "app/commands.h"
 #include "sim/core/error.h"
 #include "sim/core/file_path.h"
@@ -32,11 +32,8 @@ void start(std::vector<std::string> arguments) {
 
 }  // namespace
 
-void add_bench_command(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("bench", "Measure, and print the figures as Markdown tables");
-    command->prefix_command();  // the rest, also --help, is for the other program
-    command->set_help_flag();
-    command->callback([command] { start(command->remaining()); });
+void add_bench_command(Command& app) {
+    add_passing_command(app, "bench", "Measure, and print the figures as Markdown tables", start);
 }
 
 }  // namespace selvedge::app

@@ -1,10 +1,10 @@
 // selvedge check FILE...: prints one line for every fault in garment files.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "app/arguments.h"
 #include "app/commands.h"
 #include "app/pattern_faults.h"
 #include "sim/pattern/fault.h"
@@ -32,15 +32,15 @@ int check_files(const CheckArguments& arguments) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app, int& exit_code) {
+void add_check_command(Command& app, int& exit_code) {
     auto arguments = std::make_shared<CheckArguments>();
-    CLI::App* command = app.add_subcommand("check", "List every fault of garment files");
-    command->add_option("files", arguments->files, "Garment files")->required()->type_name("FILE");
-    command->add_flag("--strict", arguments->is_strict, "Exit 1 when there are warnings and no faults");
-    command->footer(
-        "Exit code: 0 clean (or warnings only), 1 warnings with --strict, 2 faults.\n"
-        "Example: selvedge check patterns/tshirt.json");
-    command->callback([arguments, &exit_code] { exit_code = check_files(*arguments); });
+    Command& command = add_command(app, "check", "List every fault of garment files");
+    add_option(command, "files", arguments->files, "Garment files", {.type = "FILE", .is_required = true});
+    add_flag(command, "--strict", arguments->is_strict, "Exit 1 when there are warnings and no faults");
+    set_footer(command,
+               "Exit code: 0 clean (or warnings only), 1 warnings with --strict, 2 faults.\n"
+               "Example: selvedge check patterns/tshirt.json");
+    set_action(command, [arguments, &exit_code] { exit_code = check_files(*arguments); });
 }
 
 }  // namespace selvedge::app

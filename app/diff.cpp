@@ -1,8 +1,8 @@
 // selvedge diff A.png B.png: compares two pictures, and shows where they differ.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
+#include "app/arguments.h"
 #include "app/commands.h"
 #include "app/options.h"
 #include "render/image/image.h"
@@ -51,17 +51,17 @@ int diff(const DiffArguments& arguments) {
 
 }  // namespace
 
-void add_diff_command(CLI::App& app, int& exit_code) {
+void add_diff_command(Command& app, int& exit_code) {
     auto arguments = std::make_shared<DiffArguments>();
-    CLI::App* command = app.add_subcommand("diff", "Compare two pictures; exit 1 when they differ");
-    command->add_option("A", arguments->first, "PNG picture")->required();
-    command->add_option("B", arguments->second, "PNG picture")->required();
-    command->add_option("-o,--output", arguments->output,
-                        "Difference picture, written when they differ (default: B's name with .diff.png, here)");
-    command->add_flag("--rounding", arguments->allows_rounding,
-                      "Let pass what another CPU's rounding explains: at most 3/255, with 0.01 % of pixels beyond");
-    command->footer("Example: selvedge diff before.png after.png -o difference.png");
-    command->callback([arguments, &exit_code] { exit_code = diff(*arguments); });
+    Command& command = add_command(app, "diff", "Compare two pictures; exit 1 when they differ");
+    add_option(command, "A", arguments->first, "PNG picture", {.is_required = true});
+    add_option(command, "B", arguments->second, "PNG picture", {.is_required = true});
+    add_option(command, "-o,--output", arguments->output,
+               "Difference picture, written when they differ (default: B's name with .diff.png, here)");
+    add_flag(command, "--rounding", arguments->allows_rounding,
+             "Let pass what another CPU's rounding explains: at most 3/255, with 0.01 % of pixels beyond");
+    set_footer(command, "Example: selvedge diff before.png after.png -o difference.png");
+    set_action(command, [arguments, &exit_code] { exit_code = diff(*arguments); });
 }
 
 }  // namespace selvedge::app

@@ -1,7 +1,6 @@
 // selvedge dress GARMENT: puts a garment on a body; writes pictures, meshes and a report.
 #include "sim/dress/dress.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -13,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/arguments.h"
 #include "app/commands.h"
 #include "app/dress_command.h"
 #include "app/film.h"
@@ -202,15 +202,14 @@ int dress_and_write(DressArguments& arguments, sim::DressReport& refused, const 
     return writing.failures.empty() ? exit_code_of(outcome_of(report)) : 2;
 }
 
-void add_run_options(CLI::App& command, DressArguments& arguments) {
+void add_run_options(Command& command, DressArguments& arguments) {
     add_number<double>(command, "--seconds", kDrapeSeconds, "Longest simulated time of the drape (default 12)",
-                       [&arguments](double seconds) { arguments.garment.dress.max_seconds = seconds; })
-        ->type_name("S");
+                       {.type = "S"}, [&arguments](double seconds) { arguments.garment.dress.max_seconds = seconds; });
 }
 
-void add_output_options(CLI::App& command, DressArguments& arguments) {
+void add_output_options(Command& command, DressArguments& arguments) {
     const auto add = [&](const char* name, auto& files, const char* help, const char* type) {
-        command.add_option(name, files, help)->type_name(type)->group("Output")->allow_extra_args(false);
+        add_option(command, name, files, help, {.type = type, .group = "Output", .takes_one_value = true});
     };
     add("--render", arguments.picture_file, "Picture of the dressed body", "PNG");
     add_garment_file_options(command, arguments.exports);
@@ -238,7 +237,7 @@ int run_dress(DressArguments arguments, const KnownBodies& known) {
     }
 }
 
-void add_dress_options(CLI::App& command, DressArguments& arguments) {
+void add_dress_options(Command& command, DressArguments& arguments) {
     add_garment_options(command, arguments.garment);
     add_run_options(command, arguments);
     add_thread_options(command, arguments.garment);
@@ -250,11 +249,12 @@ void add_dress_options(CLI::App& command, DressArguments& arguments) {
     add_turntable_options(command, arguments.turntable);
 }
 
-void add_dress_command(CLI::App& app, int& exit_code) {
+void add_dress_command(Command& app, int& exit_code) {
     auto arguments = std::make_shared<DressArguments>();
-    CLI::App* command = app.add_subcommand("dress", "Put a garment on a body");
-    add_dress_options(*command, *arguments);
-    command->footer(
+    Command& command = add_command(app, "dress", "Put a garment on a body");
+    add_dress_options(command, *arguments);
+    set_footer(
+        command,
         "Exit code: 0 dressed, 2 wrong input or a file that could not be written, 3 dressed with a defect of the "
         "drape,\n"
         "4 dressed well, but the garment does not fit the body.\n"
@@ -265,7 +265,7 @@ void add_dress_command(CLI::App& app, int& exit_code) {
         "  selvedge dress patterns/tshirt.json --over patterns/vest.json --render layers.png\n"
         "  selvedge dress patterns/tshirt.json --show hierarchy --render levels.png --turntable levels.mp4\n"
         "  selvedge dress patterns/tshirt.json --body scan.obj --body-unit cm --fabric silk --report tshirt.json");
-    command->callback([arguments, &exit_code] { exit_code = run_dress(*arguments); });
+    set_action(command, [arguments, &exit_code] { exit_code = run_dress(*arguments); });
 }
 
 }  // namespace selvedge::app

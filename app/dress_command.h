@@ -13,11 +13,9 @@
 #include "app/ready_body.h"
 #include "sim/core/content_store.h"
 
-namespace CLI {
-class App;
-}
-
 namespace selvedge::app {
+
+class Command;
 
 struct DressArguments {
     GarmentOptions garment;
@@ -33,7 +31,7 @@ struct DressArguments {
 
 // Adds all options of the command dress, and validates their values while parsing. `arguments` must outlive the
 // parsing.
-void add_dress_options(CLI::App& command, DressArguments& arguments);
+void add_dress_options(Command& command, DressArguments& arguments);
 
 // Where what a dressing needs of its body may be found; null for none of them.
 struct KnownBodies {

@@ -1,7 +1,6 @@
 // selvedge edit [FILE]: the pattern editor, in a window, or run by a script without one.
 #include "app/edit.h"
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -13,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/arguments.h"
 #include "app/commands.h"
 #include "app/edit_loop.h"
 #include "app/editor_services.h"
@@ -208,26 +208,26 @@ render::Image play_script(const EditorScript& script) {
     return loop.screenshot();
 }
 
-void add_edit_command(CLI::App& app, int& exit_code) {
+void add_edit_command(Command& app, int& exit_code) {
     auto arguments = std::make_shared<EditArguments>();
-    CLI::App* command = app.add_subcommand("edit", "Draw panels, sew them, place them and watch them drape");
-    command->add_option("FILE", arguments->file, "Garment file to open")->type_name("FILE");
-    command->add_option("--script", arguments->script, "Plays this script without a window (docs/editor.md)")
-        ->type_name("FILE");
-    command->add_option("--screenshot", arguments->screenshot, "Without a window: what is seen at the end")
-        ->type_name("PNG");
-    command->add_option("--size", arguments->size, "Of the window in pixels (default 1280x800)")->type_name("WxH");
-    command->add_option("--scale", arguments->scale, "Of letters and buttons, 0.5 to 4 (default the screen's)")
-        ->check(CLI::Range(0.5F, 4.0F));
-    command->add_option("--frame-times", arguments->frame_times, "Writes where each frame's time went")
-        ->type_name("CSV");
-    command->add_option("--state", arguments->state, "Where journals and recent files are kept")->type_name("FOLDER");
-    command->footer(
-        "Examples:\n"
-        "  selvedge edit\n"
-        "  selvedge edit patterns/tshirt.json\n"
-        "  selvedge edit patterns/tshirt.json --screenshot editor.png");
-    command->callback([arguments, &exit_code] {
+    Command& command = add_command(app, "edit", "Draw panels, sew them, place them and watch them drape");
+    add_option(command, "FILE", arguments->file, "Garment file to open", {.type = "FILE"});
+    add_option(command, "--script", arguments->script, "Plays this script without a window (docs/editor.md)",
+               {.type = "FILE"});
+    add_option(command, "--screenshot", arguments->screenshot, "Without a window: what is seen at the end",
+               {.type = "PNG"});
+    add_option(command, "--size", arguments->size, "Of the window in pixels (default 1280x800)", {.type = "WxH"});
+    add_option(command, "--scale", arguments->scale, "Of letters and buttons, 0.5 to 4 (default the screen's)",
+               {.range = Limits<float>{0.5F, 4.0F}});
+    add_option(command, "--frame-times", arguments->frame_times, "Writes where each frame's time went",
+               {.type = "CSV"});
+    add_option(command, "--state", arguments->state, "Where journals and recent files are kept", {.type = "FOLDER"});
+    set_footer(command,
+               "Examples:\n"
+               "  selvedge edit\n"
+               "  selvedge edit patterns/tshirt.json\n"
+               "  selvedge edit patterns/tshirt.json --screenshot editor.png");
+    set_action(command, [arguments, &exit_code] {
         const bool has_window = arguments->script.empty() && arguments->screenshot.empty();
         exit_code = has_window ? run_window(*arguments) : run_script(*arguments);
     });

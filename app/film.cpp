@@ -5,7 +5,6 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -18,6 +17,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "app/arguments.h"
 #include "app/options.h"
 #include "app/picture.h"
 #include "render/draw/renderer.h"
@@ -356,25 +356,17 @@ std::vector<float> turn_in(int count) {
     return turns;
 }
 
-void add_count(CLI::App& command, const char* name, int& value, int most, const char* help) {
-    const auto check_and_take = [name, &value, most](const int& count) {
-        if (count < 1 || count > most) throw sim::InputError("", name, "must be from 1 to " + std::to_string(most));
-        value = count;
-    };
-    command.add_option_function<int>(name, check_and_take, help)
-        ->type_name("N")
-        ->group("Film")
-        ->needs(command.get_option("--turntable"));
+void add_count(Command& command, const char* name, int& value, int most, const char* help) {
+    add_number<int>(command, name, {1, most}, help, {.type = "N", .group = "Film", .needs = {"--turntable"}},
+                    [&value](int count) { value = count; });
 }
 
 }  // namespace
 
-void add_turntable_options(CLI::App& command, TurntableOptions& options) {
-    command
-        .add_option("--turntable", options.file,
-                    "Film of one turn: .mp4 or .gif (by ffmpeg), or a folder for frames, ending in / or .frames")
-        ->type_name("FILE|FOLDER/")
-        ->group("Film");
+void add_turntable_options(Command& command, TurntableOptions& options) {
+    add_option(command, "--turntable", options.file,
+               "Film of one turn: .mp4 or .gif (by ffmpeg), or a folder for frames, ending in / or .frames",
+               {.type = "FILE|FOLDER/", .group = "Film"});
     add_count(command, "--frames", options.frames, 3600, "Frames of the turn (default 100)");
     add_count(command, "--fps", options.frames_per_second, 120, "Frames per second (default 25)");
 }

@@ -13,11 +13,9 @@
 #include "render/image/image.h"
 #include "sim/core/parallel.h"
 
-namespace CLI {
-class App;
-}
-
 namespace selvedge::app {
+
+class Command;
 
 enum class FilmKind { Mp4, Gif, Frames };
 
@@ -100,7 +98,7 @@ struct TurntableOptions {
 };
 
 // Adds --turntable, --frames and --fps. `options` must outlive the parsing.
-void add_turntable_options(CLI::App& command, TurntableOptions& options);
+void add_turntable_options(Command& command, TurntableOptions& options);
 
 // Throws InputError if the film cannot be written or conflicts with the picture's options. Call it before long work.
 // Does nothing without a file.

@@ -1,6 +1,5 @@
 #include "app/garment_files.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -8,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/arguments.h"
 #include "app/baked_textures.h"
 #include "app/garment_options.h"
 #include "app/options.h"
@@ -42,36 +42,26 @@ std::vector<float> thickness_of_panels(const ClothThickness& thickness, const si
 
 }  // namespace
 
-void add_garment_file_options(CLI::App& command, GarmentFileOptions& options) {
-    CLI::Option* files =
-        command.add_option("--export", options.files, "The garment as .obj, .glb, .ply or .stl; may be repeated")
-            ->type_name("FILE")
-            ->allow_extra_args(false);
-    CLI::Option* size = add_number<int>(command, "--texture-size", {64, 16384},
-                                        "Side of the textures of .glb and .obj, in pixels (default 2048)",
-                                        [&options](int size_px) { options.content.atlas.size_px = size_px; })
-                            ->type_name("PX");
-    CLI::Option* plain = command.add_flag("--no-textures{false}", options.has_textures,
-                                          "Exports without colour; an .obj is in metric coordinates");
-    CLI::Option* body = command.add_flag("--with-body", options.has_body, "Exports hold the body too");
-    CLI::Option* thickness =
-        command
-            .add_option_function<std::string>(
-                "--thickness", [&options](const std::string& text) { options.thickness = parse_thickness(text); },
-                "Exports are closed solids with two sides, so thick: a number of mm, or 'fabric' for the fabrics' own")
-            ->type_name("MM|fabric")
-            ->needs(files);
-    CLI::Option* surface =
-        command
-            .add_flag("--export-surface", options.has_curved_surface, "Exports carry the curved surface (--surface)")
-            ->needs(command.get_option("--surface"))
-            ->needs(files);
-    CLI::Option* element = command
-                               .add_option("--export-garmentcode", options.garmentcode_folder,
-                                           "Folder for the files of an element of GarmentCodeData: NAME_sim.obj and "
-                                           ".ply, segmentation, vertex labels, specification")
-                               ->type_name("DIR");
-    for (CLI::Option* option : {files, size, plain, body, thickness, surface, element}) option->group("Output");
+void add_garment_file_options(Command& command, GarmentFileOptions& options) {
+    add_option(command, "--export", options.files, "The garment as .obj, .glb, .ply or .stl; may be repeated",
+               {.type = "FILE", .group = "Output", .takes_one_value = true});
+    add_number<int>(
+        command, "--texture-size", {64, 16384}, "Side of the textures of .glb and .obj, in pixels (default 2048)",
+        {.type = "PX", .group = "Output"}, [&options](int size_px) { options.content.atlas.size_px = size_px; });
+    add_flag(command, "--no-textures{false}", options.has_textures,
+             "Exports without colour; an .obj is in metric coordinates", {.group = "Output"});
+    add_flag(command, "--with-body", options.has_body, "Exports hold the body too", {.group = "Output"});
+    add_text_option(
+        command, "--thickness",
+        "Exports are closed solids with two sides, so thick: a number of mm, or 'fabric' for the fabrics' own",
+        {.type = "MM|fabric", .group = "Output", .needs = {"--export"}},
+        [&options](const std::string& text) { options.thickness = parse_thickness(text); });
+    add_flag(command, "--export-surface", options.has_curved_surface, "Exports carry the curved surface (--surface)",
+             {.group = "Output", .needs = {"--surface", "--export"}});
+    add_option(command, "--export-garmentcode", options.garmentcode_folder,
+               "Folder for the files of an element of GarmentCodeData: NAME_sim.obj and "
+               ".ply, segmentation, vertex labels, specification",
+               {.type = "DIR", .group = "Output"});
 }
 
 void check_garment_files(const GarmentFileOptions& options) {

@@ -10,11 +10,9 @@
 #include "sim/exchange/garment_export.h"
 #include "sim/mesh/draw_mesh.h"
 
-namespace CLI {
-class App;
-}
-
 namespace selvedge::app {
+
+class Command;
 
 // How thick the cloth of an export is.
 struct ClothThickness {
@@ -34,7 +32,7 @@ struct GarmentFileOptions {
 
 // Adds --export, --texture-size, --no-textures, --with-body, --thickness, --export-surface and --export-garmentcode,
 // and validates them while parsing. Pre: the command has --surface. `options` must outlive the parsing.
-void add_garment_file_options(CLI::App& command, GarmentFileOptions& options);
+void add_garment_file_options(Command& command, GarmentFileOptions& options);
 
 // Throws InputError if a file cannot be written, or its format cannot hold what is asked for.
 void check_garment_files(const GarmentFileOptions& options);

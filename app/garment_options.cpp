@@ -1,10 +1,11 @@
 #include "app/garment_options.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdio>
 #include <iterator>
+#include <sstream>
 
+#include "sim/core/error.h"
 #include "sim/core/printable.h"
 #include "sim/dress/anchor.h"
 #include "sim/dress/dress_check.h"
@@ -24,7 +25,8 @@ std::string fault_text(std::string kind) {
 
 sim::CriteriaOptions parse_criteria(const std::string& text) {
     sim::CriteriaOptions criteria{.collision = false, .curvature = false, .length = false};
-    for (const std::string& name : CLI::detail::split(text, ',')) {
+    std::istringstream names(text.empty() ? "," : text);  // no text is a name without letters
+    for (std::string name; std::getline(names, name, ',');) {
         if (name == "collision") {
             criteria.collision = true;
         } else if (name == "curvature") {
@@ -40,48 +42,38 @@ sim::CriteriaOptions parse_criteria(const std::string& text) {
 
 }  // namespace
 
-void add_garment_options(CLI::App& command, GarmentOptions& options) {
+void add_garment_options(Command& command, GarmentOptions& options) {
     sim::DressOptions& dress = options.dress;
-    command.add_option("GARMENT", options.garment, "Garment file (patterns/FORMAT.md)")->required()->type_name("FILE");
-    command.add_option("--over", options.over, "A garment that is worn over it; may be repeated, from the inside out")
-        ->type_name("FILE")
-        ->allow_extra_args(false);
-    command.add_option("--fabric", options.fabric, "A shipped fabric or a fabric file (default: the pattern's)")
-        ->type_name("NAME|FILE");
+    add_option(command, "GARMENT", options.garment, "Garment file (patterns/FORMAT.md)",
+               {.type = "FILE", .is_required = true});
+    add_option(command, "--over", options.over, "A garment that is worn over it; may be repeated, from the inside out",
+               {.type = "FILE", .takes_one_value = true});
+    add_option(command, "--fabric", options.fabric, "A shipped fabric or a fabric file (default: the pattern's)",
+               {.type = "NAME|FILE"});
     add_number<double>(command, "--edge-length", kEdgeLengthsCm,
-                       "Edge length of the base mesh in cm (default: the pattern's, or 5)",
-                       [&dress](double length_cm) { dress.edge_length = length_cm / 100; })
-        ->type_name("CM");
-    add_number<int>(command, "--max-level", kLevels, "Times an edge may be halved (default 3)", [&dress](int level) {
-        dress.max_level = level;
-    })->type_name("N");
+                       "Edge length of the base mesh in cm (default: the pattern's, or 5)", {.type = "CM"},
+                       [&dress](double length_cm) { dress.edge_length = length_cm / 100; });
+    add_number<int>(command, "--max-level", kLevels, "Times an edge may be halved (default 3)", {.type = "N"},
+                    [&dress](int level) { dress.max_level = level; });
     add_number<double>(command, "--shortest-edge", kShortestEdgesCm,
-                       "Edges shorter than this, in cm, are not halved (default 2)",
-                       [&dress](double length_cm) { dress.shortest_edge = length_cm / 100; })
-        ->type_name("CM");
+                       "Edges shorter than this, in cm, are not halved (default 2)", {.type = "CM"},
+                       [&dress](double length_cm) { dress.shortest_edge = length_cm / 100; });
     add_number<int>(command, "--triangles", kTriangleBudgets,
                     "Number of triangles to keep near, by how much shape they show (default: as many as it takes)",
-                    [&dress](int target) { dress.triangle_budget = target; })
-        ->type_name("N");
-    command.add_flag(
-        "--coarse-back-faces", options.coarsens_back_faces,
-        "Keep the mesh coarse where the right side of the cloth faces away from the camera, in exports too");
-    command.add_flag(
-        "--no-self-collision", [&dress](std::int64_t) { dress.self_collision = false; },
-        "Let the cloth pass through itself, which is faster");
-    command
-        .add_option_function<std::string>(
-            "--criteria", [&dress](const std::string& text) { dress.criteria = parse_criteria(text); },
-            "What asks for smaller triangles (default collision,curvature,length)")
-        ->type_name("NAMES");
+                    {.type = "N"}, [&dress](int target) { dress.triangle_budget = target; });
+    add_flag(command, "--coarse-back-faces", options.coarsens_back_faces,
+             "Keep the mesh coarse where the right side of the cloth faces away from the camera, in exports too");
+    add_flag(command, "--no-self-collision", "Let the cloth pass through itself, which is faster",
+             [&dress] { dress.self_collision = false; });
+    add_text_option(command, "--criteria", "What asks for smaller triangles (default collision,curvature,length)",
+                    {.type = "NAMES"}, [&dress](const std::string& text) { dress.criteria = parse_criteria(text); });
 }
 
-void add_thread_options(CLI::App& command, GarmentOptions& options) {
+void add_thread_options(Command& command, GarmentOptions& options) {
     add_number<int>(command, "--threads", kThreadCounts,
-                    "Threads to use (default: all there are); the result is the same",
-                    [&options](int threads) { options.threads = threads; })
-        ->type_name("N");
-    command.add_flag("-q,--quiet", options.is_quiet, "Show no progress, and print only faults");
+                    "Threads to use (default: all there are); the result is the same", {.type = "N"},
+                    [&options](int threads) { options.threads = threads; });
+    add_flag(command, "-q,--quiet", options.is_quiet, "Show no progress, and print only faults");
 }
 
 namespace {

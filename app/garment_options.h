@@ -1,17 +1,14 @@
 #pragma once
 // Command-line options that say which garment is dressed and how: of dress and animate.
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "app/arguments.h"
 #include "app/options.h"
 #include "app/picture.h"
-#include "sim/core/error.h"
 #include "sim/dress/dress_options.h"
 #include "sim/dress/report.h"
 #include "sim/pattern/limits.h"
@@ -30,12 +27,6 @@ struct GarmentOptions {
     std::vector<std::filesystem::path> named{};  // files that the garments and options name; set by name_inputs()
 };
 
-template <class T>
-struct Limits {
-    T least;
-    T most;
-};
-
 // Of options of dress, in the units of the command line.
 inline constexpr Limits<double> kEdgeLengthsCm{sim::kShortestMeshEdge * 100, sim::kLongestMeshEdge * 100};
 inline constexpr Limits<int> kLevels{0, 8};  // with the shortest edge 0.1 cm: to 1 mm
@@ -44,25 +35,9 @@ inline constexpr Limits<int> kTriangleBudgets{100, 10'000'000};
 inline constexpr Limits<int> kThreadCounts{1, 1024};
 inline constexpr Limits<double> kDrapeSeconds{0.01, 600};
 
-// A number that is checked while parsing: an InputError names the limits.
-template <class T>
-CLI::Option* add_number(CLI::App& command, const std::string& name, Limits<T> limits, const std::string& help,
-                        const std::function<void(T)>& take) {
-    const auto check_and_take = [=](const T& value) {
-        const bool is_within = value >= limits.least && value <= limits.most;  // false for NaN
-        if (!is_within) {
-            throw sim::InputError(
-                "", name,
-                "must be from " + CLI::detail::to_string(limits.least) + " to " + CLI::detail::to_string(limits.most));
-        }
-        take(value);
-    };
-    return command.add_option_function<T>(name, check_and_take, help);
-}
-
 // `options` must outlive the parsing.
-void add_garment_options(CLI::App& command, GarmentOptions& options);
-void add_thread_options(CLI::App& command, GarmentOptions& options);
+void add_garment_options(Command& command, GarmentOptions& options);
+void add_thread_options(Command& command, GarmentOptions& options);
 
 // The garment with these over it, from the inside out. `file`: its name in messages. Notes: one sentence per change.
 // Throws InputError.

@@ -1,10 +1,10 @@
 // selvedge import FILE... -o garment.json: makes a garment of patterns that other programs drew.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "app/arguments.h"
 #include "app/commands.h"
 #include "app/import_garment.h"
 #include "app/options.h"
@@ -71,38 +71,33 @@ int run(ImportArguments& arguments) {
 
 }  // namespace
 
-void add_import_command(CLI::App& app, int& exit_code) {
+void add_import_command(Command& app, int& exit_code) {
     auto arguments = std::make_shared<ImportArguments>();
-    CLI::App* command = app.add_subcommand("import", "Make a garment of patterns that other programs drew");
-    command
-        ->add_option("FILES", arguments->files, "SVG, DXF, or a draft of FreeSewing as JSON; several make one garment")
-        ->required()
-        ->type_name("FILE");
-    command->add_option("-o,--output", arguments->output, "Garment file to write")->required()->type_name("FILE");
-    command->add_option("--unit", arguments->unit, "Unit of the files: mm, cm, m, in, pt or px (default: the file's)")
-        ->type_name("UNIT");
-    command
-        ->add_option(
-            "--allowance", arguments->allowance_mm,
-            "Seam allowance in mm that outlines include where only the cut line is drawn (default: the file's)")
-        ->type_name("MM")
-        ->check(CLI::Range(0.0, 100.0));
-    command->add_option("--size", arguments->options.panels.size, "Which size to take from a file with several")
-        ->type_name("SIZE");
-    command
-        ->add_option("--confidence", arguments->options.least_confidence,
-                     "Least confidence of the seams that are sewn, 0.05 to 1 (default 0.5)")
-        ->type_name("P")
-        ->check(CLI::Range(0.05, 1.0));
-    command->add_flag("--list-all", arguments->lists_all, "List all seams that are possible, likely or not");
-    command
-        ->add_option("--measurements", arguments->options.measurements,
-                     "Body measurements of FreeSewing, Valentina, Seamly2D or GarmentCode (default: the drawing's)")
-        ->type_name("FILE");
+    Command& command = add_command(app, "import", "Make a garment of patterns that other programs drew");
+    add_option(command, "FILES", arguments->files,
+               "SVG, DXF, or a draft of FreeSewing as JSON; several make one garment",
+               {.type = "FILE", .is_required = true});
+    add_option(command, "-o,--output", arguments->output, "Garment file to write",
+               {.type = "FILE", .is_required = true});
+    add_option(command, "--unit", arguments->unit, "Unit of the files: mm, cm, m, in, pt or px (default: the file's)",
+               {.type = "UNIT"});
+    add_option(command, "--allowance", arguments->allowance_mm,
+               "Seam allowance in mm that outlines include where only the cut line is drawn (default: the file's)",
+               {.type = "MM", .range = Limits<double>{0.0, 100.0}});
+    add_option(command, "--size", arguments->options.panels.size, "Which size to take from a file with several",
+               {.type = "SIZE"});
+    add_option(command, "--confidence", arguments->options.least_confidence,
+               "Least confidence of the seams that are sewn, 0.05 to 1 (default 0.5)",
+               {.type = "P", .range = Limits<double>{0.05, 1.0}});
+    add_flag(command, "--list-all", arguments->lists_all, "List all seams that are possible, likely or not");
+    add_option(command, "--measurements", arguments->options.measurements,
+               "Body measurements of FreeSewing, Valentina, Seamly2D or GarmentCode (default: the drawing's)",
+               {.type = "FILE"});
     add_body_options(
-        *command, arguments->body,
+        command, arguments->body,
         "Body round which the panels are placed (default: of the measurements, else the female mannequin)");
-    command->footer(
+    set_footer(
+        command,
         "Files of these programs have no seams and no placement. Seams are proposed from lengths, shapes, notches and\n"
         "names, each with a confidence and a reason; those above --confidence are sewn. Panels are placed by their "
         "names\n"
@@ -111,7 +106,7 @@ void add_import_command(CLI::App& app, int& exit_code) {
         "Examples:\n"
         "  selvedge import teagan.svg -o teagan.json && selvedge dress teagan.json --render teagan.png\n"
         "  selvedge import drawing.svg -o skirt.json --unit mm --allowance 10");
-    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+    set_action(command, [arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 }  // namespace selvedge::app

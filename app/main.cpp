@@ -1,16 +1,16 @@
 // selvedge: the program's entry point. Each subcommand has a file of its own.
-#include <CLI/CLI.hpp>
 #include <string>
 
+#include "app/arguments.h"
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "sim/core/version.h"
 
 int main(int argc, char** argv) {
-    CLI::App app{"Selvedge: cut, sew and drape garments on an adaptive mesh."};
-    app.set_version_flag("--version", std::string(selvedge::sim::program_version()));
-    app.require_subcommand(1);
-    app.footer("Example: selvedge dress patterns/tshirt.json --render tshirt.png");
+    selvedge::app::Command app{"Selvedge: cut, sew and drape garments on an adaptive mesh."};
+    set_version(app, std::string(selvedge::sim::program_version()));
+    require_command(app);
+    set_footer(app, "Example: selvedge dress patterns/tshirt.json --render tshirt.png");
 
     int exit_code = 0;
     selvedge::app::add_dress_command(app, exit_code);

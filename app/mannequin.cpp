@@ -1,11 +1,11 @@
 // selvedge mannequin: makes a body from measurements, writes it, and prints requested and measured values.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
 
+#include "app/arguments.h"
 #include "app/commands.h"
 #include "app/fitted_mannequin.h"
 #include "app/options.h"
@@ -33,11 +33,10 @@ std::string flags_of(std::string_view name) {
     return hyphenated == flag ? flag : hyphenated + "," + flag;
 }
 
-void add_measures(CLI::App& command, MannequinArguments& arguments) {
+void add_measures(Command& command, MannequinArguments& arguments) {
     for (const std::string_view name : sim::measure_names()) {
-        command.add_option(flags_of(name), *find_measure(arguments.options.measures, name))
-            ->type_name("CM")
-            ->group("Measures (what is not given follows the others)");
+        add_option(command, flags_of(name), *find_measure(arguments.options.measures, name), "",
+                   {.type = "CM", .group = "Measures (what is not given follows the others)"});
     }
 }
 
@@ -83,25 +82,23 @@ int run(MannequinArguments arguments) {
 
 }  // namespace
 
-void add_mannequin_command(CLI::App& app, int& exit_code) {
+void add_mannequin_command(Command& app, int& exit_code) {
     auto arguments = std::make_shared<MannequinArguments>();
-    CLI::App* command = app.add_subcommand("mannequin", "Make a body from measurements");
-    command->add_option("--sex", arguments->sex, "Which base body: female (default) or male")
-        ->check(CLI::IsMember({"female", "male"}));
-    command
-        ->add_option("--measurements", arguments->measurements,
-                     "File of FreeSewing, Valentina, Seamly2D or GarmentCode; options win over it")
-        ->type_name("FILE");
-    add_measures(*command, *arguments);
-    command->add_option("--resolution", arguments->options.subdivisions, "Steps of subdivision, 1 to 4")
-        ->capture_default_str();
-    command->add_option("-o,--output", arguments->output, "body.glb, .obj, .ply or .stl")->required();
-    command->footer(
-        "Exit code: 0 made as asked, 1 made but some measure could not be met, 2 wrong input.\n"
-        "Examples:\n"
-        "  selvedge mannequin --sex female --height 168 --bust 92 --waist 74 --hip 98 -o body.glb\n"
-        "  selvedge mannequin --measurements anna.vit -o anna.glb");
-    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+    Command& command = add_command(app, "mannequin", "Make a body from measurements");
+    add_option(command, "--sex", arguments->sex, "Which base body: female (default) or male",
+               {.one_of = {"female", "male"}});
+    add_option(command, "--measurements", arguments->measurements,
+               "File of FreeSewing, Valentina, Seamly2D or GarmentCode; options win over it", {.type = "FILE"});
+    add_measures(command, *arguments);
+    add_option(command, "--resolution", arguments->options.subdivisions, "Steps of subdivision, 1 to 4",
+               {.shows_default = true});
+    add_option(command, "-o,--output", arguments->output, "body.glb, .obj, .ply or .stl", {.is_required = true});
+    set_footer(command,
+               "Exit code: 0 made as asked, 1 made but some measure could not be met, 2 wrong input.\n"
+               "Examples:\n"
+               "  selvedge mannequin --sex female --height 168 --bust 92 --waist 74 --hip 98 -o body.glb\n"
+               "  selvedge mannequin --measurements anna.vit -o anna.glb");
+    set_action(command, [arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 }  // namespace selvedge::app

@@ -1,8 +1,8 @@
 // selvedge match GARMENT: offsets the sett under each panel so that stripes continue across the seams, and writes the
 // offsets into the garment file.
 #include "sim/tartan/match.h"
+#include "app/arguments.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -173,35 +173,30 @@ int run(const MatchArguments& arguments) {
 
 }  // namespace
 
-void add_match_command(CLI::App& app, int& exit_code) {
+void add_match_command(Command& app, int& exit_code) {
     auto arguments = std::make_shared<MatchArguments>();
-    CLI::App* command = app.add_subcommand("match", "Match the tartan at a garment's seams");
-    command->add_option("GARMENT", arguments->garment, "Garment file (patterns/FORMAT.md)")
-        ->required()
-        ->type_name("FILE");
-    command->add_option("-o,--output", arguments->output, "Garment file to write (default: GARMENT itself)")
-        ->type_name("FILE");
-    command
-        ->add_option("--seams", arguments->seams,
-                     "Seams to match first, the most important first (default: the longest). Names as the table has "
-                     "them, or labels of edges")
-        ->type_name("NAME,...")
-        ->delimiter(',')
-        ->allow_extra_args(false);
-    command
-        ->add_option("--centre", arguments->centre,
-                     "Panel in whose middle the sett should mirror, where seams leave the choice (default: the first "
-                     "panel stays)")
-        ->type_name("PANEL");
-    command
-        ->add_option("--tartan", arguments->tartan,
-                     "A shipped tartan or a threadcount, which becomes the garment's (default: the garment's)")
-        ->type_name("NAME");
-    command->add_option("--sett-size", arguments->sett_size_cm, "Size of the tartan's repeat in cm (default its own)")
-        ->type_name("CM");
-    command->add_option("--json", arguments->json_file, "The table as JSON")->type_name("JSON");
-    command->add_flag("--dry-run", arguments->is_dry, "Find and show, but leave the garment as it is");
-    command->footer(
+    Command& command = add_command(app, "match", "Match the tartan at a garment's seams");
+    add_option(command, "GARMENT", arguments->garment, "Garment file (patterns/FORMAT.md)",
+               {.type = "FILE", .is_required = true});
+    add_option(command, "-o,--output", arguments->output, "Garment file to write (default: GARMENT itself)",
+               {.type = "FILE"});
+    add_option(command, "--seams", arguments->seams,
+               "Seams to match first, the most important first (default: the longest). Names as the table has "
+               "them, or labels of edges",
+               {.type = "NAME,...", .takes_one_value = true, .delimiter = ','});
+    add_option(command, "--centre", arguments->centre,
+               "Panel in whose middle the sett should mirror, where seams leave the choice (default: the first "
+               "panel stays)",
+               {.type = "PANEL"});
+    add_option(command, "--tartan", arguments->tartan,
+               "A shipped tartan or a threadcount, which becomes the garment's (default: the garment's)",
+               {.type = "NAME"});
+    add_option(command, "--sett-size", arguments->sett_size_cm, "Size of the tartan's repeat in cm (default its own)",
+               {.type = "CM"});
+    add_option(command, "--json", arguments->json_file, "The table as JSON", {.type = "JSON"});
+    add_flag(command, "--dry-run", arguments->is_dry, "Find and show, but leave the garment as it is");
+    set_footer(
+        command,
         "Before and after: the largest distance along the seam, across the stripes, from where a stripe arrives to "
         "where\n"
         "the other side goes on with it; stripes that meet the seam at less than 15 degrees do not count. met: the "
@@ -214,7 +209,7 @@ void add_match_command(CLI::App& app, int& exit_code) {
         "  selvedge match tshirt.json\n"
         "  selvedge match skirt.json -o matched.json --seams front.1+back.2,front.3+back.0 --tartan gordon\n"
         "  selvedge match tshirt.json --dry-run --sett-size 12 --json seams.json");
-    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+    set_action(command, [arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 }  // namespace selvedge::app

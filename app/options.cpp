@@ -2,7 +2,6 @@
 
 #include <sys/stat.h>
 #include <unistd.h>
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
@@ -13,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/arguments.h"
 #include "sim/collide/body_collider.h"
 #include "sim/core/error.h"
 #include "sim/core/file_extension.h"
@@ -47,21 +47,20 @@ bool BodyOptions::is_file() const {
     return sim::is_body_file(source);
 }
 
-void add_body_options(CLI::App& command, BodyOptions& options, const std::string& help) {
+void add_body_options(Command& command, BodyOptions& options, const std::string& help) {
     using Text = const std::string&;
-    const auto add = [&](const char* name, const std::string& text, const std::function<void(Text)>& read) {
-        return command.add_option_function<std::string>(name, read, text)->group("Body");
+    const auto add = [&](const char* name, const std::string& text, const char* type,
+                         const std::function<void(Text)>& read) {
+        add_text_option(command, name, text, {.type = type, .group = "Body"}, read);
     };
-    add("-b,--body", help, [&](Text text) {
+    add("-b,--body", help, "BODY", [&](const std::string& text) {
         if (!text.empty() && !sim::is_body_file(text)) sim::parse_mannequin(text);
         options.source = text;
-    })->type_name("BODY");
-    add("--body-unit", "Unit of a body's file: auto, m, dm, cm, mm, in (default auto: by its size)", [&](Text text) {
-        options.load.unit = named(kUnits, "--body-unit", text);
-    })->type_name("UNIT");
-    add("--body-up", "Axis of a body's file that points up: auto, y, z (default auto)", [&](Text text) {
-        options.load.up = named(kUpAxes, "--body-up", text);
-    })->type_name("AXIS");
+    });
+    add("--body-unit", "Unit of a body's file: auto, m, dm, cm, mm, in (default auto: by its size)", "UNIT",
+        [&](const std::string& text) { options.load.unit = named(kUnits, "--body-unit", text); });
+    add("--body-up", "Axis of a body's file that points up: auto, y, z (default auto)", "AXIS",
+        [&](const std::string& text) { options.load.up = named(kUpAxes, "--body-up", text); });
 }
 
 sim::MadeBody make_body(const BodyOptions& options, const sim::ContentStore* store) {
@@ -170,34 +169,25 @@ render::LightNormals parse_normals(const std::string& text) {
 
 }  // namespace
 
-void add_surface_options(CLI::App& command, SurfaceChoice& choice) {
+void add_surface_options(Command& command, SurfaceChoice& choice) {
     using Text = const std::string&;
-    const auto add = [&](const char* name, Text help, const std::function<void(Text)>& read) {
-        return command.add_option_function<std::string>(name, read, help)->group("Surface");
+    const auto add = [&](const char* name, Text help, const char* type, const std::function<void(Text)>& read) {
+        add_text_option(command, name, help, {.type = type, .group = "Surface", .needs = {"--surface"}}, read);
     };
-    CLI::Option* kind =
-        add("--surface",
-            std::string("Draw the cloth as a curved surface over its triangles: ") + render::kSurfaceKindNames +
-                ", or the curve modifier's K0,K1,K2,K3 (default: the triangles themselves)",
-            [&](Text text) { choice.modifier = parse_modifier(text); })
-            ->type_name("KIND|K0,K1,K2,K3");
-    add("--surface-soft-cap", "The curve modifier grows slowly above this (default 1)",
-        [&](Text text) { choice.soft_cap = parse_soft_cap(text); })
-        ->type_name("SC")
-        ->needs(kind);
-    add("--surface-level", "How often its edges are halved: 0 to 6, or adaptive (default adaptive, to 3)",
-        [&](Text text) { choice.level = parse_level(text); })
-        ->type_name("N|adaptive")
-        ->needs(kind);
+    add_text_option(command, "--surface",
+                    std::string("Draw the cloth as a curved surface over its triangles: ") + render::kSurfaceKindNames +
+                        ", or the curve modifier's K0,K1,K2,K3 (default: the triangles themselves)",
+                    {.type = "KIND|K0,K1,K2,K3", .group = "Surface"},
+                    [&](const std::string& text) { choice.modifier = parse_modifier(text); });
+    add("--surface-soft-cap", "The curve modifier grows slowly above this (default 1)", "SC",
+        [&](const std::string& text) { choice.soft_cap = parse_soft_cap(text); });
+    add("--surface-level", "How often its edges are halved: 0 to 6, or adaptive (default adaptive, to 3)", "N|adaptive",
+        [&](const std::string& text) { choice.level = parse_level(text); });
     add("--surface-normals", "What lights it: recomputed from the surface, or interpolated (default recomputed)",
-        [&](Text text) { choice.light_normals = parse_normals(text); })
-        ->type_name("WHICH")
-        ->needs(kind);
-    command
-        .add_flag("--back-face-coarsening", choice.coarsens_back_faces,
-                  "Keep coarse what is turned away, in pictures of an adaptive surface")
-        ->group("Surface")
-        ->needs(kind);
+        "WHICH", [&](const std::string& text) { choice.light_normals = parse_normals(text); });
+    add_flag(command, "--back-face-coarsening", choice.coarsens_back_faces,
+             "Keep coarse what is turned away, in pictures of an adaptive surface",
+             {.group = "Surface", .needs = {"--surface"}});
 }
 
 sim::DrawMesh drawn_mesh(const sim::DrawMesh& garment, const sim::Body* body, const SurfaceChoice& choice,

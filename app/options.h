@@ -15,11 +15,9 @@
 #include "sim/body/load_body.h"
 #include "sim/body/stored_body.h"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
-class App;
-}
-
 namespace selvedge::app {
+
+class Command;
 
 struct BodyOptions {
     std::string source;  // "mannequin[:bust=92,...]" or a file; empty: none
@@ -30,7 +28,7 @@ struct BodyOptions {
 
 // Adds -b,--body, --body-unit and --body-up. Validates a mannequin's measurements while parsing.
 // `options` must outlive the parsing.
-void add_body_options(CLI::App& command, BodyOptions& options, const std::string& help);
+void add_body_options(Command& command, BodyOptions& options, const std::string& help);
 
 // store: where it may be found and is kept; null for none. Pre: options.source is not empty. Throws InputError as
 // make_mannequin() and load_body() do.
@@ -63,7 +61,7 @@ struct SurfaceChoice {
 
 // Adds --surface, --surface-soft-cap, --surface-level, --surface-normals and --back-face-coarsening; validates them
 // while parsing. `choice` must outlive the parsing.
-void add_surface_options(CLI::App& command, SurfaceChoice& choice);
+void add_surface_options(Command& command, SurfaceChoice& choice);
 
 // The mesh to draw. view: the viewer, for back-face coarsening; may be empty. body: the surface is kept outside it; may
 // be null.

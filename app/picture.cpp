@@ -1,11 +1,11 @@
 #include "app/picture.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "app/arguments.h"
 #include "render/draw/renderer.h"
 #include "render/gl/context.h"
 #include "render/image/image.h"
@@ -94,12 +94,7 @@ Framing parse_framing(const std::string& text) {
     throw sim::InputError("", "--frame", "'" + text + "' is none of all, garment");
 }
 
-struct Limits {
-    int least;
-    int most;
-};
-
-int parse_count(const std::string& option, const std::string& text, Limits limits) {
+int parse_count(const std::string& option, const std::string& text, Limits<int> limits) {
     int value = 0;
     if (!parse_int(text, value) || value < limits.least || value > limits.most) {
         throw sim::InputError(
@@ -111,55 +106,47 @@ int parse_count(const std::string& option, const std::string& text, Limits limit
 
 }  // namespace
 
-void add_picture_options(CLI::App& command, PictureOptions& options) {
+void add_picture_options(Command& command, PictureOptions& options) {
     using Text = const std::string&;
-    const auto add = [&](const char* name, const std::string& help, const std::function<void(Text)>& read) {
-        return command.add_option_function<std::string>(name, read, help)->group("Picture");
+    const auto add = [&](const char* name, const std::string& help, const OptionDetails& details,
+                         const std::function<void(Text)>& read) {
+        OptionDetails of_picture = details;
+        of_picture.group = "Picture";
+        add_text_option(command, name, help, of_picture, read);
     };
-    add("--size", "Size of the picture in pixels (default 1024x1024)", [&](Text text) {
-        parse_size(text, options);
-    })->type_name("WxH");
-    add("--samples", "Samples per pixel of edges: 1, 2, 4 or, where the renderer can, 8 (default 4)", [&](Text text) {
-        options.samples = parse_samples(text);
-    })->type_name("N");
-    add("--supersample", "Draws so many times as large and averages, 1 to 4 (default 1)", [&](Text text) {
-        options.supersample = parse_count("--supersample", text, {.least = 1, .most = 4});
-    })->type_name("N");
-    CLI::Option* view =
-        add("--view", std::string("From where: ") + render::kViewNames + " (default front)", [&](Text text) {
-            options.view = known(render::parse_view(text), "--view", text, render::kViewNames);
-        })->type_name("VIEW");
+    add("--size", "Size of the picture in pixels (default 1024x1024)", {.type = "WxH"},
+        [&](Text text) { parse_size(text, options); });
+    add("--samples", "Samples per pixel of edges: 1, 2, 4 or, where the renderer can, 8 (default 4)", {.type = "N"},
+        [&](Text text) { options.samples = parse_samples(text); });
+    add("--supersample", "Draws so many times as large and averages, 1 to 4 (default 1)", {.type = "N"},
+        [&](Text text) { options.supersample = parse_count("--supersample", text, {.least = 1, .most = 4}); });
+    add("--view", std::string("From where: ") + render::kViewNames + " (default front)", {.type = "VIEW"},
+        [&](Text text) { options.view = known(render::parse_view(text), "--view", text, render::kViewNames); });
     add("--camera", "From where, in numbers: AZIMUTH,ELEVATION[,ZOOM] in degrees, or the eye and its target in m",
-        [&](Text text) { options.camera = parse_camera(text); })
-        ->type_name("NUMBERS")
-        ->excludes(view);
-    add("--frame", "What fills the picture: all, garment (default all)", [&](Text text) {
-        options.framing = parse_framing(text);
-    })->type_name("WHAT");
-    add("--show", "How the cloth is drawn: " + render::show_mode_names() + " (default tartan)", [&](Text text) {
-        options.show = known(render::parse_show_mode(text), "--show", text, render::show_mode_names());
-    })->type_name("MODE");
+        {.type = "NUMBERS", .excludes = {"--view"}}, [&](Text text) { options.camera = parse_camera(text); });
+    add("--frame", "What fills the picture: all, garment (default all)", {.type = "WHAT"},
+        [&](Text text) { options.framing = parse_framing(text); });
+    add("--show", "How the cloth is drawn: " + render::show_mode_names() + " (default tartan)", {.type = "MODE"},
+        [&](Text text) {
+            options.show = known(render::parse_show_mode(text), "--show", text, render::show_mode_names());
+        });
     add("--tartan",
         std::string("A shipped tartan or a threadcount, such as 'B/24 W4 B24 R/2' (default the pattern's, or ") +
             sim::kDefaultTartan + ")",
-        [&](Text text) {
+        {.type = "NAME"}, [&](Text text) {
             options.sett = sim::find_tartan(text);
             options.design = sim::SurfaceDesign{.source = text};
-        })
-        ->type_name("NAME");
+        });
     add("--design", "What the cloth shows instead of a tartan: a colour #RRGGBB, a PNG or JPEG file, or test",
-        [&](Text text) { options.design = parse_design(text); })
-        ->type_name("COLOUR|FILE|test")
-        ->excludes("--tartan");
-    add("--sett-size", "Size of a repeat of the tartan or design in cm (default its own)", [&](Text text) {
-        options.sett_size = parse_sett_size(text);
-    })->type_name("CM");
-    add("--sett-position", "Where the sett begins, across and along the grain in cm (default 0,0)", [&](Text text) {
-        options.sett_position = parse_sett_position(text);
-    })->type_name("X,Y");
+        {.type = "COLOUR|FILE|test", .excludes = {"--tartan"}},
+        [&](Text text) { options.design = parse_design(text); });
+    add("--sett-size", "Size of a repeat of the tartan or design in cm (default its own)", {.type = "CM"},
+        [&](Text text) { options.sett_size = parse_sett_size(text); });
+    add("--sett-position", "Where the sett begins, across and along the grain in cm (default 0,0)", {.type = "X,Y"},
+        [&](Text text) { options.sett_position = parse_sett_position(text); });
     add_surface_options(command, options.surface);
-    command.add_flag("--transparent", options.is_transparent, "No backdrop: only garment, body and shadow")
-        ->group("Picture");
+    add_flag(command, "--transparent", options.is_transparent, "No backdrop: only garment, body and shadow",
+             {.group = "Picture"});
 }
 
 void show_design(PictureOptions& picture, const std::string& fabric) {

@@ -16,11 +16,9 @@
 #include "sim/pattern/pattern.h"
 #include "sim/tartan/sett.h"
 
-namespace CLI {
-class App;
-}
-
 namespace selvedge::app {
+
+class Command;
 
 enum class Framing { All, Garment };
 
@@ -48,7 +46,7 @@ struct PictureOptions {
 
 // Adds --size, --samples, --supersample, --view, --camera, --frame, --show, --tartan, --sett-size, --sett-position,
 // --transparent and the surface options. Validates all values while parsing. `options` must outlive the parsing.
-void add_picture_options(CLI::App& command, PictureOptions& options);
+void add_picture_options(Command& command, PictureOptions& options);
 
 // A mesh has no pattern: with a design, it is drawn as if its pattern had no more than that and this fabric (empty: the
 // default). Throws InputError if the design's picture cannot be read.

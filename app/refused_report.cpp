@@ -1,9 +1,10 @@
 #include "app/refused_report.h"
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
-#include <vector>
+#include <optional>
+#include <string>
 
+#include "app/arguments.h"
 #include "app/options.h"
 #include "sim/core/file.h"
 #include "sim/core/file_path.h"
@@ -20,11 +21,10 @@ bool is_report(const std::filesystem::path& file) {
 
 }  // namespace
 
-void write_refused_report(const CLI::App& app, const std::string& problem) {
-    const std::vector<CLI::App*> command = app.get_subcommands();
-    const CLI::Option* option = command.empty() ? nullptr : command.front()->get_option_no_throw("--report");
-    if (option == nullptr || option->results().empty()) return;
-    const std::filesystem::path file = option->results().front();
+void write_refused_report(const Command& app, const std::string& problem) {
+    const std::optional<std::string> name = given_value(app, "--report");
+    if (!name) return;
+    const std::filesystem::path file = *name;
     try {
         check_output(file);
         if (sim::file_exists(file) && !is_report(file)) return;

@@ -5,11 +5,9 @@
 
 #include "sim/core/error.h"
 
-namespace CLI {
-class App;
-}
-
 namespace selvedge::app {
+
+class Command;
 
 // Wrong input of which the command itself wrote a report.
 class ReportedError : public sim::InputError {
@@ -19,6 +17,6 @@ class ReportedError : public sim::InputError {
 
 // Writes it to the file that `--report` names, if the command that was parsed has that option. Does nothing if it
 // cannot be written, or there is a file that is no report.
-void write_refused_report(const CLI::App& app, const std::string& problem);
+void write_refused_report(const Command& app, const std::string& problem);
 
 }  // namespace selvedge::app

@@ -1,8 +1,8 @@
 // selvedge render MESH: draws an exported garment, with or without a body.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
+#include "app/arguments.h"
 #include "app/commands.h"
 #include "app/film.h"
 #include "app/interface_fonts.h"
@@ -69,33 +69,30 @@ int render(RenderArguments& arguments) {
 
 }  // namespace
 
-void add_render_command(CLI::App& app, int& exit_code) {
+void add_render_command(Command& app, int& exit_code) {
     auto arguments = std::make_shared<RenderArguments>();
-    CLI::App* command = app.add_subcommand("render", "Draw a garment from an OBJ or GLB file");
-    command->add_option("MESH", arguments->garment, "Garment, as dress exports it (.obj or .glb)")->required();
-    add_body_options(*command, arguments->body, "Body that wears it: a file, or mannequin[:bust=92,...]");
-    command->add_option("-o,--output", arguments->output, "PNG file to write");
-    command->add_flag("-q,--quiet", arguments->is_quiet, "Show no progress");
-    command
-        ->add_option_function<std::string>(
-            "--fabric",
-            [arguments](const std::string& name) {
-                arguments->picture.material = render::material_of(sim::find_fabric(name));
-                arguments->fabric = name;
-            },
-            "A shipped fabric or a fabric file: how it takes light")
-        ->type_name("NAME|FILE");
-    add_picture_options(*command, arguments->picture);
-    add_turntable_options(*command, arguments->turntable);
-    command->footer(
-        "Examples:\n"
-        "  selvedge render tshirt.obj --body body.obj -o tshirt.png --view three-quarter\n"
-        "  selvedge render tshirt.glb -o mesh.png --show edges --size 2048x2048\n"
-        "  selvedge render tshirt.glb -o check.png --tartan 'K/8 W/8' --sett-size 4\n"
-        "  selvedge render tshirt.glb -o roses.png --design roses.jpg --sett-size 12\n"
-        "  selvedge render tshirt.glb --body body.obj -o side.png --camera 60,-10,2 --frame garment\n"
-        "  selvedge render tshirt.glb --body body.obj --turntable tshirt.mp4 --size 720x960");
-    command->callback([arguments, &exit_code] { exit_code = render(*arguments); });
+    Command& command = add_command(app, "render", "Draw a garment from an OBJ or GLB file");
+    add_option(command, "MESH", arguments->garment, "Garment, as dress exports it (.obj or .glb)",
+               {.is_required = true});
+    add_body_options(command, arguments->body, "Body that wears it: a file, or mannequin[:bust=92,...]");
+    add_option(command, "-o,--output", arguments->output, "PNG file to write");
+    add_flag(command, "-q,--quiet", arguments->is_quiet, "Show no progress");
+    add_text_option(command, "--fabric", "A shipped fabric or a fabric file: how it takes light", {.type = "NAME|FILE"},
+                    [arguments](const std::string& name) {
+                        arguments->picture.material = render::material_of(sim::find_fabric(name));
+                        arguments->fabric = name;
+                    });
+    add_picture_options(command, arguments->picture);
+    add_turntable_options(command, arguments->turntable);
+    set_footer(command,
+               "Examples:\n"
+               "  selvedge render tshirt.obj --body body.obj -o tshirt.png --view three-quarter\n"
+               "  selvedge render tshirt.glb -o mesh.png --show edges --size 2048x2048\n"
+               "  selvedge render tshirt.glb -o check.png --tartan 'K/8 W/8' --sett-size 4\n"
+               "  selvedge render tshirt.glb -o roses.png --design roses.jpg --sett-size 12\n"
+               "  selvedge render tshirt.glb --body body.obj -o side.png --camera 60,-10,2 --frame garment\n"
+               "  selvedge render tshirt.glb --body body.obj --turntable tshirt.mp4 --size 720x960");
+    set_action(command, [arguments, &exit_code] { exit_code = render(*arguments); });
 }
 
 }  // namespace selvedge::app

@@ -21,7 +21,7 @@ find_package(CGAL 5.5 REQUIRED)                # sim/mesh
 find_package(assimp 5.2 REQUIRED)              # sim/body, in a child process
 find_package(PNG REQUIRED)                     # render/image
 find_path(SELVEDGE_STB_FOLDER stb_truetype.h PATH_SUFFIXES stb REQUIRED)  # render/image/outline_font
-find_package(CLI11 REQUIRED)                   # app
+find_package(CLI11 REQUIRED)                   # app/arguments
 find_package(GTest REQUIRED)                   # tests
 if(SELVEDGE_PYTHON)
   find_package(Python3 3.10 REQUIRED COMPONENTS Interpreter Development.Module NumPy)  # python

@@ -2,7 +2,6 @@
 #include "bench/program/commands.h"
 
 #include <unistd.h>
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
@@ -10,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/arguments.h"
 #include "app/options.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
@@ -30,8 +30,8 @@
 
 namespace selvedge::bench {
 
-void add_json_option(CLI::App& command, std::string& path) {
-    command.add_option("--json", path, "Write the figures here too, as JSON")->type_name("FILE");
+void add_json_option(app::Command& command, std::string& path) {
+    add_option(command, "--json", path, "Write the figures here too, as JSON", {.type = "FILE"});
 }
 
 void check_json_output(const std::string& path, const std::vector<std::filesystem::path>& inputs) {
@@ -56,9 +56,9 @@ sim::Json document_of(const std::vector<Table>& tables) {
     return document;
 }
 
-void add_commands(CLI::App& program, int& exit_code) {
-    program.require_subcommand(1);
-    program.footer("Example: selvedge bench thesis --table 3.6 --json figures.json");
+void add_commands(app::Command& program, int& exit_code) {
+    require_command(program);
+    set_footer(program, "Example: selvedge bench thesis --table 3.6 --json figures.json");
     add_bench_collide(program, exit_code);
     add_bench_contact(program, exit_code);
     add_bench_drop(program, exit_code);
@@ -89,22 +89,18 @@ int run(const CollideArguments& arguments) {
 
 }  // namespace
 
-void add_bench_collide(CLI::App& program, int& exit_code) {
+void add_bench_collide(app::Command& program, int& exit_code) {
     auto arguments = std::make_shared<CollideArguments>();
-    CLI::App* command = program.add_subcommand("collide", "Grid, tree and distance field round a dense body");
-    command->add_option("--triangles", arguments->options.triangles, "Bodies: about so many triangles each")
-        ->type_name("N")
-        ->check(CLI::Range(17184, 4000000))
-        ->capture_default_str();
-    command->add_option("--points", arguments->options.points.points, "Points of cloth")
-        ->check(CLI::Range(16, 1000000))
-        ->capture_default_str();
-    command->add_option("--rounds", arguments->options.rounds, "Figures are medians of so many")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    add_json_option(*command, arguments->json);
-    command->footer("Example: selvedge bench collide --triangles 67000 500000 --json collide.json");
-    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+    app::Command& command = add_command(program, "collide", "Grid, tree and distance field round a dense body");
+    add_option(command, "--triangles", arguments->options.triangles, "Bodies: about so many triangles each",
+               {.type = "N", .shows_default = true, .range = app::Limits<int>{17184, 4000000}});
+    add_option(command, "--points", arguments->options.points.points, "Points of cloth",
+               {.shows_default = true, .range = app::Limits<int>{16, 1000000}});
+    add_option(command, "--rounds", arguments->options.rounds, "Figures are medians of so many",
+               {.shows_default = true, .range = app::Limits<int>{1, 1000}});
+    add_json_option(command, arguments->json);
+    set_footer(command, "Example: selvedge bench collide --triangles 67000 500000 --json collide.json");
+    set_action(command, [arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 // selvedge bench contact: cloth against itself.
@@ -128,23 +124,20 @@ int run(const ContactArguments& arguments) {
 
 }  // namespace
 
-void add_bench_contact(CLI::App& program, int& exit_code) {
+void add_bench_contact(app::Command& program, int& exit_code) {
     auto arguments = std::make_shared<ContactArguments>();
-    CLI::App* command = program.add_subcommand("contact", "Cloth that meets itself and other cloth, with and without");
-    command->add_option("GARMENT", arguments->experiment.pattern, "Garment file (default patterns/tshirt.json)")
-        ->type_name("FILE");
-    command
-        ->add_option("--scene", arguments->experiment.only,
-                     "Run this scene only (\"garments\": the garment, once and over another)")
-        ->type_name("NAME");
-    command
-        ->add_option("--rest", arguments->experiment.rest_seconds,
-                     "Time in s by which the scenes go on after what is measured (default 0)")
-        ->check(CLI::Range(0.0, 60.0))
-        ->type_name("S");
-    add_json_option(*command, arguments->json);
-    command->footer("Example: selvedge bench contact --json contact.json");
-    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+    app::Command& command =
+        add_command(program, "contact", "Cloth that meets itself and other cloth, with and without");
+    add_option(command, "GARMENT", arguments->experiment.pattern, "Garment file (default patterns/tshirt.json)",
+               {.type = "FILE"});
+    add_option(command, "--scene", arguments->experiment.only,
+               "Run this scene only (\"garments\": the garment, once and over another)", {.type = "NAME"});
+    add_option(command, "--rest", arguments->experiment.rest_seconds,
+               "Time in s by which the scenes go on after what is measured (default 0)",
+               {.type = "S", .range = app::Limits<double>{0.0, 60.0}});
+    add_json_option(command, arguments->json);
+    set_footer(command, "Example: selvedge bench contact --json contact.json");
+    set_action(command, [arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 // selvedge bench drop: cloth dropped on a sphere, a common benchmark of cloth solvers.
@@ -168,27 +161,26 @@ int run(const DropArguments& arguments) {
 
 }  // namespace
 
-void add_bench_drop(CLI::App& program, int& exit_code) {
+void add_bench_drop(app::Command& program, int& exit_code) {
     auto arguments = std::make_shared<DropArguments>();
     DropExperiment& experiment = arguments->experiment;
-    CLI::App* command = program.add_subcommand("drop", "A square dropped on a sphere: time at equal quality");
-    command->add_option("--triangles", experiment.triangles, "1152, 4608, 15488 or 61952; the nearest is taken")
-        ->check(CLI::Range(1, 1000000));
-    command
-        ->add_option("--max-stretch", experiment.gates.max_stretch,
-                     "99th percentile of warp and weft stretch to be met (default 0.05)")
-        ->check(CLI::Range(0.0001, 1.0));
-    command->add_option("--substeps", experiment.substeps, "Sub-steps per frame, instead of searching for the least")
-        ->check(CLI::Range(1, 10000));
-    command->add_option("--most-substeps", experiment.max_substeps, "Where the search gives up (default 256)")
-        ->check(CLI::Range(1, 10000));
-    command->add_option("--repetitions", experiment.repetitions, "Timed runs of the chosen setting (default 5)")
-        ->check(CLI::Range(1, 1000));
-    command->add_flag("--timing-only{false}", experiment.passes_quality_checks,
-                      "Leave out rest, energy and the converged runs");
-    add_json_option(*command, arguments->json);
-    command->footer("Example: selvedge bench drop --triangles 15488 --max-stretch 0.05 --json drop.json");
-    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+    app::Command& command = add_command(program, "drop", "A square dropped on a sphere: time at equal quality");
+    add_option(command, "--triangles", experiment.triangles, "1152, 4608, 15488 or 61952; the nearest is taken",
+               {.range = app::Limits<int>{1, 1000000}});
+    add_option(command, "--max-stretch", experiment.gates.max_stretch,
+               "99th percentile of warp and weft stretch to be met (default 0.05)",
+               {.range = app::Limits<double>{0.0001, 1.0}});
+    add_option(command, "--substeps", experiment.substeps, "Sub-steps per frame, instead of searching for the least",
+               {.range = app::Limits<int>{1, 10000}});
+    add_option(command, "--most-substeps", experiment.max_substeps, "Where the search gives up (default 256)",
+               {.range = app::Limits<int>{1, 10000}});
+    add_option(command, "--repetitions", experiment.repetitions, "Timed runs of the chosen setting (default 5)",
+               {.range = app::Limits<int>{1, 1000}});
+    add_flag(command, "--timing-only{false}", experiment.passes_quality_checks,
+             "Leave out rest, energy and the converged runs");
+    add_json_option(command, arguments->json);
+    set_footer(command, "Example: selvedge bench drop --triangles 15488 --max-stretch 0.05 --json drop.json");
+    set_action(command, [arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 // selvedge bench fabric: virtual textile tests, compared with theory and published values.
@@ -228,21 +220,19 @@ int run(const FabricArguments& arguments) {
 
 }  // namespace
 
-void add_bench_fabric(CLI::App& program, int& exit_code) {
+void add_bench_fabric(app::Command& program, int& exit_code) {
     auto arguments = std::make_shared<FabricArguments>();
-    CLI::App* command = program.add_subcommand("fabric", "Textile tests of the fabrics, against theory");
-    command->add_option("--fabric", arguments->experiment.fabrics, "Shipped fabrics or fabric files (default: all)")
-        ->type_name("NAME|FILE");
-    command->add_option("--test", arguments->tests, "cantilever, strip, bias, drape, swing, energy (default: all)")
-        ->check(CLI::IsMember(textile_test_names()));
-    command->add_flag("--quick", arguments->experiment.is_quick, "Levels 1 and 2 at 17 degrees alone, four fabrics");
-    command
-        ->add_option("--substeps", arguments->experiment.stepping.substeps,
-                     "Sub-steps per step of 1/120 s (default 12, as when dressing)")
-        ->check(CLI::Range(1, 1000));
-    add_json_option(*command, arguments->json);
-    command->footer("Example: selvedge bench fabric --test cantilever --fabric denim --json fabric.json");
-    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+    app::Command& command = add_command(program, "fabric", "Textile tests of the fabrics, against theory");
+    add_option(command, "--fabric", arguments->experiment.fabrics, "Shipped fabrics or fabric files (default: all)",
+               {.type = "NAME|FILE"});
+    add_option(command, "--test", arguments->tests, "cantilever, strip, bias, drape, swing, energy (default: all)",
+               {.one_of = textile_test_names()});
+    add_flag(command, "--quick", arguments->experiment.is_quick, "Levels 1 and 2 at 17 degrees alone, four fabrics");
+    add_option(command, "--substeps", arguments->experiment.stepping.substeps,
+               "Sub-steps per step of 1/120 s (default 12, as when dressing)", {.range = app::Limits<int>{1, 1000}});
+    add_json_option(command, arguments->json);
+    set_footer(command, "Example: selvedge bench fabric --test cantilever --fabric denim --json fabric.json");
+    set_action(command, [arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 // selvedge bench picture: the cost of the first picture and of the following ones.
@@ -273,23 +263,25 @@ int run(const PictureArguments& arguments) {
 
 }  // namespace
 
-void add_bench_picture(CLI::App& program, int& exit_code) {
+void add_bench_picture(app::Command& program, int& exit_code) {
     auto arguments = std::make_shared<PictureArguments>();
     PictureExperiment& experiment = arguments->experiment;
-    CLI::App* command = program.add_subcommand("picture", "The first picture, and those after it");
-    command->add_option("MESH", arguments->garment, "Garment, as dress exports it (.obj or .glb)")->required();
-    app::add_body_options(*command, arguments->body, "Body that wears it: a file, or mannequin[:bust=92,...]");
-    command->add_option("--triangles", experiment.triangles, "Of the cloth, at least (default 20000)")
-        ->check(CLI::Range(1, 5000000));
-    command->add_option("--pictures", experiment.pictures, "Of each kind (default 12)")->check(CLI::Range(1, 1000));
-    command->add_option("--side", experiment.render.width_px, "Of the square picture, px (default 1024)")
-        ->check(CLI::Range(16, 8192));
-    add_json_option(*command, arguments->json);
-    command->footer(
-        "Example:\n"
-        "  selvedge dress patterns/tshirt.json --export tshirt.glb --export-body body.glb\n"
-        "  selvedge bench picture tshirt.glb --body body.glb --json picture.json");
-    command->callback([arguments, &exit_code] {
+    app::Command& command = add_command(program, "picture", "The first picture, and those after it");
+    add_option(command, "MESH", arguments->garment, "Garment, as dress exports it (.obj or .glb)",
+               {.is_required = true});
+    app::add_body_options(command, arguments->body, "Body that wears it: a file, or mannequin[:bust=92,...]");
+    add_option(command, "--triangles", experiment.triangles, "Of the cloth, at least (default 20000)",
+               {.range = app::Limits<int>{1, 5000000}});
+    add_option(command, "--pictures", experiment.pictures, "Of each kind (default 12)",
+               {.range = app::Limits<int>{1, 1000}});
+    add_option(command, "--side", experiment.render.width_px, "Of the square picture, px (default 1024)",
+               {.range = app::Limits<int>{16, 8192}});
+    add_json_option(command, arguments->json);
+    set_footer(command,
+               "Example:\n"
+               "  selvedge dress patterns/tshirt.json --export tshirt.glb --export-body body.glb\n"
+               "  selvedge bench picture tshirt.glb --body body.glb --json picture.json");
+    set_action(command, [arguments, &exit_code] {
         arguments->experiment.render.height_px = arguments->experiment.render.width_px;
         exit_code = run(*arguments);
     });
@@ -316,14 +308,14 @@ int run(const RestArguments& arguments) {
 
 }  // namespace
 
-void add_bench_rest(CLI::App& program, int& exit_code) {
+void add_bench_rest(app::Command& program, int& exit_code) {
     auto arguments = std::make_shared<RestArguments>();
-    CLI::App* command = program.add_subcommand("rest", "A dressed garment at rest against the same pulled about");
-    command->add_option("GARMENT", arguments->experiment.pattern, "Garment file (default patterns/tshirt.json)")
-        ->type_name("FILE");
-    add_json_option(*command, arguments->json);
-    command->footer("Example: selvedge bench rest patterns/tshirt.json");
-    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+    app::Command& command = add_command(program, "rest", "A dressed garment at rest against the same pulled about");
+    add_option(command, "GARMENT", arguments->experiment.pattern, "Garment file (default patterns/tshirt.json)",
+               {.type = "FILE"});
+    add_json_option(command, arguments->json);
+    set_footer(command, "Example: selvedge bench rest patterns/tshirt.json");
+    set_action(command, [arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 // selvedge bench tshirt: the cost of one adaptation and four simulation steps of a garment on a body.
@@ -347,32 +339,28 @@ int run(const TshirtArguments& arguments) {
 
 }  // namespace
 
-void add_bench_tshirt(CLI::App& program, int& exit_code) {
+void add_bench_tshirt(app::Command& program, int& exit_code) {
     auto arguments = std::make_shared<TshirtArguments>();
     TshirtExperiment& experiment = arguments->experiment;
     experiment.sway.allocations = allocations_of_this_thread;
-    CLI::App* command = program.add_subcommand("tshirt", "One adaptation and four steps of a dressed garment");
-    command->add_option("GARMENT", experiment.pattern, "Garment file (default patterns/tshirt.json)")
-        ->type_name("FILE");
-    command
-        ->add_option("--body-triangles", experiment.body_triangles, "Triangles of the body, at least (default 67000)")
-        ->check(CLI::Range(1, 5000000));
-    command->add_option("--min-leaves", experiment.min_leaves, "Refined until there are so many (default 6000)")
-        ->check(CLI::Range(0, 1000000));
-    command
-        ->add_option("--max-stretch", experiment.max_stretch,
-                     "Share of length, 99th percentile of warp and weft (default 0.05)")
-        ->check(CLI::Range(1e-4, 1.0));
-    command->add_option("--substeps", experiment.substeps, "Per step, instead of searching for the fewest")
-        ->check(CLI::Range(1, 1000));
-    command->add_option("--cycles", experiment.sway.cycles, "Adaptations that are measured (default 90)")
-        ->check(CLI::Range(1, 100000));
-    command->add_flag(
-        "--no-growth{false}", experiment.has_growth,
-        "Leave out the other rows: a body of 500,000 triangles, the sub-steps of dressing, 25,000 leaves");
-    add_json_option(*command, arguments->json);
-    command->footer("Example: selvedge bench tshirt --json tshirt.json");
-    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+    app::Command& command = add_command(program, "tshirt", "One adaptation and four steps of a dressed garment");
+    add_option(command, "GARMENT", experiment.pattern, "Garment file (default patterns/tshirt.json)", {.type = "FILE"});
+    add_option(command, "--body-triangles", experiment.body_triangles,
+               "Triangles of the body, at least (default 67000)", {.range = app::Limits<int>{1, 5000000}});
+    add_option(command, "--min-leaves", experiment.min_leaves, "Refined until there are so many (default 6000)",
+               {.range = app::Limits<int>{0, 1000000}});
+    add_option(command, "--max-stretch", experiment.max_stretch,
+               "Share of length, 99th percentile of warp and weft (default 0.05)",
+               {.range = app::Limits<double>{1e-4, 1.0}});
+    add_option(command, "--substeps", experiment.substeps, "Per step, instead of searching for the fewest",
+               {.range = app::Limits<int>{1, 1000}});
+    add_option(command, "--cycles", experiment.sway.cycles, "Adaptations that are measured (default 90)",
+               {.range = app::Limits<int>{1, 100000}});
+    add_flag(command, "--no-growth{false}", experiment.has_growth,
+             "Leave out the other rows: a body of 500,000 triangles, the sub-steps of dressing, 25,000 leaves");
+    add_json_option(command, arguments->json);
+    set_footer(command, "Example: selvedge bench tshirt --json tshirt.json");
+    set_action(command, [arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 }  // namespace selvedge::bench

@@ -1,32 +1,32 @@
 #pragma once
 // The subcommands of the program selvedge-bench, which `selvedge bench` starts, and their common output. Each add_
-// function adds one subcommand; its callback stores the exit code.
+// function adds one subcommand; its action stores the exit code.
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "bench/support/table.h"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
-class App;
+namespace selvedge::app {
+class Command;
 }
 
 namespace selvedge::bench {
 
-void add_commands(CLI::App& program, int& exit_code);  // all of them
+void add_commands(app::Command& program, int& exit_code);  // all of them
 
-void add_bench_collide(CLI::App& program, int& exit_code);
-void add_bench_contact(CLI::App& program, int& exit_code);
-void add_bench_drop(CLI::App& program, int& exit_code);
-void add_bench_fabric(CLI::App& program, int& exit_code);
-void add_bench_motion(CLI::App& program, int& exit_code);
-void add_bench_picture(CLI::App& program, int& exit_code);
-void add_bench_rest(CLI::App& program, int& exit_code);
-void add_bench_thesis(CLI::App& program, int& exit_code);
-void add_bench_tshirt(CLI::App& program, int& exit_code);
+void add_bench_collide(app::Command& program, int& exit_code);
+void add_bench_contact(app::Command& program, int& exit_code);
+void add_bench_drop(app::Command& program, int& exit_code);
+void add_bench_fabric(app::Command& program, int& exit_code);
+void add_bench_motion(app::Command& program, int& exit_code);
+void add_bench_picture(app::Command& program, int& exit_code);
+void add_bench_rest(app::Command& program, int& exit_code);
+void add_bench_thesis(app::Command& program, int& exit_code);
+void add_bench_tshirt(app::Command& program, int& exit_code);
 
 // Adds --json FILE, which every experiment has. `path` must outlive the parsing.
-void add_json_option(CLI::App& command, std::string& path);
+void add_json_option(app::Command& command, std::string& path);
 
 // Throws InputError if the --json file cannot be written or is one of those that are read; call it before a long
 // experiment.

@@ -1,6 +1,5 @@
 // selvedge bench thesis: the tables and figures of the thesis, measured with this program, and one HTML page of them.
 #include <unistd.h>
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "app/actor.h"
+#include "app/arguments.h"
 #include "app/edit.h"
 #include "app/options.h"
 #include "app/picture.h"
@@ -264,31 +264,27 @@ int run(ThesisArguments arguments) {
 
 }  // namespace
 
-void add_bench_thesis(CLI::App& program, int& exit_code) {
+void add_bench_thesis(app::Command& program, int& exit_code) {
     auto arguments = std::make_shared<ThesisArguments>();
-    CLI::App* command = program.add_subcommand("thesis", "The thesis' tables and figures, measured here");
-    command->add_option("--table", arguments->tables, "Only these tables, such as 3.1 or listing-3.1 (default: all)");
-    command->add_option("--figure", arguments->figures, "Only these figures, such as 3.25 (default: all)");
-    command
-        ->add_option("--out", arguments->folder,
-                     "Write a page here (index.html) with every item, and its figures as SVG, CSV and PNG")
-        ->type_name("DIR");
-    command->add_option("--tshirt", arguments->options.tshirt, "Garment of figures 4.3 and 4.11 to 4.13")
-        ->type_name("FILE")
-        ->capture_default_str();
-    command->add_option("--dress", arguments->options.dress, "Garment of chapter 5, table 6.4, figures 6.7 and 6.10")
-        ->type_name("FILE")
-        ->capture_default_str();
-    app::add_body_options(*command, arguments->body, "Body with bones that wears it (default: the mannequin)");
-    command->add_option("--motion", arguments->motion, "What it does, a loop (default walk)")->type_name("NAME|FILE");
-    command->add_flag("--quick", arguments->options.is_quick, "Tiny sizes, one run: does all work? Times mean nothing");
-    add_json_option(*command, arguments->json);
-    command->footer(
-        "Examples:\n"
-        "  selvedge bench thesis --out figures\n"
-        "  selvedge bench thesis --table 3.1 3.14 --json drops.json\n"
-        "  selvedge bench thesis --figure 3.16 4.12 --out figures");
-    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+    app::Command& command = add_command(program, "thesis", "The thesis' tables and figures, measured here");
+    add_option(command, "--table", arguments->tables, "Only these tables, such as 3.1 or listing-3.1 (default: all)");
+    add_option(command, "--figure", arguments->figures, "Only these figures, such as 3.25 (default: all)");
+    add_option(command, "--out", arguments->folder,
+               "Write a page here (index.html) with every item, and its figures as SVG, CSV and PNG", {.type = "DIR"});
+    add_option(command, "--tshirt", arguments->options.tshirt, "Garment of figures 4.3 and 4.11 to 4.13",
+               {.type = "FILE", .shows_default = true});
+    add_option(command, "--dress", arguments->options.dress, "Garment of chapter 5, table 6.4, figures 6.7 and 6.10",
+               {.type = "FILE", .shows_default = true});
+    app::add_body_options(command, arguments->body, "Body with bones that wears it (default: the mannequin)");
+    add_option(command, "--motion", arguments->motion, "What it does, a loop (default walk)", {.type = "NAME|FILE"});
+    add_flag(command, "--quick", arguments->options.is_quick, "Tiny sizes, one run: does all work? Times mean nothing");
+    add_json_option(command, arguments->json);
+    set_footer(command,
+               "Examples:\n"
+               "  selvedge bench thesis --out figures\n"
+               "  selvedge bench thesis --table 3.1 3.14 --json drops.json\n"
+               "  selvedge bench thesis --figure 3.16 4.12 --out figures");
+    set_action(command, [arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 }  // namespace selvedge::bench
