@@ -29,6 +29,7 @@ struct DrawnPath {
     std::string name = {};        // id or class in the file
     std::vector<int> turns = {};  // vertices that the file calls corners; empty: it does not say
     std::string place = {};       // in the file, for messages: "line 120", "parts.front.paths.seam"
+    InternalLine line = {};       // of a line in a panel: what the file says of it that is not drawn
 
     bool operator==(const DrawnPath&) const = default;
 };

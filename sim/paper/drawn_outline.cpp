@@ -8,15 +8,20 @@
 #include "sim/paper/path_builder.h"
 #include "sim/paper/polyline_outline.h"
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/field_moves.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
 namespace {
 
+// Of a piece that was mirrored: what is to the left of an edge stays on the side of the cloth.
 Panel reversed_outline(const Panel& panel) {
     Panel reversed = panel;
     std::ranges::reverse(reversed.edges);
-    for (OutlineEdge& edge : reversed.edges) edge = reversed_edge(edge);
+    for (OutlineEdge& edge : reversed.edges) {
+        edge = reversed_edge(edge);
+        move_fields(edge, {.map = Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0))});
+    }
     return reversed;
 }
 

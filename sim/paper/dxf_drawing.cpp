@@ -468,6 +468,7 @@ class DxfReader {
             if (path.kind != LineKind::Internal || next >= records.lines.size()) continue;
             const InternalLine& line = records.lines[next++];
             path.name = line.name;
+            path.line = line;
             if (line.use == LineUse::Fold) path.kind = LineKind::FoldLine;
         }
     }
@@ -599,6 +600,7 @@ class DxfReader {
         if (text.starts_with("SELVEDGE")) drawing_.is_upright = true;
         if (text.starts_with("SELVEDGE SEAM ")) seam_texts_.push_back(text);
         if (text.starts_with("SELVEDGE SEWING ")) sewing_texts_.push_back(text);
+        if (text.starts_with("SELVEDGE SEAMED ")) property_texts_.push_back(text);
         constexpr std::string_view body = "SELVEDGE BODY ";
         if (text.starts_with(body)) body_text_ += text.substr(body.size());
     }
@@ -625,6 +627,10 @@ class DxfReader {
             std::optional<DrawnSeam> seam = read_dxf_seam(text);
             if (!seam) throw InputError(file_, "layer 15", "'" + text.substr(0, 80) + "' is no seam");
             drawing_.seams.push_back(std::move(*seam));
+        }
+        for (const std::string& text : property_texts_) {
+            if (!read_dxf_seam_property(text, drawing_.seams))
+                throw InputError(file_, "layer 15", "'" + text.substr(0, 80) + "' is no property of a seam");
         }
         add_sewings();
     }
@@ -662,6 +668,7 @@ class DxfReader {
     std::vector<DxfPiece> pieces_;
     DxfPiece loose_;
     std::vector<std::string> seam_texts_, sewing_texts_;
+    std::vector<std::string> property_texts_ = {};
     std::string body_text_;
     std::string_view version_;
     Drawing drawing_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "sim/paper/field_record.h"
 #include "sim/paper/path_builder.h"
 #include "sim/paper/placement_record.h"
 #include "sim/paper/record_words.h"
@@ -65,6 +66,15 @@ bool read_notch(RecordWords words, std::vector<Notch>& notches) {
     return true;
 }
 
+bool read_property(RecordWords words, DxfRecords& records) {
+    const std::string_view what = words.word();
+    const auto number = static_cast<std::size_t>(words.whole());
+    if (!words.is_good()) return false;
+    if (what == "edge" && number < records.outline.edges.size())
+        return read_record_phrase(words.rest(), records.outline.edges[number]);
+    return what == "line" && number < records.lines.size() && read_record_phrase(words.rest(), records.lines[number]);
+}
+
 }  // namespace
 
 bool read_dxf_record(const std::string& text, DxfRecords& records) {
@@ -73,6 +83,7 @@ bool read_dxf_record(const std::string& text, DxfRecords& records) {
     const std::string_view what = words.word();
     if (what == "EDGE") return read_edge(words, records.outline);
     if (what == "NOTCH") return read_notch(words, records.notches);
+    if (what == "OF") return read_property(words, records);
     if (what == "PLACED") {
         if (!records.placement) records.placement.emplace();
         records.is_placement_broken |= !read_placement_phrase(words.rest(), *records.placement);
@@ -106,6 +117,15 @@ std::optional<DxfSewing> read_dxf_sewing(const std::string& text) {
     DxfSewing sewing{.side = words.side(), .number = std::string(words.word()), .name = words.rest()};
     if (!words.is_good() || sewing.number.empty()) return std::nullopt;
     return sewing;
+}
+
+bool read_dxf_seam_property(const std::string& text, std::vector<DrawnSeam>& seams) {
+    RecordWords words(text);
+    words.word();
+    words.word();
+    const SeamSide side = words.side();
+    const auto seam = std::ranges::find(seams, side, &DrawnSeam::first);
+    return words.is_good() && seam != seams.end() && read_record_phrase(words.rest(), *seam);
 }
 
 bool is_outline_on(const DrawnPath& outline, const std::vector<Vec2d>& polyline, double tolerance) {

@@ -20,6 +20,7 @@
 #include "sim/paper/polyline_outline.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/fabric_file.h"
+#include "sim/pattern/field_moves.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
 #include "sim/proposals/panel_role.h"
@@ -265,7 +266,10 @@ class PartReader {
             const bool is_fold = path.kind == LineKind::FoldLine;
             const bool is_mark = path.kind == LineKind::Internal || path.kind == LineKind::Cutout;
             if ((!is_fold && !is_mark) || path.edges.empty()) continue;
-            InternalLine line{.name = path.name, .points = {}, .use = is_fold ? LineUse::Fold : LineUse::Mark};
+            InternalLine line = path.line;
+            line.name = path.name;
+            line.use = is_fold ? LineUse::Fold : LineUse::Mark;
+            if (is_mirrored) move_fields(line, {.map = Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0))});
             const Panel curve = as_panel(scaled(path, scale_));
             for (const OutlineEdge& edge : curve.edges) {
                 std::vector<Vec2d> points = outline_polyline(curve, edge, kChordError);

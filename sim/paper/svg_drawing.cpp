@@ -9,9 +9,11 @@
 #include "sim/core/error.h"
 #include "sim/core/lower_case.h"
 #include "sim/paper/cut_text.h"
+#include "sim/paper/field_record.h"
 #include "sim/paper/freesewing_lines.h"
 #include "sim/paper/path_builder.h"
 #include "sim/paper/placement_record.h"
+#include "sim/paper/record_words.h"
 #include "sim/paper/svg_path.h"
 #include "sim/paper/svg_shapes.h"
 #include "sim/pattern/enum_names.h"
@@ -193,7 +195,20 @@ class OwnReader {
         if (kind == kinds.end()) return;
         DrawnPath path = shape.path;
         path.kind = kind->second;
+        read_record_of_fields(value(shape.data, "properties"), path.line);
+        read_edge_records(value(shape.data, "edges"), path);
         part.paths.push_back(std::move(path));
+    }
+
+    // "3 PHRASE; 4 PHRASE"
+    static void read_edge_records(std::string_view records, DrawnPath& path) {
+        while (!records.empty()) {
+            const std::string_view record = records.substr(0, records.find(';'));
+            RecordWords words(record);
+            const auto edge = static_cast<std::size_t>(words.whole());
+            if (words.is_good() && edge < path.edges.size()) read_record_phrase(words.rest(), path.edges[edge]);
+            records.remove_prefix(std::min(records.size(), record.size() + 1));
+        }
     }
 
     static void add_mark(const SvgShape& shape, const std::string& kind, const Vec2d& at, DrawnPart& part) {
@@ -259,6 +274,7 @@ class OwnReader {
         seam.is_eased = value(attributes, "eased") == "true";
         seam.name = value(attributes, "name");
         seam.sewing = value(attributes, "sewing");
+        read_record_of_fields(value(attributes, "properties"), seam);
         drawing_.seams.push_back(std::move(seam));
     }
 

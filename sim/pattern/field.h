@@ -76,6 +76,8 @@ struct Field<kMember, kForm> {
     Measure measure = Measure::Plain;
     Range range = {};
     Descent descent = Descent::Kept;
+    bool is_in_python = true;
+    std::string_view record = {};  // its word in SVG and DXF; empty: what is drawn says it, or nothing does
 };
 
 // A type with a list of fields: fields(const T*), found in the namespace of T.

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "sim/paper/field_record.h"
 #include "sim/paper/placement_record.h"
 #include "sim/pattern/enum_names.h"
 #include "sim/pattern/fabric_file.h"
@@ -284,8 +285,23 @@ class DxfWriter {
             if (line.points.size() < 2) continue;
             text(15, "SELVEDGE LINE " + std::string(name_of_value(line.use)) + " " + line.name);
         }
+        write_properties(panel);
         if (!has_portable_placement(pattern_)) return;
         for (const std::string& phrase : placement_phrases(panel)) text(15, "SELVEDGE PLACED " + phrase);
+    }
+
+    void write_properties(const Panel& panel) {
+        for (std::size_t e = 0; e < panel.edges.size(); ++e)
+            write_properties("OF edge " + std::to_string(e), record_phrases(panel.edges[e]));
+        std::size_t number = 0;
+        for (const InternalLine& line : panel.internal_lines) {
+            if (line.points.size() < 2) continue;
+            write_properties("OF line " + std::to_string(number++), record_phrases(line));
+        }
+    }
+
+    void write_properties(const std::string& of, const std::vector<std::string>& phrases) {
+        for (const std::string& phrase : phrases) text(15, "SELVEDGE " + of + " " + phrase);
     }
 
     // A sewing is told by its number: a name can be too long for a text, or have letters that DXF lacks.
@@ -296,6 +312,7 @@ class DxfWriter {
             text(15, "SELVEDGE SEAM " + side(seam.first) + " " + side(seam.second) +
                          (seam.is_reversed ? " reversed" : " same") + (seam.is_eased ? " eased " : " exact ") +
                          seam.name);
+            write_properties("SEAMED " + side(seam.first), record_phrases(seam));
             if (seam.sewing.empty()) continue;
             const std::size_t number = numbers.try_emplace(seam.sewing, numbers.size() + 1).first->second;
             text(15, "SELVEDGE SEWING " + side(seam.first) + " " + std::to_string(number) + " " + seam.sewing);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "sim/paper/decimal_text.h"
+#include "sim/paper/field_record.h"
 #include "sim/paper/placement_record.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/enum_names.h"
@@ -120,7 +121,7 @@ class SvgWriter {
             if (seam.is_eased) out_ += attribute("eased", "true");
             if (!seam.name.empty()) out_ += attribute("name", seam.name);
             if (!seam.sewing.empty()) out_ += attribute("sewing", seam.sewing);
-            out_ += "/>\n";
+            out_ += optional_attribute("properties", record_of_fields(seam)) + "/>\n";
         }
         out_ += "</selvedge:seams></metadata>\n";
     }
@@ -172,7 +173,9 @@ class SvgWriter {
         if (look.layer == PaperLayer::Cut) {
             if (piece.has_allowance) lines = path(placed(piece.cut, place), true, "cut", "");
         } else if (look.layer == PaperLayer::Sew) {
-            lines = "<path" + attribute("data-selvedge-line", "sew") + attribute("d", curve_of(panel)) + "/>\n";
+            lines = "<path" + attribute("data-selvedge-line", "sew") +
+                    optional_attribute("data-selvedge-edges", edge_records(panel)) + attribute("d", curve_of(panel)) +
+                    "/>\n";
         } else if (look.layer == PaperLayer::Notches) {
             lines = notches(piece, place, panel);
         } else if (look.layer == PaperLayer::Drill) {
@@ -192,13 +195,27 @@ class SvgWriter {
         return points;
     }
 
-    std::string path(const std::vector<Vec2d>& points, bool is_closed, const std::string& line,
-                     const std::string& name) const {
+    std::string path(const std::vector<Vec2d>& points, bool is_closed, const std::string& line, const std::string& name,
+                     const std::string& properties = "") const {
         std::string d = "M";
         for (const Vec2d& p : points) d += " " + point(p);
         if (is_closed) d += " Z";
-        return "<path" + (line.empty() ? "" : attribute("data-selvedge-line", line)) +
-               (name.empty() ? "" : attribute("id", name)) + attribute("d", d) + "/>\n";
+        return "<path" + (line.empty() ? "" : attribute("data-selvedge-line", line)) + optional_attribute("id", name) +
+               optional_attribute("data-selvedge-properties", properties) + attribute("d", d) + "/>\n";
+    }
+
+    static std::string optional_attribute(const char* name, const std::string& value) {
+        return value.empty() ? "" : attribute(name, value);
+    }
+
+    // "3 PHRASE; 4 PHRASE"
+    static std::string edge_records(const Panel& panel) {
+        std::string records;
+        for (std::size_t e = 0; e < panel.edges.size(); ++e) {
+            const std::string record = record_of_fields(panel.edges[e], std::to_string(e) + " ");
+            records += (records.empty() || record.empty() ? "" : "; ") + record;
+        }
+        return records;
     }
 
     // Edge by edge, from edge 0 on.
@@ -245,7 +262,7 @@ class SvgWriter {
         const LineUse use = look.layer == PaperLayer::Fold ? LineUse::Fold : LineUse::Mark;
         for (const InternalLine& line : panel.internal_lines) {
             if (line.use != use || line.points.size() < 2) continue;
-            lines += path(line.points, false, look.line, line.name);
+            lines += path(line.points, false, look.line, line.name, record_of_fields(line));
         }
         for (const PaperLine& line : piece.lines) {
             if (line.is_dart_fold && line.layer == look.layer) lines += path(placed(line.points, place), false, "", "");
