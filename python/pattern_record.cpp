@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <pybind11/numpy.h>
@@ -14,15 +15,17 @@
 #include "sim/core/json.h"
 #include "sim/pattern/enum_names.h"
 #include "sim/pattern/fault.h"
+#include "sim/pattern/field.h"
 #include "sim/pattern/outline.h"
+#include "sim/pattern/pattern_fields.h"
 
 namespace selvedge::python {
 namespace {
 
 // From C++ to records. Arrays are copies, which Python may change.
 
-template <class Vector>
-py::array_t<double> array_of(const Vector& v) {
+template <int N>
+py::array_t<double> array_of(const Eigen::Matrix<double, N, 1>& v) {
     py::array_t<double> array(static_cast<py::ssize_t>(v.size()));
     for (py::ssize_t i = 0; i < v.size(); ++i) array.mutable_at(i) = v[i];
     return array;
@@ -42,99 +45,48 @@ py::array_t<double> array_of(const Eigen::Matrix3d& matrix) {
     return array;
 }
 
-py::object optional_of(const std::optional<double>& value) {
-    return value ? py::object(py::float_(*value)) : py::object(py::none());
-}
-
-template <class T>
-py::str word_of(T value) {
-    return {std::string(sim::name_of_value(value))};
-}
-
 std::size_t control_count(sim::CurveKind kind) {
     return kind == sim::CurveKind::Cubic ? 2 : (kind == sim::CurveKind::Quadratic ? 1 : 0);
 }
 
-py::dict record_of(const sim::OutlineEdge& edge) {
-    const std::size_t controls = control_count(edge.kind);
-    py::dict record;
-    record["start"] = edge.start;
-    record["end"] = edge.end;
-    record["kind"] = word_of(edge.kind);
-    record["control"] = array_of(std::vector<Vec2d>(edge.control.begin(), edge.control.begin() + controls));
-    record["radius"] = edge.arc_radius;
-    record["is_large_arc"] = edge.is_large_arc;
-    record["turns_right"] = edge.turns_right;
-    record["label"] = edge.label;
-    record["allowance"] = optional_of(edge.allowance);
-    record["allowance_corner"] = word_of(edge.allowance_corner);
-    return record;
-}
+template <sim::Described Part>
+py::dict record_of(const Part& part);
 
-py::list records_of_notches(const sim::Panel& panel) {
-    py::list records;
-    for (const sim::Notch& notch : panel.notches) {
-        py::dict record;
-        record["edge"] = notch.edge;
-        record["at"] = notch.t;
-        record["kind"] = word_of(notch.kind);
-        record["count"] = notch.count;
-        records.append(record);
+// One value of a part.
+template <class T>
+py::object python_of(const T& value) {
+    if constexpr (std::is_enum_v<T>) {
+        return py::str(std::string(sim::name_of_value(value)));
+    } else if constexpr (sim::Described<T>) {
+        return record_of(value);
+    } else if constexpr (requires { value.has_value(); }) {
+        return value ? python_of(*value) : py::none();
+    } else if constexpr (requires { array_of(value); }) {
+        return array_of(value);
+    } else {
+        return py::cast(value);
     }
+}
+template <sim::Described T>
+py::object python_of(const std::vector<T>& parts) {
+    py::list records;
+    for (const T& part : parts) records.append(record_of(part));
     return records;
 }
 
-py::list records_of_lines(const sim::Panel& panel) {
-    py::list records;
-    for (const sim::InternalLine& line : panel.internal_lines) {
-        py::dict record;
-        record["name"] = line.name;
-        record["points"] = array_of(line.points);
-        record["use"] = word_of(line.use);
-        records.append(record);
-    }
-    return records;
-}
-
-py::dict record_of(const sim::Panel& panel) {
+// The fields of a part by their names.
+template <sim::Described Part>
+py::dict record_of(const Part& part) {
     py::dict record;
-    record["name"] = panel.name;
-    record["vertices"] = array_of(panel.vertices);
-    py::list edges;
-    for (const sim::OutlineEdge& edge : panel.edges) edges.append(record_of(edge));
-    record["edges"] = edges;
-    record["translation"] = array_of(panel.translation);
-    record["rotation"] = array_of(panel.rotation);
-    record["is_mirrored"] = panel.is_mirrored;
-    record["grain_angle"] = panel.grain_angle;
-    record["sett_offset"] = array_of(panel.sett_offset);
-    record["fabric"] = panel.fabric;
-    record["interlinings"] = panel.interlinings;
-    record["layer"] = panel.layer;
-    record["garment"] = panel.garment;
-    record["pins"] = panel.pins;
-    record["internal_lines"] = records_of_lines(panel);
-    record["notches"] = records_of_notches(panel);
-    record["drill_points"] = array_of(panel.drill_points);
-    record["allowance"] = optional_of(panel.allowance);
-    record["pieces"] = panel.pieces;
-    record["is_worn"] = panel.is_worn;
-    record["wrap_radius"] = panel.wrap_radius;
-    record["mirror_of"] = panel.mirror_of;
-    record["label"] = panel.label;
-    record["sheet_position"] = panel.sheet_position ? py::object(array_of(*panel.sheet_position)) : py::none();
-    return record;
-}
-
-py::dict record_of(const sim::Seam& seam, const sim::Pattern& pattern) {
-    const auto side = [&](const sim::SeamSide& one) { return py::make_tuple(panel_of(pattern, one).name, one.edge); };
-    py::dict record;
-    record["first"] = side(seam.first);
-    record["second"] = side(seam.second);
-    record["is_reversed"] = seam.is_reversed;
-    record["name"] = seam.name;
-    record["is_eased"] = seam.is_eased;
-    record["sewing"] = seam.sewing;
+    sim::visit_fields(part, [&](const auto& field, const auto& value) {
+        if (!field.is_in_python) return;
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, std::array<Vec2d, 2>>) {
+            const auto end = value.begin() + control_count(part.kind);
+            record[field.name.data()] = array_of(std::vector<Vec2d>(value.begin(), end));
+        } else {
+            record[field.name.data()] = python_of(value);
+        }
+    });
     return record;
 }
 
@@ -142,26 +94,15 @@ py::dict record_of(const sim::Seam& seam, const sim::Pattern& pattern) {
 
 py::dict record_of(const std::shared_ptr<const Document>& document) {
     const sim::Pattern& pattern = document->content.pattern;
-    py::dict record;
-    record["name"] = pattern.name;
-    py::list panels, seams;
-    for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
-        py::dict panel = record_of(pattern.panels[i]);
-        panel["origin"] = py::make_tuple(std::const_pointer_cast<Document>(document), i);
-        panels.append(panel);
+    py::dict record = record_of(pattern);
+    const py::list panels = record["panels"], seams = record["seams"];
+    for (std::size_t i = 0; i < pattern.panels.size(); ++i)
+        panels[i]["origin"] = py::make_tuple(std::const_pointer_cast<Document>(document), i);
+    const auto side = [&](const sim::SeamSide& one) { return py::make_tuple(panel_of(pattern, one).name, one.edge); };
+    for (std::size_t i = 0; i < pattern.seams.size(); ++i) {
+        seams[i]["first"] = side(pattern.seams[i].first);
+        seams[i]["second"] = side(pattern.seams[i].second);
     }
-    for (const sim::Seam& seam : pattern.seams) seams.append(record_of(seam, pattern));
-    record["panels"] = panels;
-    record["seams"] = seams;
-    record["fabric"] = pattern.fabric;
-    record["tartan"] = pattern.tartan;
-    record["sett_size"] = optional_of(pattern.sett_size);
-    record["sett_position"] = array_of(pattern.sett_position);
-    record["body"] = pattern.body;
-    record["body_height"] = pattern.body_height;
-    record["edge_length"] = optional_of(pattern.edge_length);
-    record["allowance"] = pattern.allowance;
-    record["size"] = pattern.size;
     return record;
 }
 
@@ -257,11 +198,8 @@ py::array_t<double> RecordReader::numbers(const char* key, long rows, long colum
     return array;
 }
 
-sim::OutlineEdge edge_of(const RecordReader& reader, std::size_t vertices) {
-    sim::OutlineEdge edge;
-    edge.start = reader.index("start", vertices, "vertex");
-    edge.end = reader.index("end", vertices, "vertex");
-    edge.kind = reader.choice<sim::CurveKind>("kind");
+// The control points of an edge whose kind was read.
+void read_control(const RecordReader& reader, sim::OutlineEdge& edge) {
     const std::size_t controls = control_count(edge.kind);
     const std::vector<Vec2d> points = reader.points("control");
     if (points.size() != controls) {
@@ -269,13 +207,6 @@ sim::OutlineEdge edge_of(const RecordReader& reader, std::size_t vertices) {
                               "must be an array of shape (" + std::to_string(controls) + ", 2) for this kind");
     }
     std::ranges::copy(points, edge.control.begin());
-    edge.arc_radius = reader.number("radius");
-    edge.is_large_arc = reader.flag("is_large_arc");
-    edge.turns_right = reader.flag("turns_right");
-    edge.label = reader.text("label");
-    edge.allowance = reader.optional_number("allowance");
-    edge.allowance_corner = reader.choice<sim::AllowanceCorner>("allowance_corner");
-    return edge;
 }
 
 // The loop that all work with outlines takes for granted.
@@ -303,80 +234,6 @@ void check_loop(const sim::Panel& panel, const std::string& place) {
     if (area < sim::kSmallestArea) throw sim::InputError("", place, "the outline encloses no area");
 }
 
-void read_marks(const RecordReader& reader, sim::Panel& panel) {
-    panel.pins = value_of<std::vector<int>>(reader.at("pins"), path(reader.place, "pins"), "a list of vertices");
-    for (const int pin : panel.pins) {
-        if (pin < 0 || static_cast<std::size_t>(pin) >= panel.vertices.size())
-            throw sim::InputError("", path(reader.place, "pins"), "no vertex " + std::to_string(pin));
-    }
-    panel.notches.clear();
-    const py::list notches = reader.list("notches"), lines = reader.list("internal_lines");
-    for (std::size_t i = 0; i < notches.size(); ++i) {
-        const py::dict record = notches[i].cast<py::dict>();
-        const RecordReader notch = reader.inner(record, "notches", i);
-        panel.notches.push_back(
-            {.edge = notch.index("edge", panel.edges.size(), "edge"),
-             .t = within(notch.number("at"), {0.0, 1.0}, path(notch.place, "at")),
-             .kind = notch.choice<sim::NotchKind>("kind"),
-             .count = within(notch.whole("count"), {1, sim::kMostNotchesTogether}, path(notch.place, "count"))});
-    }
-    panel.internal_lines.clear();
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const py::dict record = lines[i].cast<py::dict>();
-        const RecordReader line = reader.inner(record, "internal_lines", i);
-        panel.internal_lines.push_back(
-            {.name = line.text("name"), .points = line.points("points"), .use = line.choice<sim::LineUse>("use")});
-    }
-}
-
-void read_placement(const RecordReader& reader, sim::Panel& panel) {
-    panel.translation = reader.vector<3>("translation");
-    const py::array_t<double> rotation = reader.numbers("rotation", 3, 3, 2);
-    for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) panel.rotation(i, k) = rotation.at(i, k);
-    const bool is_rotation = panel.rotation.isUnitary(1e-6) && panel.rotation.determinant() > 0;
-    if (!is_rotation) throw sim::InputError("", path(reader.place, "rotation"), "is no rotation matrix");
-    panel.wrap_radius =
-        within(reader.number("wrap_radius"), {0.0, sim::kMaxCoordinate}, path(reader.place, "wrap_radius"));
-    panel.is_mirrored = reader.flag("is_mirrored");
-}
-
-sim::Panel panel_of_record(const RecordReader& reader) {
-    sim::Panel panel;
-    if (reader.record.contains("origin") && !reader.at("origin").is_none()) {
-        const auto origin = reader.at("origin").cast<std::pair<DocumentPointer, std::size_t>>();
-        panel = origin.first->content.pattern.panels.at(origin.second);
-    }
-    panel.name = reader.text("name");
-    if (panel.name.empty()) throw sim::InputError("", path(reader.place, "name"), "is empty");
-    panel.vertices = reader.points("vertices");
-    panel.edges.clear();
-    const py::list edges = reader.list("edges");
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        const py::dict record = edges[i].cast<py::dict>();
-        panel.edges.push_back(edge_of(reader.inner(record, "edges", i), panel.vertices.size()));
-    }
-    check_loop(panel, reader.place);
-    read_placement(reader, panel);
-    panel.grain_angle = reader.number("grain_angle");
-    panel.sett_offset = reader.vector<2>("sett_offset");
-    panel.fabric = reader.text("fabric");
-    panel.interlinings = value_of<std::vector<std::string>>(reader.at("interlinings"),
-                                                            path(reader.place, "interlinings"), "a list of fabrics");
-    panel.layer = within(reader.whole("layer"), {-sim::kHighestLayer, sim::kHighestLayer}, path(reader.place, "layer"));
-    panel.garment = reader.text("garment");
-    read_marks(reader, panel);
-    panel.drill_points = reader.points("drill_points");
-    panel.allowance = reader.optional_number("allowance");
-    panel.pieces = within(reader.whole("pieces"), {1, sim::kMostPieces}, path(reader.place, "pieces"));
-    panel.is_worn = reader.flag("is_worn");
-    panel.mirror_of = reader.text("mirror_of");
-    panel.label = reader.text("label");
-    panel.sheet_position.reset();
-    if (!reader.at("sheet_position").is_none()) panel.sheet_position = reader.vector<2>("sheet_position");
-    return panel;
-}
-
 sim::SeamSide side_of(const RecordReader& reader, const char* key, const sim::Pattern& pattern) {
     const std::string place = path(reader.place, key);
     const auto [name, edge] =
@@ -388,18 +245,132 @@ sim::SeamSide side_of(const RecordReader& reader, const char* key, const sim::Pa
     return {.panel = static_cast<int>(found - pattern.panels.begin()), .edge = edge};
 }
 
+// Reads the fields of a part by their names. `panel`: the part or its panel, for indices.
+template <sim::Described Part>
+void read_fields(const RecordReader& reader, const sim::Panel* panel, Part& part);
+
+template <class SomeField>
+void read_value(const RecordReader& reader, const sim::Panel*, const SomeField& field, bool& value) {
+    value = reader.flag(field.name.data());
+}
+template <class SomeField>
+void read_value(const RecordReader& reader, const sim::Panel*, const SomeField& field, double& value) {
+    const char* key = field.name.data();
+    value = within(reader.number(key), {field.range.least, field.range.most}, path(reader.place, key));
+}
+template <class SomeField>
+void read_value(const RecordReader& reader, const sim::Panel* panel, const SomeField& field, int& value) {
+    const char* key = field.name.data();
+    if (field.measure == sim::Measure::EdgeIndex) {
+        value = reader.index(key, panel->edges.size(), "edge");
+    } else if (field.measure == sim::Measure::VertexIndex) {
+        value = reader.index(key, panel->vertices.size(), "vertex");
+    } else {
+        const int least = static_cast<int>(field.range.least), most = static_cast<int>(field.range.most);
+        value = within(reader.whole(key), {least, most}, path(reader.place, key));
+    }
+}
+template <class SomeField>
+void read_value(const RecordReader& reader, const sim::Panel*, const SomeField& field, std::string& value) {
+    const char* key = field.name.data();
+    value = reader.text(key);
+    if (field.measure == sim::Measure::Colour && !sim::is_colour_text(value))
+        throw sim::InputError("", path(reader.place, key), "'" + value + "' is no colour: #RRGGBB is");
+}
+template <class SomeField, int N>
+void read_value(const RecordReader& reader, const sim::Panel*, const SomeField& field,
+                Eigen::Matrix<double, N, 1>& value) {
+    const char* key = field.name.data();
+    value = reader.vector<N>(key);
+    for (const double one : value) within(one, {field.range.least, field.range.most}, path(reader.place, key));
+}
+template <class SomeField>
+void read_value(const RecordReader& reader, const sim::Panel*, const SomeField& field, Eigen::Matrix3d& value) {
+    const char* key = field.name.data();
+    const py::array_t<double> rotation = reader.numbers(key, 3, 3, 2);
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) value(i, k) = rotation.at(i, k);
+    const bool is_rotation = value.isUnitary(1e-6) && value.determinant() > 0;
+    if (!is_rotation) throw sim::InputError("", path(reader.place, key), "is no rotation matrix");
+}
+template <class SomeField>
+void read_value(const RecordReader& reader, const sim::Panel*, const SomeField& field, std::vector<Vec2d>& value) {
+    value = reader.points(field.name.data());
+}
+template <class SomeField>
+void read_value(const RecordReader& reader, const sim::Panel* panel, const SomeField& field, std::vector<int>& value) {
+    const std::string place = path(reader.place, field.name.data());
+    value = value_of<std::vector<int>>(reader.at(field.name.data()), place, "a list of vertices");
+    for (const int vertex : value) {
+        if (vertex < 0 || static_cast<std::size_t>(vertex) >= panel->vertices.size())
+            throw sim::InputError("", place, "no vertex " + std::to_string(vertex));
+    }
+}
+template <class SomeField>
+void read_value(const RecordReader& reader, const sim::Panel*, const SomeField& field,
+                std::vector<std::string>& value) {
+    const char* key = field.name.data();
+    value = value_of<std::vector<std::string>>(reader.at(key), path(reader.place, key), "a list of fabrics");
+}
+template <class SomeField, class T>
+requires std::is_enum_v<T>
+void read_value(const RecordReader& reader, const sim::Panel*, const SomeField& field, T& value) {
+    value = reader.choice<T>(field.name.data());
+}
+template <class SomeField, sim::Described T>
+void read_value(const RecordReader& reader, const sim::Panel* panel, const SomeField& field, T& value) {
+    const char* key = field.name.data();
+    const auto record = value_of<py::dict>(reader.at(key), path(reader.place, key), "a record");
+    read_fields(RecordReader{record, path(reader.place, key)}, panel, value);
+}
+template <class SomeField, class T>
+void read_value(const RecordReader& reader, const sim::Panel* panel, const SomeField& field, std::optional<T>& value) {
+    value.reset();
+    if (!reader.at(field.name.data()).is_none()) read_value(reader, panel, field, value.emplace());
+}
+template <class SomeField, sim::Described T>
+void read_value(const RecordReader& reader, const sim::Panel* panel, const SomeField& field, std::vector<T>& values) {
+    values.clear();
+    const py::list records = reader.list(field.name.data());
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        const py::dict record = records[i].cast<py::dict>();
+        read_fields(reader.inner(record, field.name.data(), i), panel, values.emplace_back());
+    }
+}
+
+template <sim::Described Part>
+void read_fields(const RecordReader& reader, const sim::Panel* panel, Part& part) {
+    sim::visit_fields(part, [&]<class SomeField, class T>(const SomeField& field, T& value) {
+        if constexpr (std::is_same_v<T, std::array<Vec2d, 2>>) {
+            read_control(reader, part);
+        } else if constexpr (!std::is_same_v<T, sim::SeamSide>) {
+            if (field.is_in_python) read_value(reader, panel, field, value);
+        }
+        if constexpr (std::is_same_v<T, std::vector<sim::OutlineEdge>>) check_loop(*panel, reader.place);
+    });
+}
+
+sim::Panel panel_of_record(const RecordReader& reader) {
+    sim::Panel panel;
+    if (reader.record.contains("origin") && !reader.at("origin").is_none()) {
+        const auto origin = reader.at("origin").cast<std::pair<DocumentPointer, std::size_t>>();
+        panel = origin.first->content.pattern.panels.at(origin.second);
+    }
+    if (reader.text("name").empty()) throw sim::InputError("", path(reader.place, "name"), "is empty");
+    read_fields(reader, &panel, panel);
+    return panel;
+}
+
 void read_seams(const RecordReader& reader, sim::Pattern& pattern) {
     pattern.seams.clear();
     const py::list seams = reader.list("seams");
     for (std::size_t i = 0; i < seams.size(); ++i) {
         const py::dict record = seams[i].cast<py::dict>();
-        const RecordReader seam = reader.inner(record, "seams", i);
-        pattern.seams.push_back({.first = side_of(seam, "first", pattern),
-                                 .second = side_of(seam, "second", pattern),
-                                 .is_reversed = seam.flag("is_reversed"),
-                                 .name = seam.text("name"),
-                                 .is_eased = seam.flag("is_eased"),
-                                 .sewing = seam.text("sewing")});
+        const RecordReader inner = reader.inner(record, "seams", i);
+        sim::Seam& seam = pattern.seams.emplace_back();
+        seam.first = side_of(inner, "first", pattern);
+        seam.second = side_of(inner, "second", pattern);
+        read_fields(inner, nullptr, seam);
     }
 }
 
@@ -408,7 +379,6 @@ void read_seams(const RecordReader& reader, sim::Pattern& pattern) {
 sim::Pattern pattern_of(const py::dict& record, const sim::Pattern& base) {
     const RecordReader reader{record, ""};
     sim::Pattern pattern = base;
-    pattern.name = reader.text("name");
     pattern.panels.clear();
     const py::list panels = reader.list("panels");
     for (std::size_t i = 0; i < panels.size(); ++i) {
@@ -420,15 +390,11 @@ sim::Pattern pattern_of(const py::dict& record, const sim::Pattern& base) {
         pattern.panels.push_back(std::move(panel));
     }
     read_seams(reader, pattern);
-    pattern.fabric = reader.text("fabric");
-    pattern.tartan = reader.text("tartan");
-    pattern.sett_size = reader.optional_number("sett_size");
-    pattern.sett_position = reader.vector<2>("sett_position");
-    pattern.body = reader.text("body");
-    pattern.body_height = reader.number("body_height");
-    pattern.edge_length = reader.optional_number("edge_length");
-    pattern.allowance = reader.number("allowance");
-    pattern.size = reader.text("size");
+    sim::visit_fields(pattern, [&]<class SomeField, class T>(const SomeField& field, T& value) {
+        if constexpr (!std::is_same_v<T, std::vector<sim::Panel>> && !std::is_same_v<T, std::vector<sim::Seam>>) {
+            if (field.is_in_python) read_value(reader, nullptr, field, value);
+        }
+    });
     return pattern;
 }
 

@@ -255,24 +255,32 @@ def check(path: PathLike) -> list[Fault]:
 
 
 def _pattern_of(document: _selvedge._Document) -> Pattern:
-    record = _selvedge._record(document)
-    panels = [_panel_of(panel) for panel in record.pop("panels")]
-    seams = [_seam_of(seam) for seam in record.pop("seams")]
-    return Pattern(panels=panels, seams=seams, _document=document, **record)
+    pattern = _made(Pattern, _selvedge._record(document))
+    pattern._document = document
+    for seam in pattern.seams:
+        seam.first, seam.second = SeamSide(*seam.first), SeamSide(*seam.second)
+    return pattern
 
 
-def _panel_of(record: dict[str, Any]) -> Panel:
-    origin = record.pop("origin")
-    record["edges"] = [Edge(**edge) for edge in record["edges"]]
-    record["notches"] = [Notch(**notch) for notch in record["notches"]]
-    record["internal_lines"] = [InternalLine(**line) for line in record["internal_lines"]]
-    return Panel(_origin=origin, **record)
+# The attributes that are lists of parts, and those that are a part or None.
+_LISTS: dict[str, type] = {
+    "panels": Panel, "seams": Seam, "edges": Edge, "notches": Notch, "internal_lines": InternalLine,
+}
+_PARTS: dict[str, type] = {}
+_RECORD_NAMES = {"_origin": "origin", "_document": "document"}
 
 
-def _seam_of(record: dict[str, Any]) -> Seam:
-    record["first"] = SeamSide(*record["first"])
-    record["second"] = SeamSide(*record["second"])
-    return Seam(**record)
+def _made(kind: type, record: dict[str, Any]) -> Any:
+    origin = record.pop("origin", None)
+    for name, value in record.items():
+        if name in _LISTS:
+            record[name] = [_made(_LISTS[name], one) for one in value]
+        elif name in _PARTS and value is not None:
+            record[name] = _made(_PARTS[name], value)
+    made = kind(**record)
+    if origin is not None:
+        made._origin = origin
+    return made
 
 
 def document_of(pattern: Pattern | PathLike) -> _selvedge._Document:
@@ -281,15 +289,7 @@ def document_of(pattern: Pattern | PathLike) -> _selvedge._Document:
         return _selvedge._load_document(os.fspath(pattern))
     if not isinstance(pattern, Pattern):
         raise TypeError(f"a Pattern or a path is needed, not {type(pattern).__name__}")
-    record = _record_of(pattern, "")
-    record["panels"] = _records(pattern.panels, Panel, "panels")
-    for i, (panel, one) in enumerate(zip(record["panels"], pattern.panels)):
-        place = f"panels[{i}]"
-        panel["edges"] = _records(one.edges, Edge, f"{place}.edges")
-        panel["notches"] = _records(one.notches, Notch, f"{place}.notches")
-        panel["internal_lines"] = _records(one.internal_lines, InternalLine, f"{place}.internal_lines")
-    record["seams"] = _records(pattern.seams, Seam, "seams")
-    return _selvedge._make_document(record, pattern._document)
+    return _selvedge._make_document(_record_of(pattern, ""), pattern._document)
 
 
 def _records(objects: Sequence[Any], kind: type, place: str) -> list[dict[str, Any]]:
@@ -301,5 +301,13 @@ def _records(objects: Sequence[Any], kind: type, place: str) -> list[dict[str, A
 def _record_of(one: Any, place: str, kind: type = Pattern) -> dict[str, Any]:
     if not isinstance(one, kind):
         raise InputError("", place, f"must be of type {kind.__name__}, not {type(one).__name__}")
-    names = {"_origin": "origin", "_document": "document"}
-    return {names.get(field.name, field.name): getattr(one, field.name) for field in dataclasses.fields(one)}
+    record = {}
+    for field in dataclasses.fields(one):
+        value = getattr(one, field.name)
+        inner = f"{place}.{field.name}" if place else field.name
+        if field.name in _LISTS:
+            value = _records(value, _LISTS[field.name], inner)
+        elif field.name in _PARTS and value is not None:
+            value = _record_of(value, inner, _PARTS[field.name])
+        record[_RECORD_NAMES.get(field.name, field.name)] = value
+    return record
