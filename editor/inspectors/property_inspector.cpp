@@ -10,6 +10,7 @@
 #include "editor/geometry/panel_edit.h"
 #include "editor/geometry/sewing.h"
 #include "editor/inspectors/controls.h"
+#include "editor/inspectors/field_rows.h"
 #include "editor/inspectors/material_inspector.h"
 #include "editor/inspectors/number_box.h"
 #include "editor/inspectors/pattern_measures.h"
@@ -487,6 +488,7 @@ void draw_edge_section(InspectorContext& context, const PartRef& edge) {
     draw_controls(context, edge, shown, curve);
     if (curve.kind == sim::CurveKind::Arc) draw_arc(context, edge, shown, curve);
     draw_allowance(context, edge, panel, curve);
+    field_rows(context, {.part = FieldOwner::Edge, .panel = edge.panel, .index = edge.index}, curve);
     draw_seam_of(context, shown, edge.index);
     ImGui::PopID();
 }
@@ -547,6 +549,7 @@ void draw_internal_line_section(InspectorContext& context, const PartRef& line) 
         renamed.name = *name;
         context.workspace.run(SetInternalLine{.panel = line.panel, .index = line.index, .line = std::move(renamed)});
     }
+    field_rows(context, {.part = FieldOwner::InternalLine, .panel = line.panel, .index = line.index}, held);
     fact(context, "Length", quantity_text(length, Unit::Centimetres), "From its first point to its last.");
     fact(context, "Points", std::to_string(held.points.size()), "That the line goes through.");
     ButtonRow row(context);

@@ -6,6 +6,7 @@
 #include "editor/geometry/seam_edit.h"
 #include "editor/geometry/sewing.h"
 #include "editor/inspectors/controls.h"
+#include "editor/inspectors/field_rows.h"
 #include "editor/inspectors/number_box.h"
 #include "editor/inspectors/pattern_measures.h"
 #include "editor/inspectors/property_inspector.h"
@@ -170,6 +171,8 @@ void draw_seam_section(InspectorContext& context, int seam) {
              "The seams that are sewn as one: they are selected, turned, slid and deleted together.");
     }
     draw_slide_rows(context, seam);
+    field_rows(context, {.part = FieldOwner::Seam, .index = seam},
+               sim::Seam(context.pattern().seams[static_cast<std::size_t>(seam)]));
     if (joins_right_to_wrong(context.pattern().seams[static_cast<std::size_t>(seam)])) {
         message_text(context.theme.faint, "Right side to wrong side: Reverse joins it right side to right side.");
         note_widget(context, "seam.right_wrong");

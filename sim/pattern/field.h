@@ -60,6 +60,12 @@ enum class Descent {
     Shape,     // of an outline and of what is sewn: set by sim/pattern/edge_shape.h and the editor's geometry
 };
 
+// A row of the inspector (editor/inspectors/field_rows.h).
+struct FieldRow {
+    std::string_view label = {};  // empty: it has none, or one by hand
+    std::string_view tip = {};
+};
+
 template <auto kMember, FileForm kForm = FileForm::Key>
 struct Field;
 
@@ -78,6 +84,7 @@ struct Field<kMember, kForm> {
     Descent descent = Descent::Kept;
     bool is_in_python = true;
     std::string_view record = {};  // its word in SVG and DXF; empty: what is drawn says it, or nothing does
+    FieldRow row = {};
 };
 
 // A type with a list of fields: fields(const T*), found in the namespace of T.
