@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <optional>
+#include <span>
 
 #include "editor/frame/item.h"
 #include "editor/geometry/seam_edit.h"
@@ -105,6 +108,55 @@ void draw_notch(const SheetLook& look, const PanelShape& shape, std::size_t inde
     const render::Rgba8& colour = is_chosen || is_hovered ? pen.colours.accent : pen.colours.ink;
     pen.list.AddTriangleFilled(pen.px(shape.on_sheet(at + half)), pen.px(shape.on_sheet(at - half)),
                                pen.px(shape.on_sheet(at + inward * depth)), packed(colour));
+}
+
+render::Rgba8 thread_colour(const sim::Thread& thread) {
+    unsigned red = 255, green = 255, blue = 255;
+    std::sscanf(thread.colour.c_str(), "#%2x%2x%2x", &red, &green, &blue);
+    return {static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green), static_cast<std::uint8_t>(blue), 255};
+}
+
+// Stitches of so many px along the line; a plain line where they could not be told apart.
+void draw_stitches(const SheetPen& pen, std::span<const ImVec2> line, float stitch, ImU32 colour, float width) {
+    constexpr float kThread = 0.7F;  // of a stitch: the rest is below the cloth
+    if (stitch < pen.px(3)) {
+        pen.list.AddPolyline(line.data(), static_cast<int>(line.size()), colour, 0, width);
+        return;
+    }
+    float at = 0;  // px since the beginning of the stitch
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const ImVec2 along{line[i + 1].x - line[i].x, line[i + 1].y - line[i].y};
+        const float length = std::hypot(along.x, along.y);
+        for (float from = 0; from < length;) {
+            const bool is_above = at < kThread * stitch;
+            const float to = std::min(length, from + std::max(0.01F, (is_above ? kThread * stitch : stitch) - at));
+            const auto place = [&](float way) {
+                return ImVec2(line[i].x + along.x * way / length, line[i].y + along.y * way / length);
+            };
+            if (is_above) pen.list.AddLine(place(from), place(to), colour, width);
+            at = at + to - from >= stitch ? 0 : at + to - from;
+            from = to;
+        }
+    }
+}
+
+// The rows to the left of a line of the panel, if `side` is 1; to its right, mirrored to the left, if it is -1; both if
+// it is 0.
+void draw_topstitch(const SheetLook& look, const PanelShape& shape, const std::vector<Vec2d>& points,
+                    const std::optional<sim::Topstitch>& topstitch, int side = 0) {
+    if (!topstitch || points.size() < 2) return;
+    const SheetPen& pen = look.pen;
+    std::vector<ImVec2> line;
+    for (const Vec2d& point : points) line.push_back(pen.px(shape.on_sheet(point)));
+    const ImU32 colour = packed(thread_colour(topstitch->thread));
+    const auto px_of = [&](double length) { return static_cast<float>(length * pen.camera.scale); };
+    for (int row = 0; row < topstitch->rows; ++row) {
+        const double distance = topstitch->distances.x() + row * topstitch->distances.y();
+        if (side != 0 && side * distance < 0) continue;
+        const std::vector<ImVec2> stitches = inset_line(line, px_of(side < 0 ? -distance : distance), 0);
+        draw_stitches(pen, stitches, px_of(topstitch->stitch_length), colour,
+                      std::max(pen.px(1), px_of(topstitch->thread.thickness)));
+    }
 }
 
 void draw_pin(const SheetPen& pen, const Vec2d& at) {
@@ -211,6 +263,13 @@ void draw_marks(const SheetLook& look, const PanelShape& shape, const PanelName&
         const bool is_chosen = look.selection.internal_lines.contains(ref);
         if (look.hover.internal_line == ref) pen.line(points, faded(pen.colours.hover, 0.6), 4);
         pen.dashed(points, is_chosen ? pen.colours.accent : pen.colours.ink, is_chosen ? 2 : 1.2);
+        const sim::InternalLine& line = shape.panel.internal_lines[i];
+        draw_topstitch(look, shape, line.points, line.topstitch);
+    }
+    const PanelFace& face = look.faces.face(shape, pen.camera.scale);
+    for (std::size_t e = 0; e < shape.panel.edges.size() && e + 1 < face.edge_starts.size(); ++e) {
+        const auto& topstitch = shape.panel.edges[e].topstitch;
+        if (topstitch) draw_topstitch(look, shape, edge_points(face, e), topstitch);
     }
     for (std::size_t i = 0; i < shape.panel.notches.size(); ++i) draw_notch(look, shape, i);
     if (look.shows.names) draw_name(look, shape, name);
@@ -361,7 +420,22 @@ std::vector<ImVec2> inset_line(std::span<const ImVec2> line, float inset, float 
     return inner;
 }
 
+namespace {
+
+void draw_topstitch_of(const SheetLook& look, const sim::SeamSide& side, const sim::Seam& seam, int on) {
+    const PanelShape* shape = shape_of(look, side);
+    if (!seam.topstitch || shape == nullptr || !is_in_view(look, *shape)) return;
+    const PanelFace& face = look.faces.face(*shape, look.pen.camera.scale);
+    draw_topstitch(look, *shape, edge_points(face, static_cast<std::size_t>(side.edge)), seam.topstitch, on);
+}
+
+}  // namespace
+
 void draw_seams(const SheetLook& look) {
+    for (const sim::Seam& seam : look.pattern.seams) {
+        draw_topstitch_of(look, seam.first, seam, 1);
+        draw_topstitch_of(look, seam.second, seam, -1);
+    }
     if (!look.shows.seams) return;
     for (std::size_t i = 0; i < look.pattern.seams.size(); ++i) {
         const sim::Seam& seam = look.pattern.seams[i];

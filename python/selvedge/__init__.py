@@ -24,6 +24,8 @@ from selvedge._pattern import (
     Pattern,
     Seam,
     SeamSide,
+    Thread,
+    Topstitch,
     check,
     load_pattern,
 )
@@ -48,6 +50,8 @@ __all__ = [
     "Seam",
     "SeamSide",
     "Session",
+    "Thread",
+    "Topstitch",
     "batch",
     "check",
     "dress",

@@ -50,6 +50,31 @@ class Fault(NamedTuple):
 
 
 @dataclasses.dataclass(eq=False, slots=True)
+class Thread:
+    """A sewing thread."""
+
+    colour: str = "#FFFFFF"
+    """#RRGGBB."""
+    thickness: float = 0.0004
+    """m."""
+
+
+@dataclasses.dataclass(eq=False, slots=True)
+class Topstitch:
+    """Rows of stitches beside a line. To its left is inside along an outline, and on the first panel of a seam."""
+
+    distances: Points = dataclasses.field(default_factory=lambda: np.full(2, 0.006))
+    """Of the first row from the line, and of each further row from the one before, shape (2,), m; negative: to the
+    right."""
+    rows: int = 1
+    """How many, 1 to 9."""
+    stitch_length: float = 0.003
+    """Of one stitch, m."""
+    thread: Thread = dataclasses.field(default_factory=Thread)
+    """The sewing thread."""
+
+
+@dataclasses.dataclass(eq=False, slots=True)
 class Edge:
     """One edge of a panel's outline, from one vertex to the next.
 
@@ -76,6 +101,8 @@ class Edge:
     """Seam allowance, m; None: the panel's."""
     allowance_corner: str = "mitred"
     """How the allowance ends: 'mitred', 'squared' or 'mirrored'."""
+    topstitch: Topstitch | None = None
+    """Stitches beside it; None: none."""
 
 
 @dataclasses.dataclass(eq=False, slots=True)
@@ -102,6 +129,8 @@ class InternalLine:
     """Shape (n, 2), m."""
     use: str = "mark"
     """'mark' or 'fold'."""
+    topstitch: Topstitch | None = None
+    """Stitches beside it; None: none."""
 
 
 @dataclasses.dataclass(eq=False, slots=True)
@@ -189,6 +218,8 @@ class Seam:
     """The sides differ in length on purpose."""
     sewing: str = ""
     """The 1:N or M:N sewing it is a part of; empty: it stands alone."""
+    topstitch: Topstitch | None = None
+    """Stitches beside it; None: none."""
 
 
 @dataclasses.dataclass(eq=False, slots=True)
@@ -266,7 +297,7 @@ def _pattern_of(document: _selvedge._Document) -> Pattern:
 _LISTS: dict[str, type] = {
     "panels": Panel, "seams": Seam, "edges": Edge, "notches": Notch, "internal_lines": InternalLine,
 }
-_PARTS: dict[str, type] = {}
+_PARTS: dict[str, type] = {"topstitch": Topstitch, "thread": Thread}
 _RECORD_NAMES = {"_origin": "origin", "_document": "document"}
 
 

@@ -23,6 +23,24 @@ enum class CurveKind { Line, Quadratic, Cubic, Arc };
 // allowance, turned over about the edge, covers the panel, as at a hem.
 enum class AllowanceCorner { Mitred, Squared, Mirrored };
 
+struct Thread {
+    std::string colour = "#FFFFFF";  // #RRGGBB
+    double thickness = 0.0004;       // m
+
+    bool operator==(const Thread&) const = default;
+};
+
+// Rows of stitches beside a line: an edge, an internal line or a seam. Distances are from the line to its left, which
+// is inside along an outline and on the first panel of a seam; negative ones are to its right.
+struct Topstitch {
+    Vec2d distances{0.006, 0.006};  // m: of the first row from the line, and of each further row from the one before
+    int rows = 1;
+    double stitch_length = 0.003;  // m
+    Thread thread = {};
+
+    bool operator==(const Topstitch&) const = default;
+};
+
 // One edge of an outline, from vertex `start` to vertex `end` of its panel.
 struct OutlineEdge {
     int start = 0;
@@ -35,6 +53,7 @@ struct OutlineEdge {
     std::string label = {};
     std::optional<double> allowance = {};  // m, between this edge and the cut line; none: the panel's
     AllowanceCorner allowance_corner = AllowanceCorner::Mitred;
+    std::optional<Topstitch> topstitch = {};
 
     bool operator==(const OutlineEdge&) const = default;
 };
@@ -46,6 +65,7 @@ struct InternalLine {
     std::string name;
     std::vector<Vec2d> points;  // panel frame, m
     LineUse use = LineUse::Mark;
+    std::optional<Topstitch> topstitch = {};
 
     bool operator==(const InternalLine&) const = default;
 };
@@ -126,6 +146,7 @@ struct Seam {
     std::string name = {};    // name in the file; empty: see seam_name()
     bool is_eased = false;    // the sides differ in length on purpose
     std::string sewing = {};  // the 1:N or M:N sewing of which the seam is a part, by name; empty: it stands alone
+    std::optional<Topstitch> topstitch = {};
 
     bool operator==(const Seam&) const = default;
 };

@@ -12,6 +12,31 @@ namespace selvedge::sim {
 
 inline constexpr Range kAllowanceRange{0, kWidestAllowance, "an allowance is from 0 to 50 cm"};
 
+inline constexpr std::tuple kThreadFields{
+    Field<&Thread::colour>{
+        .name = "colour", .measure = Measure::Colour, .row = {"Thread", "The colour of the sewing thread."}},
+    Field<&Thread::thickness>{.name = "thickness",
+                              .measure = Measure::SmallLength,
+                              .range = {0.0001, 0.003, "a thread is 0.1 to 3 mm thick"},
+                              .row = {"Thickness", "Of the sewing thread."}},
+};
+
+inline constexpr std::tuple kTopstitchFields{
+    Field<&Topstitch::distances>{
+        .name = "distances",
+        .measure = Measure::LeftOfLine,
+        .range = {-0.1, 0.1, "a row of stitches is at most 10 cm from its line or the row before"},
+        .row = {"Distances", "Of the first row from the line, and of each further row from the one before."}},
+    Field<&Topstitch::rows>{.name = "rows", .range = {1, 9}, .row = {"Rows", "How many rows of stitches."}},
+    Field<&Topstitch::stitch_length>{.name = "stitch_length",
+                                     .measure = Measure::SmallLength,
+                                     .range = {0.0005, 0.02, "a stitch is 0.5 to 20 mm long"},
+                                     .row = {"Stitch length", "Of one stitch."}},
+    Field<&Topstitch::thread>{.name = "thread", .row = {"Thread", "The sewing thread."}},
+};
+
+inline constexpr FieldRow kTopstitchRow{"Topstitch", "Rows of stitches beside the line."};
+
 inline constexpr std::tuple kEdgeFields{
     Field<&OutlineEdge::start, FileForm::ByHand>{
         .name = "start", .measure = Measure::VertexIndex, .descent = Descent::Shape},
@@ -28,6 +53,7 @@ inline constexpr std::tuple kEdgeFields{
     Field<&OutlineEdge::label, FileForm::ByHand>{.name = "label"},
     Field<&OutlineEdge::allowance>{.name = "allowance", .measure = Measure::Length, .range = kAllowanceRange},
     Field<&OutlineEdge::allowance_corner>{.name = "allowance_corner"},
+    Field<&OutlineEdge::topstitch>{.name = "topstitch", .record = "topstitch", .row = kTopstitchRow},
 };
 
 inline constexpr std::tuple kLineFields{
@@ -35,6 +61,7 @@ inline constexpr std::tuple kLineFields{
     Field<&InternalLine::use>{.name = "use"},
     Field<&InternalLine::points, FileForm::Required>{
         .name = "points", .measure = Measure::Point, .descent = Descent::Place},
+    Field<&InternalLine::topstitch>{.name = "topstitch", .record = "topstitch", .row = kTopstitchRow},
 };
 
 inline constexpr std::tuple kNotchFields{
@@ -115,6 +142,7 @@ inline constexpr std::tuple kSeamFields{
     Field<&Seam::name, FileForm::ByHand>{.name = "name", .key = "seam_names", .descent = Descent::Own},
     Field<&Seam::is_eased, FileForm::ByHand>{.name = "is_eased", .key = "eased"},
     Field<&Seam::sewing, FileForm::ByHand>{.name = "sewing", .key = "sewings", .descent = Descent::Own},
+    Field<&Seam::topstitch>{.name = "topstitch", .record = "topstitch", .row = kTopstitchRow},
 };
 
 inline constexpr std::tuple kMatchedFields{
@@ -150,6 +178,12 @@ inline constexpr std::tuple kPatternFields{
 };
 
 // The one description of each part: fields(&part), or for_each_field<Part>() and visit_fields(part).
+constexpr const auto& fields(const Thread*) {
+    return kThreadFields;
+}
+constexpr const auto& fields(const Topstitch*) {
+    return kTopstitchFields;
+}
 constexpr const auto& fields(const OutlineEdge*) {
     return kEdgeFields;
 }
@@ -185,13 +219,21 @@ constexpr const auto& fields(const Pattern*) {
 }
 
 // Each names as many members as its struct has, or it does not compile: so none is missing above.
+inline auto members(const Thread& part) {
+    const auto& [a, b] = part;
+    return counted(a, b);
+}
+inline auto members(const Topstitch& part) {
+    const auto& [a, b, c, d] = part;
+    return counted(a, b, c, d);
+}
 inline auto members(const OutlineEdge& part) {
-    const auto& [a, b, c, d, e, f, g, h, i, j] = part;
-    return counted(a, b, c, d, e, f, g, h, i, j);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k] = part;
+    return counted(a, b, c, d, e, f, g, h, i, j, k);
 }
 inline auto members(const InternalLine& part) {
-    const auto& [a, b, c] = part;
-    return counted(a, b, c);
+    const auto& [a, b, c, d] = part;
+    return counted(a, b, c, d);
 }
 inline auto members(const Notch& part) {
     const auto& [a, b, c, d] = part;
@@ -218,8 +260,8 @@ inline auto members(const Panel& part) {
     return counted(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y);
 }
 inline auto members(const Seam& part) {
-    const auto& [a, b, c, d, e, f] = part;
-    return counted(a, b, c, d, e, f);
+    const auto& [a, b, c, d, e, f, g] = part;
+    return counted(a, b, c, d, e, f, g);
 }
 inline auto members(const MatchedSett& part) {
     const auto& [a, b] = part;
@@ -233,9 +275,9 @@ inline auto members(const Pattern& part) {
 template <class Part>
 inline constexpr bool describes_all = decltype(members(std::declval<const Part&>()))::size() ==
                                       std::tuple_size_v<std::remove_cvref_t<decltype(fields_of<Part>())>>;
-static_assert(describes_all<OutlineEdge> && describes_all<InternalLine> && describes_all<Notch> &&
-              describes_all<WrapCone> && describes_all<SurfaceDesign> && describes_all<Underlay> &&
-              describes_all<MatchedSett> && describes_all<SeamSide> && describes_all<Panel> && describes_all<Seam> &&
-              describes_all<Pattern>);
+static_assert(describes_all<Thread> && describes_all<Topstitch> && describes_all<OutlineEdge> &&
+              describes_all<InternalLine> && describes_all<Notch> && describes_all<WrapCone> &&
+              describes_all<SurfaceDesign> && describes_all<Underlay> && describes_all<MatchedSett> &&
+              describes_all<SeamSide> && describes_all<Panel> && describes_all<Seam> && describes_all<Pattern>);
 
 }  // namespace selvedge::sim

@@ -83,6 +83,23 @@ class Patterns(InFolder):
         self.assertEqual(again.internal_lines[0].use, "fold")
         self.assertAlmostEqual(again.grain_angle, math.radians(45))
 
+    def test_topstitch_comes_back(self):
+        pattern = selvedge.load_pattern(shipped("two_squares"))
+        stitches = selvedge.Topstitch((0.006, 0.004), 2, thread=selvedge.Thread("#102030", 0.0005))
+        pattern.seams[0].topstitch = stitches
+        pattern.panels[0].edges[0].topstitch = selvedge.Topstitch()
+        path = self.folder / "stitched.json"
+        pattern.save(path)
+        again = selvedge.load_pattern(path)
+        read = again.seams[0].topstitch
+        np.testing.assert_allclose(read.distances, (0.006, 0.004), atol=1e-12)
+        self.assertEqual((read.rows, read.thread.colour, read.thread.thickness), (2, "#102030", 0.0005))
+        self.assertEqual(again.panels[0].edges[0].topstitch.rows, 1)
+        self.assertIsNone(again.panels[0].edges[1].topstitch)
+        pattern.seams[0].topstitch.rows = 10
+        with self.assertRaises(selvedge.InputError):
+            pattern.save(path)
+
     def test_a_polygon_is_turned_counter_clockwise(self):
         panel = selvedge.Panel.polygon("one", [(0, 0), (0, 1), (1, 0)])
         self.assertEqual(selvedge.Pattern("one", [panel]).check(), [])

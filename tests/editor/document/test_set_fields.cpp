@@ -61,6 +61,21 @@ TEST(SetFields, refuses_other_fields_and_values_and_changes_nothing) {
     EXPECT_NE(problem_of(pattern, fields_of(FieldOwner::Panel, name, 0, "[]")), "");
 }
 
+TEST(SetFields, gives_all_seams_of_a_sewing_a_topstitch_that_is_undone) {
+    sim::PatternDocument source = shipped("tshirt.json");
+    source.pattern.seams[0].sewing = source.pattern.seams[1].sewing = "both";
+    Document document(source);
+    document.run(fields_of(FieldOwner::Seam, "", 1, R"({"topstitch": {"rows": 2, "thread": {"colour": "#102030"}}})"));
+    for (const std::size_t seam : {std::size_t(0), std::size_t(1)}) {
+        ASSERT_TRUE(document.pattern().seams[seam].topstitch);
+        EXPECT_EQ(document.pattern().seams[seam].topstitch->rows, 2);
+        EXPECT_EQ(document.pattern().seams[seam].topstitch->thread.colour, "#102030");
+    }
+    EXPECT_THROW(document.run(fields_of(FieldOwner::Seam, "", 1, R"({"topstitch": {"rows": 10}})")), GeometryError);
+    document.undo();
+    EXPECT_EQ(document.pattern(), source.pattern);
+}
+
 TEST(SetFields, is_undone_and_has_a_form_in_journals) {
     Document document(shipped("tshirt.json"));
     const std::string name = document.pattern().panels[0].name;

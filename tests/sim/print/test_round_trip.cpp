@@ -128,6 +128,27 @@ TEST(RoundTrip, dxf_astm_gives_the_sample_back) {
     expect_same(dxf_of(sample_pattern(), DxfStandard::Astm), sample_pattern());
 }
 
+TEST(RoundTrip, topstitch_comes_back_from_svg_and_dxf) {
+    Pattern pattern = sample_pattern();
+    const Topstitch stitches{.distances = {0.006, -0.004},
+                             .rows = 2,
+                             .stitch_length = 0.0025,
+                             .thread = {.colour = "#102030", .thickness = 0.0005}};
+    pattern.panels[0].edges[3].topstitch = stitches;
+    pattern.panels[1].edges[0].topstitch = Topstitch{};
+    pattern.panels[0].internal_lines[1].topstitch = stitches;
+    pattern.seams[1].topstitch = stitches;
+    for (const std::string& text : {svg_of(pattern), dxf_of(pattern), dxf_of(pattern, DxfStandard::Astm)}) {
+        expect_same(text, pattern);
+        const Pattern read = make_panels(parse_drawing(text, "written"), "written").pattern;
+        EXPECT_EQ(read.panels[0].edges[3].topstitch, stitches);
+        EXPECT_EQ(read.panels[0].edges[2].topstitch, std::nullopt);
+        EXPECT_EQ(read.panels[1].edges[0].topstitch, Topstitch{});
+        for (const InternalLine& line : read.panels[0].internal_lines)
+            EXPECT_EQ(line.topstitch.has_value(), line.name == "middle");
+    }
+}
+
 TEST(RoundTrip, shipped_patterns_come_back_from_svg_and_dxf) {
     ASSERT_GE(shipped_patterns().size(), 5U);
     for (const std::filesystem::path& file : shipped_patterns()) {
