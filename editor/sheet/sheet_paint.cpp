@@ -116,27 +116,31 @@ render::Rgba8 thread_colour(const sim::Thread& thread) {
     return {static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green), static_cast<std::uint8_t>(blue), 255};
 }
 
-// Stitches of so many px along the line; a plain line where they could not be told apart.
-void draw_stitches(const SheetPen& pen, std::span<const ImVec2> line, float stitch, ImU32 colour, float width) {
-    constexpr float kThread = 0.7F;  // of a stitch: the rest is below the cloth
-    if (stitch < pen.px(3)) {
+// Stitches of so many px along the line; a plain line where they could not be told apart, or would be too many to draw.
+void draw_stitches(const SheetPen& pen, std::span<const ImVec2> line, double stitch, ImU32 colour, float width) {
+    constexpr double kThread = 0.7;          // of a stitch: the rest is below the cloth
+    constexpr double kMostStitches = 10000;  // of one line
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        length += std::hypot(line[i + 1].x - line[i].x, line[i + 1].y - line[i].y);
+    if (stitch < pen.px(3) || length > kMostStitches * stitch) {
         pen.list.AddPolyline(line.data(), static_cast<int>(line.size()), colour, 0, width);
         return;
     }
-    float at = 0;  // px since the beginning of the stitch
+    double before = 0;  // px of the line before its present part
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
         const ImVec2 along{line[i + 1].x - line[i].x, line[i + 1].y - line[i].y};
-        const float length = std::hypot(along.x, along.y);
-        for (float from = 0; from < length;) {
-            const bool is_above = at < kThread * stitch;
-            const float to = std::min(length, from + std::max(0.01F, (is_above ? kThread * stitch : stitch) - at));
-            const auto place = [&](float way) {
-                return ImVec2(line[i].x + along.x * way / length, line[i].y + along.y * way / length);
-            };
-            if (is_above) pen.list.AddLine(place(from), place(to), colour, width);
-            at = at + to - from >= stitch ? 0 : at + to - from;
-            from = to;
+        const double part = std::hypot(along.x, along.y);
+        const auto place = [&](double way) {
+            const auto share = static_cast<float>(way / part);
+            return ImVec2(line[i].x + along.x * share, line[i].y + along.y * share);
+        };
+        for (double k = std::floor(before / stitch); k * stitch < before + part; ++k) {
+            const double from = std::max(0.0, k * stitch - before);
+            const double to = std::min(part, (k + kThread) * stitch - before);
+            if (from < to) pen.list.AddLine(place(from), place(to), colour, width);
         }
+        before += part;
     }
 }
 
