@@ -11,7 +11,7 @@ namespace selvedge::test {
 namespace {
 
 // Uses one byte per choice; returns 0 when there are no bytes left.
-class ByteChoices final : public sim::Choices {
+class ByteChoices final : public sim::test::Choices {
  public:
     explicit ByteChoices(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
@@ -30,7 +30,7 @@ class ByteChoices final : public sim::Choices {
 void run(std::span<const std::uint8_t> bytes) {
     constexpr int kMaxActs = 40;
     ByteChoices choices(bytes);
-    sim::RandomRun cloth(choices);
+    sim::test::RandomRun cloth(choices);
     for (int i = 0; i < kMaxActs && !choices.is_empty(); ++i) {
         const auto fault = cloth.act();
         if (!fault) continue;
