@@ -1,11 +1,11 @@
 #include "bench/thesis/provot_cloth.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "bench/support/cloth_run.h"
 #include "sim/collide/collider.h"
+#include "sim/core/stopwatch.h"
 
 namespace selvedge::bench {
 namespace {
@@ -77,10 +77,6 @@ void collide(Cloth& cloth, const sim::Collider& body, const ProvotOptions& optio
     }
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 void correct_length(WeightedEnd& a, WeightedEnd& b, float longest) {
@@ -127,9 +123,9 @@ void provot_step(Cloth& cloth, const sim::Collider& body, const ProvotOptions& o
         add_bending(cloth, options.bending, forces);
         integrate(cloth, options, forces);
         for (int k = 0; k < options.corrections; ++k) correct_lengths(cloth, options.max_elongation);
-        const auto start = std::chrono::steady_clock::now();
+        const auto start = sim::Clock::now();
         collide(cloth, body, options);
-        if (times != nullptr) times->collision += seconds_since(start);
+        if (times != nullptr) times->collision += sim::seconds_since(start);
     }
 }
 

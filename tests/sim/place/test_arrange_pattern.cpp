@@ -13,6 +13,7 @@
 #include "sim/place/panel_cones.h"
 #include "tests/sim/place/support.h"
 #include "tests/support/mannequin.h"
+#include "tests/support/polygon.h"
 
 namespace selvedge::sim::test {
 namespace {
@@ -185,16 +186,6 @@ TEST(ArrangePattern, says_what_it_placed_by_guess_and_continues_what_is_sewn) {
     const Vec3d yoke = middle_of(pattern.panels[5]), front = middle_of(pattern.panels[0]);
     EXPECT_NEAR(yoke.y() - front.y(), 0.35, 1e-9);
     EXPECT_NEAR(yoke.z(), front.z(), 1e-9);
-}
-
-// Counter-clockwise corners, m; edge i begins at corner i.
-Panel polygon(const char* name, std::vector<Vec2d> corners) {
-    Panel panel;
-    panel.name = name;
-    panel.vertices = std::move(corners);
-    const int count = static_cast<int>(panel.vertices.size());
-    for (int i = 0; i < count; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % count});
-    return panel;
 }
 
 // A shirt with long sleeves that narrow to the wrist, and cuffs that are drawn along the cloth.

@@ -7,7 +7,7 @@
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/proposals/seam_proposals.h"
-#include "tests/sim/proposals/support.h"
+#include "tests/support/polygon.h"
 
 namespace selvedge::sim {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "tests/sim/proposals/support.h"
+#include "tests/support/polygon.h"
 
 namespace selvedge::sim {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-// Shared by the tests of sim/proposals.
+// A panel with straight edges, for tests of several modules.
 #include <utility>
 #include <vector>
 
