@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/body/clear_arms.h"
-#include "sim/body/grounding.h"
 #include "sim/body/joint_names.h"
-#include "sim/body/load_body.h"
-#include "sim/body/motion_file.h"
 #include "sim/core/error.h"
+#include "sim/motion/clear_arms.h"
+#include "sim/motion/grounding.h"
+#include "sim/motion/motion_file.h"
+#include "sim/repair/load_body.h"
 
 namespace selvedge::app {
 namespace {

@@ -10,8 +10,6 @@
 #include "app/print_files.h"
 #include "render/image/image.h"
 #include "render/image/photo.h"
-#include "sim/body/load_body.h"
-#include "sim/body/motion_file.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/file_path.h"
@@ -19,9 +17,11 @@
 #include "sim/dress/dressing.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/exchange/thick_cloth.h"
+#include "sim/motion/motion_file.h"
 #include "sim/paper/drawing_file.h"
 #include "sim/pattern/fabric_file.h"
 #include "sim/pattern/pattern.h"
+#include "sim/repair/load_body.h"
 
 namespace selvedge::app {
 std::span<const sim::EmbeddedFile> embedded_examples();

@@ -12,8 +12,8 @@
 #include "render/scene/camera.h"
 #include "render/surface/curve.h"
 #include "sim/body/body.h"
-#include "sim/body/load_body.h"
-#include "sim/body/stored_body.h"
+#include "sim/repair/load_body.h"
+#include "sim/repair/stored_body.h"
 
 namespace selvedge::app {
 

@@ -18,7 +18,7 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)    # sim/core
 find_package(nlohmann_json 3.11 REQUIRED)      # sim/core/json
 find_package(TBB REQUIRED)                     # sim/core/parallel
 find_package(CGAL 5.5 REQUIRED)                # sim/mesh
-find_package(assimp 5.2 REQUIRED)              # sim/body, in a child process
+find_package(assimp 5.2 REQUIRED)              # sim/repair, in a child process
 find_package(PNG REQUIRED)                     # render/image
 find_path(SELVEDGE_STB_FOLDER stb_truetype.h PATH_SUFFIXES stb REQUIRED)  # render/image/outline_font
 find_package(CLI11 REQUIRED)                   # app/arguments
@@ -30,7 +30,7 @@ if(SELVEDGE_PYTHON)
 endif()
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(nettle REQUIRED IMPORTED_TARGET nettle>=3.7)  # sim/core/sha256
-pkg_check_modules(seccomp REQUIRED IMPORTED_TARGET libseccomp>=2.5)  # sim/body/system_call_filter
+pkg_check_modules(seccomp REQUIRED IMPORTED_TARGET libseccomp>=2.5)  # sim/repair/system_call_filter
 pkg_check_modules(turbojpeg REQUIRED IMPORTED_TARGET libturbojpeg>=2.1)  # render/image
 pkg_check_modules(exif REQUIRED IMPORTED_TARGET libexif>=0.6.24)  # render/image
 pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui>=1.86)  # editor, app/ui_draw

@@ -6,11 +6,11 @@
 
 #include "bench/support/cloth_run.h"
 #include "bench/thesis/base_mesh.h"
-#include "sim/body/motion_file.h"
 #include "sim/cloth/solver_state.h"
 #include "sim/cloth/standoff.h"
 #include "sim/dress/dressing.h"
 #include "sim/mannequin/mannequin.h"
+#include "sim/motion/motion_file.h"
 #include "sim/pattern/pattern_file.h"
 
 namespace selvedge::bench {

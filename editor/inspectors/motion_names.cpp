@@ -4,7 +4,7 @@
 #include <array>
 #include <cctype>
 
-#include "sim/body/motion_file.h"
+#include "sim/motion/motion_file.h"
 
 namespace selvedge::editor {
 namespace {

@@ -31,7 +31,7 @@ std::string name_in_folder(const std::string& file) {
     return file.substr(file.find_last_of('/') + 1);
 }
 
-// The formats that a body is read from (sim/body/guarded_import.h).
+// The formats that a body is read from (sim/repair/guarded_import.h).
 std::vector<std::string> body_endings() {
     return {".obj", ".glb", ".gltf"};
 }

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "sim/body/body.h"
-#include "sim/body/joint_angles.h"
 #include "sim/body/joint_names.h"
 #include "sim/body/pose.h"
+#include "sim/motion/joint_angles.h"
 
 namespace selvedge::editor {
 

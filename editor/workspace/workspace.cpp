@@ -4,12 +4,12 @@
 #include <chrono>
 #include <utility>
 
-#include "sim/body/grounding.h"
 #include "sim/core/error.h"
 #include "sim/dress/anchor.h"
 #include "sim/dress/dress.h"
 #include "sim/dress/dressing_pose.h"
 #include "sim/dress/own_pose.h"
+#include "sim/motion/grounding.h"
 #include "sim/pattern/garments.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/place/free_place.h"

@@ -18,10 +18,10 @@
 #include "render/scene/scene.h"
 #include "sim/body/body.h"
 #include "sim/body/clip.h"
-#include "sim/body/joint_angles.h"
-#include "sim/body/motion_file.h"
 #include "sim/dress/session.h"
 #include "sim/mannequin/mannequin.h"
+#include "sim/motion/joint_angles.h"
+#include "sim/motion/motion_file.h"
 #include "sim/place/placement.h"
 
 namespace selvedge::editor {

@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "sim/body/landmarks.h"
-#include "sim/body/load_body.h"
-#include "sim/body/stored_body.h"
 #include "sim/core/error.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/mannequin/stored_mannequin.h"
 #include "sim/place/placement.h"
+#include "sim/repair/load_body.h"
+#include "sim/repair/stored_body.h"
 
 namespace selvedge::sim {
 namespace {

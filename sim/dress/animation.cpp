@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/body/grounding.h"
 #include "sim/body/tented.h"
 #include "sim/core/assert.h"
 #include "sim/dress/drape.h"
 #include "sim/dress/dress.h"
+#include "sim/motion/grounding.h"
 
 namespace selvedge::sim {
 

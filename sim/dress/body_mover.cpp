@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/body/grounding.h"
 #include "sim/core/assert.h"
+#include "sim/motion/grounding.h"
 
 namespace selvedge::sim {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/body/joint_names.h"
-#include "sim/body/motion_file.h"
+#include "sim/motion/motion_file.h"
 
 namespace selvedge::sim {
 namespace {

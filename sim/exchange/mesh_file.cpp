@@ -8,8 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "sim/body/guarded_import.h"
-#include "sim/body/surface_repair.h"
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
@@ -18,6 +16,8 @@
 #include "sim/exchange/obj_text.h"
 #include "sim/exchange/ply_file.h"
 #include "sim/exchange/stl_file.h"
+#include "sim/repair/guarded_import.h"
+#include "sim/repair/surface_repair.h"
 
 namespace selvedge::sim {
 namespace {

@@ -72,7 +72,7 @@ void write_body(const Body& body, const std::filesystem::path& path);
 // Reads a garment from a file of Selvedge or another program. Groups or primitives become panels, texture
 // coordinates become material coordinates (m), and vertices within 1e-6 m are merged. Grain angles, sett offsets and
 // charts from write_garment() are read separately, because assimp drops them. Throws InputError if the file cannot be
-// read, is not a mesh or exceeds the limits of import (sim/body/guarded_import.h).
+// read, is not a mesh or exceeds the limits of import (sim/repair/guarded_import.h).
 DrawMesh read_garment(const std::filesystem::path& path);
 
 // One panel of a garment in the layout of mesh files, with one texture coordinate per vertex. A vertex whose corners

@@ -9,10 +9,10 @@
 #include <limits>
 #include <utility>
 
-#include "sim/body/self_intersections.h"
 #include "sim/core/error.h"
 #include "sim/mannequin/measures.h"
 #include "sim/mannequin/shape.h"
+#include "sim/repair/self_intersections.h"
 
 namespace selvedge::sim {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 // Mannequins that are made once and kept in a store on disk, by their measurements.
-#include "sim/body/stored_body.h"
 #include "sim/core/content_store.h"
 #include "sim/mannequin/mannequin.h"
+#include "sim/repair/stored_body.h"
 
 namespace selvedge::sim {
 

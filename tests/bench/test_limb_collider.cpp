@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "sim/body/grounding.h"
-#include "sim/body/motion_file.h"
 #include "sim/body/skin.h"
 #include "sim/collide/moving_body.h"
+#include "sim/motion/grounding.h"
+#include "sim/motion/motion_file.h"
 #include "tests/support/mannequin.h"
 
 namespace selvedge::bench {

@@ -10,10 +10,10 @@
 #include <string>
 
 #include "bench/thesis/limb_cylinders.h"
-#include "sim/body/load_body.h"
-#include "sim/body/motion_file.h"
 #include "sim/body/skin.h"
 #include "sim/collide/moving_body.h"
+#include "sim/motion/motion_file.h"
+#include "sim/repair/load_body.h"
 #include "tests/support/mannequin.h"
 
 namespace selvedge::bench {

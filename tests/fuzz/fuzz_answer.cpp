@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/body/guarded_import.h"
-#include "sim/body/load_body.h"
 #include "sim/core/error.h"
+#include "sim/repair/guarded_import.h"
+#include "sim/repair/load_body.h"
 
 namespace selvedge::sim {
 namespace {

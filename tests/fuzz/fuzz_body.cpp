@@ -13,10 +13,10 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/body/guarded_import.h"
-#include "sim/body/load_body.h"
 #include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
+#include "sim/repair/guarded_import.h"
+#include "sim/repair/load_body.h"
 
 namespace selvedge::sim {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "sim/body/gltf_skins.h"
 #include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
+#include "sim/repair/gltf_skins.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);

@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "sim/body/bvh_text.h"
-#include "sim/body/guarded_import.h"
-#include "sim/body/motion_file.h"
 #include "sim/core/error.h"
+#include "sim/motion/motion_file.h"
+#include "sim/repair/bvh_text.h"
+#include "sim/repair/guarded_import.h"
 
 namespace selvedge::sim {
 namespace {

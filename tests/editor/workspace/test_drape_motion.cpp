@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "editor/workspace/workspace.h"
-#include "sim/body/motion_file.h"
 #include "sim/core/error.h"
 #include "sim/dress/animation.h"
+#include "sim/motion/motion_file.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/support/checkout.h"
 

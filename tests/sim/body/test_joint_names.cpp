@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "sim/body/joint_names.h"
-#include "sim/body/load_body.h"
 #include "sim/core/error.h"
 #include "sim/mannequin/mannequin.h"
+#include "sim/repair/load_body.h"
 
 namespace selvedge::sim {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "sim/body/load_body.h"
 #include "sim/mannequin/mannequin.h"
+#include "sim/repair/load_body.h"
 #include "tests/support/bodies.h"
 
 namespace selvedge::sim {

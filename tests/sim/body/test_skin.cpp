@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/body/load_body.h"
 #include "sim/core/error.h"
 #include "sim/mannequin/mannequin.h"
+#include "sim/repair/load_body.h"
 #include "tests/support/bodies.h"
 
 namespace selvedge::sim {

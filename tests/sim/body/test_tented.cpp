@@ -3,9 +3,9 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/body/motion_file.h"
 #include "sim/body/skin.h"
 #include "sim/body/tented.h"
+#include "sim/motion/motion_file.h"
 #include "tests/support/mannequin.h"
 
 namespace selvedge::sim {

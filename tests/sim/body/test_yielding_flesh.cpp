@@ -7,10 +7,10 @@
 #include <numbers>
 #include <string>
 
-#include "sim/body/load_body.h"
-#include "sim/body/motion_file.h"
-#include "sim/body/self_intersections.h"
 #include "sim/body/yielding_flesh.h"
+#include "sim/motion/motion_file.h"
+#include "sim/repair/load_body.h"
+#include "sim/repair/self_intersections.h"
 #include "tests/support/mannequin.h"
 
 namespace selvedge::sim {

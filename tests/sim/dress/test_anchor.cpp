@@ -7,9 +7,9 @@
 #include <memory>
 #include <sstream>
 
-#include "sim/body/load_body.h"
 #include "sim/dress/dressing.h"
 #include "sim/mannequin/mannequin.h"
+#include "sim/repair/load_body.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
 #include "tests/support/temporary_folder.h"

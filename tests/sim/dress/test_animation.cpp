@@ -9,12 +9,12 @@
 
 #include "sim/adaptive/triangle_budget.h"
 #include "sim/body/joint_names.h"
-#include "sim/body/motion_file.h"
 #include "sim/cloth/moving_contact.h"
 #include "sim/dress/animation_report.h"
 #include "sim/dress/dress.h"
 #include "sim/dress/dressing_pose.h"
 #include "sim/dress/motion_run.h"
+#include "sim/motion/motion_file.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/sim/cloth/fixtures.h"

@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "sim/body/grounding.h"
-#include "sim/body/motion_file.h"
 #include "sim/body/skin.h"
 #include "sim/dress/body_mover.h"
+#include "sim/motion/grounding.h"
+#include "sim/motion/motion_file.h"
 #include "tests/sim/dress/session_support.h"
 
 namespace selvedge::sim::test {

@@ -12,14 +12,14 @@
 #include <string>
 #include <string_view>
 
-#include "sim/body/load_body.h"
-#include "sim/body/motion_file.h"
 #include "sim/collide/surface_bvh.h"
 #include "sim/core/error.h"
 #include "sim/dress/animation.h"
 #include "sim/dress/dressing.h"
 #include "sim/mannequin/mannequin.h"
+#include "sim/motion/motion_file.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/repair/load_body.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/sim/dress/support.h"
 #include "tests/support/bodies.h"

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 #include <string>
 
-#include "sim/body/motion_file.h"
 #include "sim/core/file.h"
 #include "sim/dress/session.h"
+#include "sim/motion/motion_file.h"
 #include "sim/pattern/fabric_file.h"
 #include "tests/sim/dress/session_support.h"
 #include "tests/support/temporary_folder.h"

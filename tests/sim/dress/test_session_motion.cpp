@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <memory>
 
-#include "sim/body/motion_file.h"
 #include "sim/dress/animation.h"
 #include "sim/dress/session.h"
+#include "sim/motion/motion_file.h"
 #include "sim/place/fit.h"
 #include "tests/sim/dress/session_support.h"
 #include "tests/support/wait_until.h"

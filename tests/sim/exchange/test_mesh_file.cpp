@@ -9,14 +9,14 @@
 #include <random>
 #include <sstream>
 
-#include "sim/body/guarded_import.h"
-#include "sim/body/load_body.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
 #include "sim/exchange/glb_file.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/exchange/obj_text.h"
+#include "sim/repair/guarded_import.h"
+#include "sim/repair/load_body.h"
 #include "tests/sim/exchange/file_bytes.h"
 #include "tests/sim/exchange/glb_container.h"
 #include "tests/sim/exchange/two_panels.h"

@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <string>
 
-#include "sim/body/body_bytes.h"
 #include "sim/collide/body_collider.h"
 #include "sim/collide/stored_field.h"
 #include "sim/core/content_store.h"
 #include "sim/core/simd_level.h"
 #include "sim/mannequin/stored_mannequin.h"
+#include "sim/repair/body_bytes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace selvedge::sim::test {

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "sim/body/load_body.h"
 #include "sim/collide/surface_bvh.h"
+#include "sim/repair/load_body.h"
 #include "tests/support/bodies.h"
 #include "tests/support/mannequin.h"
 #include "tests/support/posed_body.h"

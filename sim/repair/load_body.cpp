@@ -1,0 +1,266 @@
+#include "sim/repair/load_body.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "sim/body/pose.h"
+#include "sim/core/error.h"
+#include "sim/core/file_extension.h"
+#include "sim/core/file_path.h"
+#include "sim/repair/guarded_import.h"
+
+namespace selvedge::sim {
+
+namespace {
+
+struct Range {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+    double extent() const { return high - low; }
+};
+
+Range range_along(const ImportedScene& scene, int axis) {
+    Range range;
+    for (const ImportedMesh& mesh : scene.meshes)
+        for (const Vec3f& p : mesh.x) {
+            range.low = std::min(range.low, double(p[axis]));
+            range.high = std::max(range.high, double(p[axis]));
+        }
+    return range;
+}
+
+bool is_gltf(const std::filesystem::path& path) {
+    const std::string extension = lower_extension(path);
+    return extension == ".gltf" || extension == ".glb";
+}
+
+// A standing body is taller than it is deep in any arm pose.
+UpAxis up_axis(const ImportedScene& scene, const std::filesystem::path& path, UpAxis requested) {
+    if (requested != UpAxis::Auto) return requested;
+    if (is_gltf(path)) return UpAxis::Y;
+    return range_along(scene, 2).extent() > range_along(scene, 1).extent() ? UpAxis::Z : UpAxis::Y;
+}
+
+struct UnitOfLength {
+    LengthUnit unit;
+    double metres;
+    const char* name;
+};
+constexpr std::array<UnitOfLength, 5> kUnits{{{LengthUnit::Metres, 1, "metres"},
+                                              {LengthUnit::Decimetres, 0.1, "decimetres"},
+                                              {LengthUnit::Centimetres, 0.01, "centimetres"},
+                                              {LengthUnit::Millimetres, 0.001, "millimetres"},
+                                              {LengthUnit::Inches, 0.0254, "inches"}}};
+
+const UnitOfLength& unit_of_length(LengthUnit unit) {
+    return *std::ranges::find(kUnits, unit, &UnitOfLength::unit);
+}
+
+// How unlike a person a body of this size is: a stature of 1.6 m and a depth of 28 cm cost nothing. The depth tells a
+// bust in centimetres from a body in inches: it is about the same for whole bodies, without a head, or without legs.
+double implausibility(double height, double depth) {
+    constexpr double kHeight = 1.6, kDepth = 0.28;  // m
+    return std::abs(std::log(height / kHeight)) + std::abs(std::log(depth / kDepth));
+}
+
+// The most plausible unit in which the body is 0.3 to 2.3 m tall; otherwise, for giants, up to 4 m.
+LengthUnit length_unit(double height, double depth, const std::string& file, LengthUnit requested) {
+    if (requested != LengthUnit::Auto) return requested;
+    constexpr double kLeast = 0.3, kTallest = 2.3, kGiant = 4;  // m
+    depth = std::max(depth, 1e-3 * height);
+    for (const double most : {kTallest, kGiant}) {
+        const UnitOfLength* best = nullptr;
+        const auto cost = [&](const UnitOfLength& unit) {
+            return implausibility(height * unit.metres, depth * unit.metres);
+        };
+        for (const UnitOfLength& unit : kUnits) {
+            if (height * unit.metres < kLeast || height * unit.metres > most) continue;
+            if (!best || cost(unit) < cost(*best)) best = &unit;
+        }
+        if (best) return best->unit;
+    }
+    throw InputError(
+        file, "",
+        "a body " + std::to_string(height) + " units tall is not one in m, dm, cm, mm or inches: name its unit");
+}
+
+// Applies to any unit: nothing larger is a person, and the memory of the collision field grows with the volume.
+void check_size(const ImportedScene& scene, double scale, const std::string& file) {
+    constexpr double kLargestBody = 5;  // m
+    for (int axis = 0; axis < 3; ++axis) {
+        const double extent = range_along(scene, axis).extent() * scale;
+        if (extent <= kLargestBody) continue;
+        throw InputError(file, "",
+                         "a body of " + std::to_string(extent) + " m is too large to dress: is its unit right?");
+    }
+}
+
+// Converts the file's frame to ours. Z up follows the convention of Blender and CAD: the body faces -y.
+struct FileFrame {
+    double scale = 1;
+    UpAxis up = UpAxis::Y;
+    double lift = 0;  // m
+
+    Vec3d operator()(const Vec3d& p) const {
+        const Vec3d turned = up == UpAxis::Z ? Vec3d(p.x(), p.z(), -p.y()) : p;
+        return scale * turned + Vec3d(0, lift, 0);
+    }
+};
+
+FileFrame choose_frame(const ImportedScene& scene, const std::filesystem::path& path, const LoadBodyOptions& options,
+                       LoadBodyReport& report) {
+    report.up = up_axis(scene, path, options.up);
+    const int up = report.up == UpAxis::Z ? 2 : 1;
+    const double depth = std::min(range_along(scene, 0).extent(), range_along(scene, 3 - up).extent());
+    report.unit = length_unit(range_along(scene, up).extent(), depth, path.string(), options.unit);
+    report.is_unit_assumed = options.unit == LengthUnit::Auto;
+    const double scale = unit_of_length(report.unit).metres;
+    check_size(scene, scale, path.string());
+    return {.scale = scale, .up = report.up};
+}
+
+struct JoinedScene {
+    Surface surface;
+    std::vector<SkinWeights> skin;  // empty, or parallel to surface.x
+};
+
+JoinedScene join(const ImportedScene& scene, const FileFrame& frame) {
+    JoinedScene joined;
+    bool has_skin = !scene.bones.empty();
+    for (const ImportedMesh& mesh : scene.meshes) has_skin = has_skin && mesh.skin.size() == mesh.x.size();
+    for (const ImportedMesh& mesh : scene.meshes) {
+        const int first = int(joined.surface.x.size());
+        for (const Vec3f& p : mesh.x) joined.surface.x.push_back(frame(p.cast<double>()));
+        for (const auto& [a, b, c] : mesh.triangles)
+            joined.surface.triangles.push_back({first + int(a), first + int(b), first + int(c)});
+        if (has_skin) joined.skin.insert(joined.skin.end(), mesh.skin.begin(), mesh.skin.end());
+    }
+    return joined;
+}
+
+void stand_on_floor(Body& body) {
+    body.lift = -height_range(body).low;
+    for (Vec3d& p : body.x) p.y() += body.lift;
+    const Eigen::Translation3d up(0, body.lift, 0);
+    for (Bone& bone : body.bones) {
+        bone.joint.y() += body.lift;
+        bone.inverse_bind = bone.inverse_bind * up.inverse();
+    }
+    body.frame = up * body.frame;
+}
+
+// For example "moved 0.9 mm down to stand on the floor".
+std::string describe_shift(double shift) {
+    char text[64];
+    std::snprintf(text, sizeof text, "moved %.1f mm %s to stand on the floor", std::abs(shift) * 1000,
+                  shift > 0 ? "up" : "down");
+    return text;
+}
+
+std::string counted(int count, const char* what) {
+    return std::to_string(count) + ' ' + what;
+}
+
+// For example "assumed decimetres: 1.68 m tall".
+std::string describe_unit(const LoadBodyReport& report, double height) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%s %s: %.2f m tall", report.is_unit_assumed ? "assumed" : "read as",
+                  unit_of_length(report.unit).name, height);
+    return text;
+}
+
+// For example "cut 2 edges where more than two triangles meet, the first at (0.012, 1.530, 0.104) m".
+std::string describe_cuts(const EdgeCuts& cuts, double lift) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "cut %d edges where more than two triangles meet, the first at (%.3f, %.3f, %.3f) m", cuts.edges,
+                  cuts.at.x(), cuts.at.y() + lift, cuts.at.z());
+    return cuts.dropped == 0 ? text : std::string(text) + ", and left out " + counted(cuts.dropped, "triangles there");
+}
+
+void write_notes(LoadBodyReport& report, const Body& body) {
+    std::vector<std::string>& notes = report.notes;
+    const RepairReport& repair = report.repair;
+    const HeightRange height = height_range(body);
+    if (report.unit != LengthUnit::Metres) notes.push_back(describe_unit(report, height.high - height.low));
+    if (report.up == UpAxis::Z) notes.emplace_back("turned from z up to y up");
+    if (std::abs(body.lift) > 1e-4) notes.push_back(describe_shift(body.lift));
+    if (repair.dropped_triangles > 0)
+        notes.push_back("left out " + counted(repair.dropped_triangles, "triangles without area or twice there"));
+    if (repair.cuts.edges > 0) notes.push_back(describe_cuts(repair.cuts, body.lift));
+    if (repair.turned_triangles > 0)
+        notes.push_back("turned " + counted(repair.turned_triangles, "triangles to face outward"));
+    if (repair.capped_holes > 0) notes.push_back("capped " + counted(repair.capped_holes, "holes"));
+    for (const std::string& dropped : repair.dropped_pieces) notes.push_back("left out " + dropped);
+}
+
+}  // namespace
+
+std::string canonical_name(const std::filesystem::path& path) {
+    return canonical_path(path).string();
+}
+
+namespace {
+
+// Takes the scene's bones, which are in the file's frame, into ours.
+void take_bones(Body& body, std::vector<Bone> bones, const FileFrame& frame) {
+    body.frame.linear().col(0) = frame(Vec3d::UnitX());
+    body.frame.linear().col(1) = frame(Vec3d::UnitY());
+    body.frame.linear().col(2) = frame(Vec3d::UnitZ());
+    const Eigen::Affine3d from_ours = body.frame.inverse();
+    for (Bone& bone : bones) {
+        bone.joint = frame(bone.joint);
+        bone.inverse_bind = bone.inverse_bind * from_ours;
+    }
+    body.bones = std::move(bones);
+}
+
+}  // namespace
+
+BodyClips load_moving_body(const std::filesystem::path& path, const LoadBodyOptions& options, LoadBodyReport* report) {
+    return body_of(guarded_import(path), path, options, report);
+}
+
+BodyClips body_of(ImportedScene scene, const std::filesystem::path& path, const LoadBodyOptions& options,
+                  LoadBodyReport* report) {
+    LoadBodyReport own;
+    LoadBodyReport& filled_report = report ? *report : own;
+    filled_report = {};
+    const FileFrame frame = choose_frame(scene, path, options, filled_report);
+    JoinedScene joined = join(scene, frame);
+    Surface surface = repair(std::move(joined.surface), path.string(), options.repair, filled_report.repair);
+
+    BodyClips motion;
+    Body& body = motion.body;
+    body.name = path.stem().string();
+    body.file = canonical_name(path);
+    body.x = std::move(surface.x);
+    body.triangles = std::move(surface.triangles);
+    take_bones(body, std::move(scene.bones), frame);
+    if (!joined.skin.empty())
+        for (const int origin : surface.origin) body.skin.push_back(joined.skin[std::size_t(origin)]);
+    if (options.stands_on_floor) stand_on_floor(body);
+    if (!body.skin.empty()) bind_at_rest(body);
+    write_notes(filled_report, body);
+    motion.clips = std::move(scene.clips);
+    return motion;
+}
+
+Body load_body(const std::filesystem::path& path, const LoadBodyOptions& options, LoadBodyReport* report) {
+    return load_moving_body(path, options, report).body;
+}
+
+BodyClips load_motion(const std::filesystem::path& path) {
+    ImportedScene scene = guarded_import(path, ImportKind::Motion);
+    BodyClips motion;
+    motion.body.name = path.stem().string();
+    motion.body.file = canonical_name(path);
+    motion.body.bones = std::move(scene.bones);
+    motion.clips = std::move(scene.clips);
+    return motion;
+}
+
+}  // namespace selvedge::sim
