@@ -35,6 +35,11 @@ void turn_joint(Pose& pose, int bone, const Eigen::Quaterniond& rotation) {
     turned = (turned * rotation).normalized();
 }
 
+Eigen::Quaterniond rotation_of(const Eigen::Affine3d& frame) {
+    const Eigen::Matrix3d turn = frame.linear().colwise().normalized();
+    return turn.allFinite() ? Eigen::Quaterniond(turn).normalized() : Eigen::Quaterniond::Identity();
+}
+
 std::vector<Eigen::Affine3d> bone_frames(const Body& body, const Pose& pose) {
     SELVEDGE_ASSERT(pose.bones.size() == body.bones.size());
     std::vector<Eigen::Affine3d> frames;

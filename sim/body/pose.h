@@ -21,6 +21,9 @@ Pose blend(const Pose& a, const Pose& b, double share);
 // Turns a bone, and all that hangs on it, about its joint. The rotation is in the bone's own frame.
 void turn_joint(Pose& pose, int bone, const Eigen::Quaterniond& rotation);
 
+// The rotation of a frame, without its scales; none where it has no volume.
+Eigen::Quaterniond rotation_of(const Eigen::Affine3d& frame);
+
 // From each bone's frame to ours, m. Pre: the pose has as many bones as the body.
 std::vector<Eigen::Affine3d> bone_frames(const Body& body, const Pose& pose);
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "sim/core/edge_table.h"
 #include "sim/core/parallel.h"
 
 namespace selvedge::sim {
@@ -26,34 +27,6 @@ struct Deepest {
         at = place;
     }
 };
-
-struct MeshEdge {
-    std::uint32_t low = 0;
-    std::uint32_t high = 0;
-    std::array<std::uint32_t, 2> triangles{};  // equal at a border
-};
-
-std::vector<MeshEdge> edges_of(std::span<const std::array<std::uint32_t, 3>> triangles) {
-    std::vector<MeshEdge> edges;
-    edges.reserve(3 * triangles.size());
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto [low, high] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
-            edges.push_back({low, high, {t, t}});
-        }
-    }
-    const auto key = [](const MeshEdge& edge) { return std::uint64_t{edge.low} << 32 | edge.high; };
-    std::ranges::stable_sort(edges, {}, key);
-    std::vector<MeshEdge> unique;
-    for (const MeshEdge& edge : edges) {
-        if (!unique.empty() && key(unique.back()) == key(edge)) {
-            unique.back().triangles[1] = edge.triangles[0];
-        } else {
-            unique.push_back(edge);
-        }
-    }
-    return unique;
-}
 
 // A point with its signed distance from the surface, m.
 struct Sample {
@@ -161,13 +134,13 @@ Penetration find_penetration(std::span<const Vec3f> x, std::span<const std::arra
         found.deepest_vertex = depth;
         found.vertex = v;
     }
-    const std::vector<MeshEdge> edges = edges_of(triangles);
+    const EdgeTable<std::uint32_t> edges(triangles);
     std::vector<Deepest> on_edges(edges.size()), on_faces(triangles.size());
     std::vector<char> passes(edges.size(), 0);
     parallel_for(edges.size(), kGrain, [&](std::size_t first, std::size_t last) {
         for (std::size_t e = first; e < last; ++e) {
             bool is_passing = false;
-            on_edges[e] = search.on_edge(search[edges[e].low], search[edges[e].high], is_passing);
+            on_edges[e] = search.on_edge(search[edges[e][0].low], search[edges[e][0].high], is_passing);
             passes[e] = is_passing ? 1 : 0;
         }
     });
@@ -190,8 +163,9 @@ Penetration find_penetration(std::span<const Vec3f> x, std::span<const std::arra
     for (std::size_t e = 0; e < edges.size(); ++e) {
         if (on_edges[e].depth <= options.depth) continue;
         ++found.edges;
-        const auto [first, second] = edges[e].triangles;
-        for (const std::uint32_t t : {first, second}) on_faces[t].take(on_edges[e].depth, on_edges[e].at);
+        const std::uint32_t first = edges[e].front().triangle;
+        for (const std::uint32_t t : {first, edges[e].back().triangle})
+            on_faces[t].take(on_edges[e].depth, on_edges[e].at);
         take(on_edges[e], first);
         if (passes[e] != 0) found.passing.push_back({first, on_edges[e].at, on_edges[e].depth});
     }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sim/core/assert.h"
+#include "sim/core/edge_table.h"
 #include "sim/core/simd_level.h"
 
 namespace selvedge::sim {
@@ -334,27 +335,6 @@ namespace {
 
 constexpr double kNoArea = 1e-30;  // m^4, the square of twice a triangle's area
 
-// The triangles at an undirected edge; when sorted, entries of the same edge are adjacent.
-struct EdgeUse {
-    std::uint32_t low;
-    std::uint32_t high;
-    std::uint32_t triangle;
-    std::uint32_t side;
-    auto operator<=>(const EdgeUse&) const = default;
-};
-
-std::vector<EdgeUse> sorted_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
-    std::vector<EdgeUse> uses;
-    uses.reserve(triangles.size() * 3);
-    for (std::uint32_t t = 0; t < triangles.size(); ++t)
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const auto [low, high] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
-            uses.push_back({low, high, t, k});
-        }
-    std::sort(uses.begin(), uses.end());
-    return uses;
-}
-
 double corner_angle(const Vec3d& at, const Vec3d& left, const Vec3d& right) {
     const Vec3d a = left - at;
     const Vec3d b = right - at;
@@ -494,13 +474,11 @@ void SurfaceBvh::make_normals(const Body& body) {
     for (const Vec3d& normal : at_vertex) vertex_normals_.push_back(as_unit(normal));
 
     edge_normals_.resize(triangles_.size());
-    const std::vector<EdgeUse> uses = sorted_edges(triangles_);
-    for (std::size_t first = 0; first < uses.size();) {
-        std::size_t last = first;
+    const EdgeTable<std::uint32_t> table(triangles_);
+    for (const auto edge : table.edges()) {
         Vec3d sum = Vec3d::Zero();
-        for (; last < uses.size() && uses[last].low == uses[first].low && uses[last].high == uses[first].high; ++last)
-            sum += at_face[uses[last].triangle];
-        for (; first < last; ++first) edge_normals_[uses[first].triangle][uses[first].side] = as_unit(sum);
+        for (const auto& side : edge) sum += at_face[side.triangle];
+        for (const auto& side : edge) edge_normals_[side.triangle][side.k] = as_unit(sum);
     }
 }
 
@@ -508,12 +486,12 @@ void SurfaceBvh::make_normals(const Body& body) {
 void SurfaceBvh::make_adjacency() {
     Adjacency& adjacency = adjacency_.emplace();
     adjacency.beside.resize(triangles_.size());
-    const std::vector<EdgeUse> uses = sorted_edges(triangles_);
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-        const auto is_same = [&](std::size_t j) { return uses[j].low == uses[i].low && uses[j].high == uses[i].high; };
-        const bool has_next = i + 1 < uses.size() && is_same(i + 1), has_last = i > 0 && is_same(i - 1);
-        const std::size_t other = has_next ? i + 1 : has_last ? i - 1 : i;
-        adjacency.beside[uses[i].triangle][uses[i].side] = uses[other].triangle;
+    const EdgeTable<std::uint32_t> table(triangles_);
+    for (const auto edge : table.edges()) {
+        for (std::size_t i = 0; i < edge.size(); ++i) {
+            const std::size_t other = i + 1 < edge.size() ? i + 1 : i > 0 ? i - 1 : i;
+            adjacency.beside[edge[i].triangle][edge[i].k] = edge[other].triangle;
+        }
     }
     adjacency.first.assign(x_.size() + 1, 0);
     for (const auto& corners : triangles_)

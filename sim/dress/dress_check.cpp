@@ -1,11 +1,10 @@
 #include "sim/dress/dress_check.h"
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <set>
 #include <utility>
 
+#include "sim/core/edge_table.h"
 #include "sim/core/error.h"
 #include "sim/core/json.h"
 #include "sim/dress/anchor.h"
@@ -85,21 +84,17 @@ class Checker {
 
     // A seam edge has two triangles, an edge of the outline one.
     void check_edges(const GarmentMesh& sewn) {
-        std::map<std::pair<int, int>, std::vector<int>> panels_at;
-        for (const GarmentTriangle& triangle : sewn.triangles) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::pair<int, int> ends = std::minmax({triangle.vertices[k], triangle.vertices[(k + 1) % 3]});
-                panels_at[ends].push_back(triangle.panel);
-            }
-        }
-        for (const auto& [ends, panels] : panels_at) {
-            const std::set<int> together(panels.begin(), panels.end());
+        const EdgeTable<int> table(sewn.triangles, &GarmentTriangle::vertices);
+        for (const auto edge : table.edges()) {
+            std::set<int> together;
+            for (const TriangleSide<int>& side : edge)
+                together.insert(sewn.triangles[static_cast<std::size_t>(side.triangle)].panel);
             std::string names;
             for (const int panel : together)
                 names += (names.empty() ? "'" : " and '") + pattern_.panels[static_cast<std::size_t>(panel)].name + "'";
-            if (ends.first == ends.second)
+            if (edge[0].low == edge[0].high)
                 return add("pattern.stitches", "sewn like this, an edge of " + names + " shrinks to a point");
-            if (panels.size() > 2)
+            if (edge.size() > 2)
                 return add("pattern.stitches", "sewn like this, more than two edges meet in one line, of " + names);
         }
     }

@@ -9,34 +9,12 @@
 
 #include "sim/core/assert.h"
 #include "sim/core/disjoint_sets.h"
+#include "sim/core/edge_table.h"
 
 namespace selvedge::sim {
 namespace {
 
-// A triangle's side from corner `first` to the next.
-struct Side {
-    std::uint32_t low = 0, high = 0;  // vertices
-    std::uint32_t triangle = 0, first = 0;
-    bool rises = false;  // from the lower vertex to the higher one
-
-    auto key() const { return std::tuple(low, high, triangle, first); }
-    bool is_on_edge_of(const Side& other) const { return low == other.low && high == other.high; }
-    // The corner at the lower or the higher vertex, 0..2.
-    std::uint32_t corner(bool at_low) const { return at_low == rises ? first : (first + 1) % 3; }
-};
-
-std::vector<Side> sorted_sides(const DrawMesh& mesh) {
-    std::vector<Side> sides;
-    sides.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t from = mesh.triangles[t][k], to = mesh.triangles[t][(k + 1) % 3];
-            sides.push_back({std::min(from, to), std::max(from, to), t, k, from < to});
-        }
-    }
-    std::ranges::sort(sides, {}, &Side::key);
-    return sides;
-}
+using Side = TriangleSide<std::uint32_t>;
 
 // Corners (three per triangle) in groups, one per fan of triangles round a vertex, and the sides at which fans end.
 struct Fans {
@@ -55,22 +33,19 @@ bool is_one_surface(const DrawMesh& mesh, const Side& a, const Side& b) {
 }
 
 Fans find_fans(const DrawMesh& mesh) {
-    const std::vector<Side> sides = sorted_sides(mesh);
+    const EdgeTable<std::uint32_t> table(mesh.triangles);
     DisjointSets corners(3 * mesh.triangles.size());
     Fans fans;
-    for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
-        for (next = i + 1; next < sides.size() && sides[next].is_on_edge_of(sides[i]);) ++next;
-        if (next - i == 2 && is_one_surface(mesh, sides[i], sides[i + 1])) {
-            const Side &a = sides[i], &b = sides[i + 1];
+    for (const auto edge : table.edges()) {
+        if (edge.size() == 2 && is_one_surface(mesh, edge[0], edge[1])) {
             for (const bool at_low : {true, false})
-                corners.join(static_cast<int>(3 * a.triangle + a.corner(at_low)),
-                             static_cast<int>(3 * b.triangle + b.corner(at_low)));
+                corners.join(static_cast<int>(3 * edge[0].triangle + edge[0].corner(at_low)),
+                             static_cast<int>(3 * edge[1].triangle + edge[1].corner(at_low)));
         } else {
-            fans.border.insert(fans.border.end(), sides.begin() + static_cast<std::ptrdiff_t>(i),
-                               sides.begin() + static_cast<std::ptrdiff_t>(next));
+            fans.border.insert(fans.border.end(), edge.begin(), edge.end());
         }
     }
-    std::ranges::sort(fans.border, {}, [](const Side& side) { return std::tuple(side.triangle, side.first); });
+    std::ranges::sort(fans.border, {}, [](const Side& side) { return std::tuple(side.triangle, side.k); });
     fans.of_corner.resize(3 * mesh.triangles.size());
     for (std::size_t corner = 0; corner < fans.of_corner.size(); ++corner) {
         const auto lowest = static_cast<std::size_t>(corners.find(static_cast<int>(corner)));  // <= corner
@@ -166,7 +141,7 @@ DrawMesh with_thickness(const DrawMesh& mesh, std::span<const float> thickness) 
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) builder.add(t, {{{0, Front}, {1, Front}, {2, Front}}});
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) builder.add(t, {{{0, Back}, {2, Back}, {1, Back}}});
     for (const Side& side : fans.border) {
-        const std::size_t a = side.first, b = (a + 1) % 3;
+        const std::size_t a = side.k, b = (a + 1) % 3;
         builder.add(side.triangle, {{{b, Front}, {a, Front}, {a, Back}}});
         builder.add(side.triangle, {{{b, Front}, {a, Back}, {b, Back}}});
     }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "sim/core/assert.h"
+#include "sim/core/edge_table.h"
 
 namespace selvedge::sim {
 namespace {
@@ -59,42 +59,23 @@ class OrientedCorners {
     std::vector<bool> is_turned_;  // against the parent
 };
 
-// A triangle's side from corner `first` to the next.
-struct TriangleSide {
-    std::uint32_t low = 0, high = 0;  // vertices
-    std::uint32_t triangle = 0, first = 0;
-    bool rises = false;  // from the lower vertex to the higher one
-
-    auto key() const { return std::tuple(low, high, triangle, first); }
-    // Index of the corner at the lower or the higher vertex, three per triangle.
-    std::uint32_t corner(bool at_low) const { return 3 * triangle + (at_low == rises ? first : (first + 1) % 3); }
-};
-
-std::vector<TriangleSide> sorted_sides(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
-    std::vector<TriangleSide> sides;
-    sides.reserve(3 * triangles.size());
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t from = triangles[t][k], to = triangles[t][(k + 1) % 3];
-            sides.push_back({std::min(from, to), std::max(from, to), t, k, from < to});
-        }
-    }
-    std::sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.key() < b.key(); });
-    return sides;
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> find_turned_corners(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
-    const std::vector<TriangleSide> sides = sorted_sides(triangles);
+    const EdgeTable<std::uint32_t> table(triangles);
     OrientedCorners corners(3 * triangles.size());
+    const auto corner_of = [](const TriangleSide<std::uint32_t>& side, bool at_low) {
+        return 3 * side.triangle + side.corner(at_low);
+    };
     bool is_consistent = true;
-    for (std::size_t i = 1; i < sides.size(); ++i) {
-        const TriangleSide &a = sides[i - 1], &b = sides[i];
-        if (a.low != b.low || a.high != b.high) continue;
-        const bool are_opposite = a.rises == b.rises;
-        is_consistent = is_consistent && !are_opposite;
-        for (const bool at_low : {true, false}) corners.join(a.corner(at_low), b.corner(at_low), are_opposite);
+    for (const auto edge : table.edges()) {
+        for (std::size_t i = 1; i < edge.size(); ++i) {
+            const auto &a = edge[i - 1], &b = edge[i];
+            const bool are_opposite = a.rises == b.rises;
+            is_consistent = is_consistent && !are_opposite;
+            for (const bool at_low : {true, false})
+                corners.join(corner_of(a, at_low), corner_of(b, at_low), are_opposite);
+        }
     }
     if (is_consistent) return {};
     std::vector<std::uint8_t> turned(triangles.size(), 0);

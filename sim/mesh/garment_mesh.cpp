@@ -4,10 +4,10 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <utility>
 
 #include "sim/core/assert.h"
 #include "sim/core/disjoint_sets.h"
+#include "sim/core/edge_table.h"
 #include "sim/mesh/sample_outline.h"
 #include "sim/pattern/outline.h"
 
@@ -16,12 +16,8 @@ namespace {
 
 constexpr double kFlat = 1e-9;  // smallest valid ratio of twice the area to the squared longest edge
 
-using EdgeEnds = std::pair<int, int>;  // lower vertex first
-
-struct EdgeUse {
-    int triangle = 0;
-    int corner = 0;  // the edge runs from this corner to the next
-};
+using EdgeSides = EdgeTable<int>::Edge;
+using Side = TriangleSide<int>;
 
 using Faults = std::vector<std::string>;
 
@@ -32,8 +28,8 @@ std::string name_of(const GarmentMesh& mesh, int triangle) {
            (is_known ? " (" + mesh.panel_names[static_cast<std::size_t>(panel)] + ")" : "");
 }
 
-std::string name_of(const EdgeEnds& edge) {
-    return "edge " + std::to_string(edge.first) + "-" + std::to_string(edge.second);
+std::string name_of(EdgeSides edge) {
+    return "edge " + std::to_string(edge[0].low) + "-" + std::to_string(edge[0].high);
 }
 
 void check_indices(const GarmentMesh& mesh, Faults& faults) {
@@ -93,42 +89,27 @@ void check_duplicates(const GarmentMesh& mesh, Faults& faults) {
     }
 }
 
-std::map<EdgeEnds, std::vector<EdgeUse>> edges_of(const GarmentMesh& mesh) {
-    std::map<EdgeEnds, std::vector<EdgeUse>> edges;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const auto& v = mesh.triangles[i].vertices;
-        for (std::size_t k = 0; k < 3; ++k) {
-            edges[std::minmax({v[k], v[(k + 1) % 3]})].push_back({static_cast<int>(i), static_cast<int>(k)});
-        }
-    }
-    return edges;
-}
-
-int start_of(const GarmentMesh& mesh, const EdgeUse& use) {
-    return mesh.triangles[static_cast<std::size_t>(use.triangle)].vertices[static_cast<std::size_t>(use.corner)];
-}
-
 // Whether both triangles lie in one panel with the same material coordinates at the edge: then it is no seam.
-bool is_inside_panel(const GarmentMesh& mesh, const EdgeUse& first, const EdgeUse& second) {
+bool is_inside_panel(const GarmentMesh& mesh, const Side& first, const Side& second) {
     const GarmentTriangle& a = mesh.triangles[static_cast<std::size_t>(first.triangle)];
     const GarmentTriangle& b = mesh.triangles[static_cast<std::size_t>(second.triangle)];
     const auto u_at = [](const GarmentTriangle& t, int vertex) {
         return t.u[static_cast<std::size_t>(std::ranges::find(t.vertices, vertex) - t.vertices.begin())];
     };
     const auto is_same = [&](int vertex) { return u_at(a, vertex) == u_at(b, vertex); };
-    const auto corner = static_cast<std::size_t>(first.corner);
+    const auto corner = static_cast<std::size_t>(first.k);
     return a.panel == b.panel && is_same(a.vertices[corner]) && is_same(a.vertices[(corner + 1) % 3]);
 }
 
 void check_edges(const GarmentMesh& mesh, Faults& faults) {
-    for (const auto& [edge, uses] : edges_of(mesh)) {
-        if (uses.size() > 2) {
-            faults.push_back(name_of(edge) + ": " + std::to_string(uses.size()) + " triangles meet, first " +
-                             name_of(mesh, uses[0].triangle));
-        } else if (uses.size() == 2 && start_of(mesh, uses[0]) == start_of(mesh, uses[1]) &&
-                   is_inside_panel(mesh, uses[0], uses[1])) {
-            faults.push_back(name_of(edge) + ": " + name_of(mesh, uses[0].triangle) + " and " +
-                             name_of(mesh, uses[1].triangle) + " face opposite sides");
+    const EdgeTable<int> table(mesh.triangles, &GarmentTriangle::vertices);
+    for (const EdgeSides edge : table.edges()) {
+        if (edge.size() > 2) {
+            faults.push_back(name_of(edge) + ": " + std::to_string(edge.size()) + " triangles meet, first " +
+                             name_of(mesh, edge[0].triangle));
+        } else if (edge.size() == 2 && edge[0].rises == edge[1].rises && is_inside_panel(mesh, edge[0], edge[1])) {
+            faults.push_back(name_of(edge) + ": " + name_of(mesh, edge[0].triangle) + " and " +
+                             name_of(mesh, edge[1].triangle) + " face opposite sides");
         }
     }
 }
@@ -141,10 +122,11 @@ void check_fans(const GarmentMesh& mesh, Faults& faults) {
         const auto& v = mesh.triangles[static_cast<std::size_t>(triangle)].vertices;
         return 3 * triangle + static_cast<int>(std::ranges::find(v, vertex) - v.begin());
     };
-    for (const auto& [edge, uses] : edges_of(mesh)) {
-        for (std::size_t i = 1; i < uses.size(); ++i) {
-            for (int vertex : {edge.first, edge.second}) {
-                corners.join(corner_at(uses[0].triangle, vertex), corner_at(uses[i].triangle, vertex));
+    const EdgeTable<int> table(mesh.triangles, &GarmentTriangle::vertices);
+    for (const EdgeSides edge : table.edges()) {
+        for (std::size_t i = 1; i < edge.size(); ++i) {
+            for (int vertex : {edge[0].low, edge[0].high}) {
+                corners.join(corner_at(edge[0].triangle, vertex), corner_at(edge[i].triangle, vertex));
             }
         }
     }

@@ -6,6 +6,7 @@
 
 #include "sim/core/assert.h"
 #include "sim/core/disjoint_sets.h"
+#include "sim/core/edge_table.h"
 #include "sim/core/error.h"
 #include "sim/mesh/sample_outline.h"
 #include "sim/mesh/triangulate.h"
@@ -190,26 +191,21 @@ EdgeEnds edge_of(const GarmentTriangle& triangle, std::size_t k) {
     return ends(triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
 }
 
-std::map<EdgeEnds, int> count_triangles_at_edges(const GarmentMesh& mesh) {
-    std::map<EdgeEnds, int> uses;
-    for (const GarmentTriangle& triangle : mesh.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) ++uses[edge_of(triangle, k)];
-    }
-    return uses;
-}
-
 // The interior edges that would coincide with another edge after sewing, or whose ends would be merged.
 std::vector<EdgeEnds> find_coinciding(const GarmentMesh& unsewn) {
     const std::vector<int> representatives = representatives_of_links(unsewn.x.size(), unsewn.links);
     const auto representative_of = [&](int vertex) { return representatives[static_cast<std::size_t>(vertex)]; };
-    const std::map<EdgeEnds, int> uses = count_triangles_at_edges(unsewn);
+    const EdgeTable<int> table(unsewn.triangles, &GarmentTriangle::vertices);
+    const auto sewn_edge = [&](EdgeTable<int>::Edge edge) {
+        return ends(representative_of(edge[0].low), representative_of(edge[0].high));
+    };
     std::map<EdgeEnds, int> sewn;  // number of unsewn edges that become this edge
-    for (const auto& [edge, count] : uses) ++sewn[ends(representative_of(edge.first), representative_of(edge.second))];
+    for (const auto edge : table.edges()) ++sewn[sewn_edge(edge)];
     std::vector<EdgeEnds> coinciding;
-    for (const auto& [edge, count] : uses) {
-        if (count < 2) continue;
-        const EdgeEnds merged = ends(representative_of(edge.first), representative_of(edge.second));
-        if (merged.first == merged.second || sewn[merged] > 1) coinciding.push_back(edge);
+    for (const auto edge : table.edges()) {
+        if (edge.size() < 2) continue;
+        const EdgeEnds merged = sewn_edge(edge);
+        if (merged.first == merged.second || sewn[merged] > 1) coinciding.emplace_back(edge[0].low, edge[0].high);
     }
     return coinciding;
 }

@@ -94,11 +94,6 @@ std::optional<Clip> fitted(const PoseAngles& angles, const Body& body) {
     return retarget(upright_skeleton("pose"), clip_of(rotations), body);
 }
 
-Rotation rotation_of(const Eigen::Affine3d& frame) {
-    const Eigen::Matrix3d turn = frame.linear().colwise().normalized();
-    return turn.allFinite() ? Rotation(turn).normalized() : Rotation::Identity();
-}
-
 Rotation parent_rotation(const Body& body, const std::vector<Eigen::Affine3d>& frames, int bone) {
     const int parent = body.bones[std::size_t(bone)].parent;
     return rotation_of(parent < 0 ? body.frame : frames[std::size_t(parent)]);

@@ -17,11 +17,6 @@ namespace {
 
 using Rotation = Eigen::Quaterniond;
 
-Rotation rotation_of(const Eigen::Affine3d& frame) {
-    const Eigen::Matrix3d turn = frame.linear().colwise().normalized();
-    return turn.allFinite() ? Rotation(turn).normalized() : Rotation::Identity();
-}
-
 // From each bone's frame to ours, without scales.
 std::vector<Rotation> bone_rotations(const Body& body, const Pose& pose) {
     const Rotation root = rotation_of(body.frame);

@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "sim/core/edge_table.h"
+
 namespace selvedge::sim {
 namespace {
 
@@ -27,17 +29,17 @@ struct BorderEdge {
 
 // The edges with one triangle, in the triangle's direction, in the order of the triangles.
 std::vector<BorderEdge> border_edges(const GarmentMesh& sewn) {
-    std::map<std::pair<int, int>, int> uses;
-    const auto key = [](int a, int b) { return std::pair(std::min(a, b), std::max(a, b)); };
-    for (const GarmentTriangle& t : sewn.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) ++uses[key(t.vertices[k], t.vertices[(k + 1) % 3])];
+    const EdgeTable<int> table(sewn.triangles, &GarmentTriangle::vertices);
+    std::vector<std::array<int, 2>> sides;  // triangle and corner
+    for (const auto edge : table.edges()) {
+        if (edge.size() == 1) sides.push_back({edge[0].triangle, edge[0].k});
     }
+    std::ranges::sort(sides);
     std::vector<BorderEdge> border;
-    for (const GarmentTriangle& t : sewn.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int a = t.vertices[k], b = t.vertices[(k + 1) % 3];
-            if (uses[key(a, b)] == 1) border.push_back({a, b, t.panel, (t.u[(k + 1) % 3] - t.u[k]).norm()});
-        }
+    for (const auto& [triangle, corner] : sides) {
+        const GarmentTriangle& t = sewn.triangles[static_cast<std::size_t>(triangle)];
+        const auto k = static_cast<std::size_t>(corner), next = (k + 1) % 3;
+        border.push_back({t.vertices[k], t.vertices[next], t.panel, (t.u[next] - t.u[k]).norm()});
     }
     return border;
 }

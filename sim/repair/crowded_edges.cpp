@@ -5,28 +5,16 @@
 #include <cstddef>
 #include <map>
 #include <set>
-#include <span>
 
 #include "sim/core/disjoint_sets.h"
-#include "sim/repair/triangle_edges.h"
+#include "sim/core/edge_table.h"
 
 namespace selvedge::sim {
 namespace {
 
 using Triangles = std::vector<std::array<int, 3>>;
-using EdgeSides = std::span<const TriangleSide>;
-
-// The sides at each edge, in the order of the edges.
-std::vector<EdgeSides> edges_of(const std::vector<TriangleSide>& sides) {
-    std::vector<EdgeSides> edges;
-    for (std::size_t first = 0; first < sides.size();) {
-        std::size_t last = first + 1;
-        while (last < sides.size() && sides[last].same_edge(sides[first])) ++last;
-        edges.emplace_back(sides.data() + first, last - first);
-        first = last;
-    }
-    return edges;
-}
+using EdgeSides = EdgeTable<int>::Edge;
+using Side = TriangleSide<int>;
 
 bool is_crowded(EdgeSides edge) {
     return edge.size() > 2;
@@ -48,10 +36,10 @@ std::set<int> find_fins(const Triangles& triangles, const std::vector<EdgeSides>
     for (const EdgeSides edge : edges) {
         if (!is_crowded(edge)) continue;
         const auto open = std::count_if(edge.begin(), edge.end(),
-                                        [&](const TriangleSide& side) { return is_open[std::size_t(side.triangle)]; });
+                                        [&](const Side& side) { return is_open[std::size_t(side.triangle)]; });
         const auto rest = std::ptrdiff_t(edge.size()) - open;
         if (open == 0 || rest < 2 || rest % 2 != 0) continue;
-        for (const TriangleSide& side : edge)
+        for (const Side& side : edge)
             if (is_open[std::size_t(side.triangle)]) fins.insert(side.triangle);
     }
     return fins;
@@ -70,7 +58,7 @@ double volume_under(const std::vector<Vec3d>& x, const Triangles& triangles) {
 struct Leaf {
     double angle = 0;               // rad, counter-clockwise about the edge
     bool has_solid_behind = false;  // the solid lies counter-clockwise of it
-    TriangleSide side;
+    Side side;
 };
 
 std::vector<Leaf> leaves_about(EdgeSides edge, const std::vector<Vec3d>& x, const Triangles& triangles,
@@ -79,12 +67,11 @@ std::vector<Leaf> leaves_about(EdgeSides edge, const std::vector<Vec3d>& x, cons
     const Vec3d along = (x[std::size_t(edge[0].high)] - from).normalized();
     const Vec3d right = along.unitOrthogonal();
     std::vector<Leaf> leaves;
-    for (const TriangleSide& side : edge) {
+    for (const Side& side : edge) {
         const std::array<int, 3>& triangle = triangles[std::size_t(side.triangle)];
         const Vec3d to = x[std::size_t(triangle[std::size_t(side.k + 2) % 3])] - from;
-        const bool runs_upward = triangle[std::size_t(side.k)] == side.low;
         leaves.push_back({.angle = std::atan2(to.dot(along.cross(right)), to.dot(right)),
-                          .has_solid_behind = runs_upward != faces_outward,
+                          .has_solid_behind = side.rises != faces_outward,
                           .side = side});
     }
     std::stable_sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) { return a.angle < b.angle; });
@@ -92,18 +79,14 @@ std::vector<Leaf> leaves_about(EdgeSides edge, const std::vector<Vec3d>& x, cons
 }
 
 // Joins corners of triangles that stay connected across the surface. Corner k of triangle t has the index 3 t + k.
-void join_across(const TriangleSide& a, const TriangleSide& b, const Triangles& triangles, DisjointSets& corners) {
-    const auto corner = [&](const TriangleSide& side, int vertex) {
-        const int next = (side.k + 1) % 3;
-        return 3 * side.triangle +
-               (triangles[std::size_t(side.triangle)][std::size_t(side.k)] == vertex ? side.k : next);
-    };
-    for (const int vertex : {a.low, a.high}) corners.join(corner(a, vertex), corner(b, vertex));
+void join_across(const Side& a, const Side& b, DisjointSets& corners) {
+    for (const bool at_low : {true, false})
+        corners.join(3 * a.triangle + a.corner(at_low), 3 * b.triangle + b.corner(at_low));
 }
 
 // Joins each pair of leaves that have the solid between them, the outermost first: what is left lies inside the solid,
 // as a wall across it does, and stays apart.
-void join_pairs(const std::vector<Leaf>& leaves, const Triangles& triangles, DisjointSets& corners) {
+void join_pairs(const std::vector<Leaf>& leaves, DisjointSets& corners) {
     const std::size_t count = leaves.size();
     const auto begins = [&](std::size_t i) { return leaves[i % count].has_solid_behind; };
     std::size_t first = 0;
@@ -115,7 +98,7 @@ void join_pairs(const std::vector<Leaf>& leaves, const Triangles& triangles, Dis
         std::size_t end = middle;
         while (end < first + count && !begins(end)) ++end;
         for (std::size_t i = 0; i < std::min(middle - at, end - middle); ++i)
-            join_across(leaves[(at + i) % count].side, leaves[(end - 1 - i) % count].side, triangles, corners);
+            join_across(leaves[(at + i) % count].side, leaves[(end - 1 - i) % count].side, corners);
         at = end;
     }
 }
@@ -127,9 +110,9 @@ void part_vertices(std::vector<Vec3d>& x, std::vector<int>& origin, Triangles& t
     DisjointSets corners(3 * triangles.size());
     std::set<int> parted;
     for (const EdgeSides edge : edges) {
-        if (edge.size() == 2) join_across(edge[0], edge[1], triangles, corners);
+        if (edge.size() == 2) join_across(edge[0], edge[1], corners);
         if (!is_crowded(edge)) continue;
-        join_pairs(leaves_about(edge, x, triangles, faces_outward), triangles, corners);
+        join_pairs(leaves_about(edge, x, triangles, faces_outward), corners);
         parted.insert({edge[0].low, edge[0].high});
     }
     std::map<int, int> vertex_of_fan;  // by the fan's first corner
@@ -154,7 +137,7 @@ std::set<int> triangles_at_crowded_edges(const std::vector<EdgeSides>& edges) {
     std::set<int> found;
     for (const EdgeSides edge : edges)
         if (is_crowded(edge))
-            for (const TriangleSide& side : edge) found.insert(side.triangle);
+            for (const Side& side : edge) found.insert(side.triangle);
     return found;
 }
 
@@ -166,8 +149,8 @@ EdgeCuts cut_crowded_edges(std::vector<Vec3d>& x, std::vector<int>& origin,
     EdgeCuts cuts;
     bool is_parted = false;
     for (int iteration = 0; !triangles.empty(); ++iteration) {
-        const std::vector<TriangleSide> sides = sorted_sides(triangles);
-        const std::vector<EdgeSides> edges = edges_of(sides);
+        const EdgeTable<int> table(triangles);
+        const std::vector<EdgeSides> edges = table.edges();
         const auto first = std::find_if(edges.begin(), edges.end(), is_crowded);
         if (first == edges.end()) break;
         if (iteration == 0) {

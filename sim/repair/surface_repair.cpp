@@ -13,8 +13,8 @@
 
 #include "sim/core/assert.h"
 #include "sim/core/disjoint_sets.h"
+#include "sim/core/edge_table.h"
 #include "sim/core/error.h"
-#include "sim/repair/triangle_edges.h"
 
 namespace selvedge::sim {
 namespace {
@@ -24,11 +24,9 @@ constexpr double kSamePlace = 1e-12;  // m, coordinates that are equal in the fi
 // Merges only vertices on open edges. Vertices of parts that are closed already may come as near as they like.
 void weld_open_edges(Surface& surface, double distance, RepairReport& report) {
     std::vector<bool> is_open(surface.x.size(), false);
-    const std::vector<TriangleSide> sides = sorted_sides(surface.triangles);
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        if (i > 0 && sides[i].same_edge(sides[i - 1])) continue;
-        if (i + 1 < sides.size() && sides[i].same_edge(sides[i + 1])) continue;
-        is_open[std::size_t(sides[i].low)] = is_open[std::size_t(sides[i].high)] = true;
+    const EdgeTable<int> table(surface.triangles);
+    for (const auto edge : table.edges()) {
+        if (edge.size() == 1) is_open[std::size_t(edge[0].low)] = is_open[std::size_t(edge[0].high)] = true;
     }
     std::vector<int> vertices;
     std::vector<Vec3d> x;
@@ -300,22 +298,17 @@ struct Topology {
 };
 
 Topology connect(const Triangles& triangles) {
-    const std::vector<TriangleSide> sides = sorted_sides(triangles);
+    const EdgeTable<int> table(triangles);
     Topology topology;
     topology.neighbours.assign(triangles.size(), {kNone, kNone, kNone});
     DisjointSets groups(triangles.size());
-    for (std::size_t first = 0; first < sides.size();) {
-        std::size_t last = first + 1;
-        while (last < sides.size() && sides[last].same_edge(sides[first])) ++last;
-        SELVEDGE_ASSERT(last - first <= 2);
-        if (last - first == 2) {
-            groups.join(sides[first].triangle, sides[first + 1].triangle);
-            const TriangleSide& a = sides[first];
-            const TriangleSide& b = sides[first + 1];
-            topology.neighbours[std::size_t(a.triangle)][std::size_t(a.k)] = b.triangle;
-            topology.neighbours[std::size_t(b.triangle)][std::size_t(b.k)] = a.triangle;
-        }
-        first = last;
+    for (const auto edge : table.edges()) {
+        SELVEDGE_ASSERT(edge.size() <= 2);
+        if (edge.size() < 2) continue;
+        const auto &a = edge[0], &b = edge[1];
+        groups.join(a.triangle, b.triangle);
+        topology.neighbours[std::size_t(a.triangle)][std::size_t(a.k)] = b.triangle;
+        topology.neighbours[std::size_t(b.triangle)][std::size_t(b.k)] = a.triangle;
     }
     std::map<int, int> piece_of_group;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
