@@ -83,6 +83,7 @@ struct Field<kMember, kForm> {
     Range range = {};
     Descent descent = Descent::Kept;
     bool is_in_python = true;
+    bool is_placement = false;     // of a panel: how it starts round the body
     std::string_view record = {};  // its word in SVG and DXF; empty: what is drawn says it, or nothing does
     FieldRow row = {};
 };

@@ -129,6 +129,30 @@ TEST(FieldMoves, a_copy_has_no_names_and_a_replacement_keeps_them) {
     EXPECT_EQ(edge, (OutlineEdge{.start = 4, .end = 5, .label = "hem", .allowance = 0.02}));
 }
 
+TEST(FieldMoves, a_placement_is_taken_as_a_whole_and_alone) {
+    Panel panel = marked_panel(), placed = marked_panel();
+    placed.translation = {0, 1, 0.2};
+    placed.rotation = Eigen::AngleAxisd(0.5, Vec3d::UnitY()).matrix();
+    placed.is_mirrored = true;
+    placed.wrap_radius = 0.1;
+    placed.layer = 3;
+    EXPECT_FALSE(has_same_placement(panel, placed));
+    take_placement(panel, placed);
+    EXPECT_TRUE(has_same_placement(panel, placed));
+    EXPECT_EQ(panel.layer, 0);
+    panel.layer = 3;
+    EXPECT_EQ(panel, placed);
+    take_placement(panel, {});
+    EXPECT_FALSE(panel.wrap_cone);
+    EXPECT_TRUE(panel.rotation.isIdentity());
+}
+
+TEST(FieldMoves, changes_are_taken_and_defaults_are_not) {
+    Notch notch{.edge = 4, .t = 0.25, .kind = NotchKind::V};
+    take_changes(notch, Notch{.t = 0.75, .count = 2});
+    EXPECT_EQ(notch, (Notch{.edge = 4, .t = 0.75, .kind = NotchKind::V, .count = 2}));
+}
+
 TEST(FieldMoves, an_outline_is_the_same_whatever_its_edges_are_called_and_allow) {
     Panel panel = marked_panel();
     panel.edges[0].allowance = 0.03;

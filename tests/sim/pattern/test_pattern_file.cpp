@@ -285,7 +285,7 @@ TEST(PatternFile, follows_panels_and_seams_that_come_and_go) {
     third.name = "lining";
     document.pattern.panels.push_back(third);
     document.pattern.panels.erase(document.pattern.panels.begin());
-    document.pattern.seams = {{{0, 2}, {1, 2}, false}};
+    document.pattern.seams = {{.first = {0, 2}, .second = {1, 2}, .is_reversed = false}};
     const PatternDocument again = parse_pattern(write_pattern(document), "");
     ASSERT_EQ(again.pattern.panels.size(), 2U);
     EXPECT_EQ(again.pattern.panels[1].name, "lining");
@@ -407,7 +407,7 @@ TEST(PatternAdditions, keep_what_paper_says_and_mirror_it_with_the_panel) {
     back.is_worn = false;
     back.drill_points = {{-0.1, 0.2}};
     back.notches = {{.edge = 1, .t = 0.5, .kind = NotchKind::Castle, .count = 2}};
-    back.internal_lines = {{"middle", {{-0.1, 0.1}, {-0.3, 0.1}}, LineUse::Fold}};
+    back.internal_lines = {{.name = "middle", .points = {{-0.1, 0.1}, {-0.3, 0.1}}, .use = LineUse::Fold}};
     back.edges[3].allowance = 0.03;
     back.edges[3].allowance_corner = AllowanceCorner::Mirrored;
     const std::string text = write_pattern(document);
@@ -440,7 +440,7 @@ TEST(PatternAdditions, come_back_as_they_stood_when_nothing_changed) {
 TEST(PatternAdditions, go_to_a_file_that_had_none_and_come_back) {
     PatternDocument document = parse_pattern(sample_text(), "");
     Panel& back = document.pattern.panels[1];
-    back.notches = {{2, 0.125}, {0, 0}};
+    back.notches = {{.edge = 2, .t = 0.125}, {.edge = 0, .t = 0}};
     back.wrap_radius = 0.125;
     back.mirror_of = "front";
     back.sheet_position = Vec2d(-0.5, 0.25);

@@ -2,11 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "sim/core/file.h"
 #include "sim/core/json.h"
+#include "sim/pattern/pattern_fields.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/support/reference_text.h"
 
@@ -35,21 +38,24 @@ TEST(WrittenBytes, of_a_garment_that_was_in_no_file) {
     expect_reference("written_from_nothing.json", write_pattern(document));
 }
 
+// Gives all other fields their defaults.
+template <Described Part>
+void reset_all_but(const std::set<std::string_view>& names, Part& part) {
+    const Part usual{};
+    visit_fields(part, [&](const auto& field, auto& value) {
+        if (!names.contains(field.name)) value = usual.*field.member;
+    });
+}
+
 TEST(WrittenBytes, of_a_garment_whose_values_are_all_defaults) {
     PatternDocument document = parse_pattern(text_of_all_fields(), "");
     Pattern& pattern = document.pattern;
     for (Panel& panel : pattern.panels) {
-        Panel plain;
-        plain.name = panel.name;
-        plain.vertices = panel.vertices;
-        plain.is_mirrored = panel.is_mirrored;
-        for (const OutlineEdge& edge : panel.edges) plain.edges.push_back({.start = edge.start, .end = edge.end});
-        panel = plain;
+        reset_all_but({"name", "vertices", "edges", "is_mirrored"}, panel);
+        for (OutlineEdge& edge : panel.edges) reset_all_but({"start", "end"}, edge);
     }
-    Pattern plain;
-    plain.panels = pattern.panels;
-    for (const Seam& seam : pattern.seams) plain.seams.push_back({.first = seam.first, .second = seam.second});
-    pattern = plain;
+    for (Seam& seam : pattern.seams) reset_all_but({"first", "second"}, seam);
+    reset_all_but({"panels", "seams"}, pattern);
     expect_reference("written_of_defaults.json", write_pattern(document));
 }
 
