@@ -3,8 +3,11 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <vector>
 
+#include "sim/pattern/fabric_fields.h"
 #include "sim/pattern/field_moves.h"
+#include "sim/pattern/field_visit.h"
 #include "sim/pattern/pattern_fields.h"
 
 namespace selvedge::sim {
@@ -13,7 +16,7 @@ namespace {
 template <class Part>
 class FieldsOf : public ::testing::Test {};
 using Parts = ::testing::Types<OutlineEdge, InternalLine, Notch, WrapCone, SurfaceDesign, Underlay, SeamSide, Panel,
-                               Seam, Pattern>;
+                               Seam, Pattern, Thread, Topstitch, MatchedSett, Fabric>;
 TYPED_TEST_SUITE(FieldsOf, Parts);
 
 template <class T>
@@ -68,6 +71,26 @@ TYPED_TEST(FieldsOf, have_defaults_within_their_ranges) {
             EXPECT_TRUE(field.range.holds(static_cast<double>(value))) << field.name;
         }
     });
+}
+
+TEST(FieldVisit, reaches_values_in_lists_optionals_and_parts_with_their_own_fields) {
+    Pattern pattern;
+    pattern.panels.resize(2);
+    pattern.panels[1].fabric = "denim";
+    pattern.panels[1].interlinings = {"linen", "canvas"};
+    pattern.panels[1].edges = {{.topstitch = Topstitch{.thread = {.colour = "#102030"}}}, {}};
+    std::vector<std::string> fabrics, colours;
+    int parts = 0;
+    visit_values(pattern, [&]<class T>(const auto& field, T& value) {
+        parts += Described<T> ? 1 : 0;
+        if constexpr (std::is_same_v<T, std::string>) {
+            if (field.measure == Measure::Fabric) fabrics.push_back(value);
+            if (field.measure == Measure::Colour) colours.push_back(value);
+        }
+    });
+    EXPECT_EQ(fabrics, (std::vector<std::string>{"", "denim", "linen", "canvas", ""}));
+    EXPECT_EQ(colours, std::vector<std::string>{"#102030"});
+    EXPECT_EQ(parts, 6) << "two panels, two edges, a topstitch and its thread";
 }
 
 Panel marked_panel() {

@@ -1,5 +1,5 @@
-// The tables of keys in patterns/FORMAT.md, compared with the descriptions of the fields
-// (sim/pattern/pattern_fields.h). A line <!-- keys of Panel --> stands above the table of Panel's keys: key, value,
+// The tables of keys in patterns/FORMAT.md, compared with the descriptions of the fields: sim/pattern/pattern_fields.h
+// and sim/pattern/fabric_fields.h. A line <!-- keys of Panel --> stands above the table of Panel's keys: key, value,
 // default, meaning. What a value is, its range and its default follow from the field; the meaning, and the default of a
 // value that is left out, are written there by hand. So are whole rows of keys that have code of their own
 // (FileForm::ByHand).
@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -20,6 +21,7 @@
 
 #include "sim/core/file.h"
 #include "sim/pattern/enum_names.h"
+#include "sim/pattern/fabric_fields.h"
 #include "sim/pattern/pattern_fields.h"
 #include "tests/support/checkout.h"
 
@@ -51,7 +53,7 @@ std::string number(double value) {
     std::ostringstream text;
     text.precision(8);
     text << value;
-    return text.str();
+    return std::regex_replace(text.str(), std::regex("e-0*"), "e-");  // 1e-05
 }
 
 struct LengthUnit {
@@ -212,10 +214,16 @@ Table table_of(const std::string& part) {
 
 // Of each part that has keys of its own. What all seams of a garment are called is among the garment's keys.
 std::vector<Table> all_tables() {
-    std::vector<Table> tables{
-        table_of<Pattern>("Pattern"),           table_of<Panel>("Panel"),         table_of<OutlineEdge>("OutlineEdge"),
-        table_of<InternalLine>("InternalLine"), table_of<Notch>("Notch"),         table_of<Seam>("Seam"),
-        table_of<WrapCone>("WrapCone"),         table_of<Topstitch>("Topstitch"), table_of<Thread>("Thread")};
+    std::vector<Table> tables{table_of<Pattern>("Pattern"),
+                              table_of<Panel>("Panel"),
+                              table_of<OutlineEdge>("OutlineEdge"),
+                              table_of<InternalLine>("InternalLine"),
+                              table_of<Notch>("Notch"),
+                              table_of<Seam>("Seam"),
+                              table_of<WrapCone>("WrapCone"),
+                              table_of<Topstitch>("Topstitch"),
+                              table_of<Thread>("Thread"),
+                              table_of<Fabric>("Fabric")};
     tables.front().by_hand.merge(std::set<std::string>(tables[5].by_hand));
     return tables;
 }
