@@ -281,7 +281,7 @@ Lines lines_of(const std::string& text) {
     return lines;
 }
 
-TEST(FormatTables, say_of_each_key_what_the_fields_say) {
+TEST(FormatTables, match_the_fields) {
     const Lines page = lines_of(read_file(format_page(), std::size_t{1} << 20));
     Lines renewed = page;
     for (const std::string& problem : renew(renewed, all_tables())) ADD_FAILURE() << problem;
@@ -306,7 +306,7 @@ const Lines kNotchPage{"# Notches",
                        "| `count` | whole number, 1 to 9 | 1 | of how many it is made |",
                        "text"};
 
-TEST(FormatTables, keep_a_page_that_is_true) {
+TEST(FormatTables, leave_a_correct_page_unchanged) {
     Lines page = kNotchPage;
     EXPECT_EQ(renew(page, {table_of<Notch>("Notch")}), Lines());
     EXPECT_EQ(page, kNotchPage);
@@ -320,7 +320,7 @@ TEST(FormatTables, correct_ranges_and_defaults_and_keep_meanings) {
     EXPECT_EQ(page, kNotchPage);
 }
 
-TEST(FormatTables, refuse_a_page_without_a_key_or_a_table) {
+TEST(FormatTables, report_a_missing_key_and_a_missing_table) {
     Lines page = kNotchPage;
     page[7] = "| `counts` | whole number, 1 to 9 | 1 | is no key any more |";
     EXPECT_EQ(renew(page, {table_of<Notch>("Notch")}), Lines{"Notch: no meaning of `count`"});
@@ -329,7 +329,7 @@ TEST(FormatTables, refuse_a_page_without_a_key_or_a_table) {
     EXPECT_EQ(renew(page, {table_of<Thread>("Thread")}), Lines{"no table of the keys of Thread"});
 }
 
-TEST(FormatTables, ask_for_what_holds_without_a_value) {
+TEST(FormatTables, report_a_missing_default) {
     Lines page{"<!-- keys of Seam -->", kHead[0], kHead[1], "| `topstitch` |  |  | rows beside the seam |"};
     EXPECT_EQ(renew(page, {table_of<Seam>("Seam")}), Lines{"Seam: no default of `topstitch`"});
     EXPECT_EQ(page[3], "| `topstitch` | [rows of stitches](#topstitch) |  | rows beside the seam |");

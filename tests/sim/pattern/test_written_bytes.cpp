@@ -20,19 +20,19 @@ std::string text_of_all_fields() {
     return read_file(source_folder() + "/tests/reference/all_fields.json", 1 << 20);
 }
 
-TEST(WrittenBytes, a_file_that_has_every_key_comes_back_as_it_was) {
+TEST(WrittenBytes, are_unchanged_when_a_file_with_every_key_is_read_and_written) {
     const std::string text = text_of_all_fields();
     EXPECT_EQ(write_pattern(parse_pattern(text, "")), write_json(parse_json(text, "")));
 }
 
-TEST(WrittenBytes, shipped_files_come_back_as_they_were) {
+TEST(WrittenBytes, are_unchanged_when_shipped_files_are_read_and_written) {
     for (const auto& entry : std::filesystem::directory_iterator(source_folder() + "/patterns")) {
         if (entry.path().extension() != ".json") continue;
         EXPECT_EQ(write_pattern(load_pattern(entry.path()), entry.path()), write_json(read_json(entry.path())));
     }
 }
 
-TEST(WrittenBytes, of_a_garment_that_was_in_no_file) {
+TEST(WrittenBytes, of_a_new_garment_equal_the_reference) {
     PatternDocument document = parse_pattern(text_of_all_fields(), "");
     document.json = Json();
     expect_reference("written_from_nothing.json", write_pattern(document));
@@ -47,7 +47,7 @@ void reset_all_but(const std::set<std::string_view>& names, Part& part) {
     });
 }
 
-TEST(WrittenBytes, of_a_garment_whose_values_are_all_defaults) {
+TEST(WrittenBytes, of_a_garment_with_all_defaults_equal_the_reference) {
     PatternDocument document = parse_pattern(text_of_all_fields(), "");
     Pattern& pattern = document.pattern;
     for (Panel& panel : pattern.panels) {
@@ -95,7 +95,7 @@ class FaultLister {
     std::string lines_;
 };
 
-TEST(WrittenBytes, of_the_faults_of_each_value) {
+TEST(WrittenBytes, of_the_faults_of_wrong_values_equal_the_reference) {
     expect_reference("faults.txt", FaultLister(parse_json(text_of_all_fields(), "f.json")).list());
 }
 

@@ -389,7 +389,7 @@ TEST(RoundTrip, dxf_keeps_a_body_with_all_measurements) {
     }());
 }
 
-TEST(RoundTrip, placements_round_a_body_file_stay_at_home) {
+TEST(RoundTrip, placements_round_a_body_file_are_not_written) {
     Pattern original = placed_sample();
     original.body = "/bodies/somebody.obj";
     for (const std::string& text : {svg_of(original), dxf_of(original)}) {
