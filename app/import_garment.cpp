@@ -14,6 +14,7 @@
 #include "sim/core/error.h"
 #include "sim/paper/drawing_file.h"
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/field_moves.h"
 #include "sim/pattern/outline.h"
 #include "sim/place/arrange_pattern.h"
 #include "sim/proposals/panel_role.h"
@@ -166,20 +167,10 @@ std::string body_of(const sim::Drawing& drawing, const ImportOptions& options, s
     return mannequin_text(body.fit.options);
 }
 
-// Forgets where the drawing has a panel: it is placed anew.
-void forget_place(sim::Panel& panel) {
-    const sim::Panel flat;
-    panel.translation = flat.translation;
-    panel.rotation = flat.rotation;
-    panel.is_mirrored = flat.is_mirrored;
-    panel.wrap_radius = flat.wrap_radius;
-    panel.wrap_cone = flat.wrap_cone;
-}
-
 // Puts round the body what can be worn of the garment.
 std::vector<sim::PanelRole> place(ImportedGarment& out, const sim::Drawing& drawing, const ImportOptions& options) {
     const std::size_t read = out.notes.size();  // those before it are about the parts of the files
-    std::ranges::for_each(out.pattern.panels, forget_place);
+    for (sim::Panel& panel : out.pattern.panels) take_placement(panel, {});  // where the drawing has it does not count
     const std::vector<sim::PanelRole> roles = roles_of(out.pattern, out.hints);
     lay_aside_folded(out.pattern, roles, out.notes);
     if (!out.pattern.seams.empty()) lay_aside_loose(out.pattern, roles, out.notes);

@@ -156,7 +156,8 @@ int run(const MatchArguments& arguments) {
     const sim::SettMatch match = match_sett(pattern, sett,
                                             {.first_seams = seams_of(pattern, arguments.seams),
                                              .centred_panel = centred_panel(pattern, arguments.centre, sett)});
-    const sim::MatchedSett matched{tartan_of(arguments, pattern), Vec2d(repeat_size(sett), weft_repeat_size(sett))};
+    const sim::MatchedSett matched{.tartan = tartan_of(arguments, pattern),
+                                   .repeat = Vec2d(repeat_size(sett), weft_repeat_size(sett))};
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) pattern.panels[p].sett_offset = match.offsets[p];
     pattern.matched_sett = matched;
     pattern.sett_size = sett_size(arguments, pattern);

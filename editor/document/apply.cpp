@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string>
+#include <type_traits>
 
 #include "editor/document/set_fields.h"
 #include "editor/geometry/draft.h"
@@ -14,9 +16,11 @@
 #include "sim/core/error.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/fabric_file.h"
+#include "sim/pattern/field_visit.h"
 #include "sim/pattern/garments.h"
 #include "sim/pattern/limits.h"
 #include "sim/pattern/pattern.h"
+#include "sim/pattern/pattern_fields.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/tartan/match.h"
 #include "sim/tartan/offset_graph.h"
@@ -114,15 +118,12 @@ Outcome run(sim::Pattern& pattern, const SetFabric& command) {
 Outcome run(sim::Pattern& pattern, const ReplaceFabric& command) {
     if (command.from.empty() || command.to.empty()) throw GeometryError("A fabric to replace has a name");
     check_fabric_name(command.to);
-    const auto replace = [&](std::string& fabric) {
-        if (fabric == command.from) fabric = command.to;
-    };
     if (pattern.fabric.empty() && command.from == sim::Fabric().name) pattern.fabric = command.to;
-    replace(pattern.fabric);
-    for (sim::Panel& panel : pattern.panels) {
-        replace(panel.fabric);
-        std::ranges::for_each(panel.interlinings, replace);
-    }
+    visit_values(pattern, [&]<class T>(const auto& field, T& value) {
+        if constexpr (std::is_same_v<T, std::string>) {
+            if (field.measure == sim::Measure::Fabric && value == command.from) value = command.to;
+        }
+    });
     return {};
 }
 

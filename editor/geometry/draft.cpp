@@ -4,10 +4,13 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <type_traits>
 
 #include "sim/pattern/fault.h"
+#include "sim/pattern/field_visit.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern.h"
+#include "sim/pattern/pattern_fields.h"
 
 namespace selvedge::editor {
 namespace {
@@ -22,6 +25,27 @@ bool is_near(double value) {
 template <class Vector>
 bool is_near(const Eigen::MatrixBase<Vector>& point) {
     return point.allFinite() && point.cwiseAbs().maxCoeff() <= sim::kMaxCoordinate;
+}
+
+bool is_value_sound(sim::Measure measure, double value) {
+    return sim::is_length(measure) ? is_near(value) : std::isfinite(value);
+}
+template <int rows>
+bool is_value_sound(sim::Measure, const Eigen::Matrix<double, rows, 1>& value) {
+    return is_near(value);
+}
+bool is_value_sound(sim::Measure, const Eigen::Matrix3d& value) {
+    return value.allFinite();
+}
+template <class T>
+bool is_value_sound(sim::Measure, const T&) {  // no numbers
+    return true;
+}
+
+// Whether the field is of an edge's curve: PanelChecker::check_edge() says which edge is wrong.
+template <class Part, class T, T Part::*kMember, sim::FileForm kForm>
+bool is_curve(const sim::Field<kMember, kForm>& field) {
+    return std::is_same_v<Part, sim::OutlineEdge> && field.descent == sim::Descent::Shape;
 }
 
 class PanelChecker {
@@ -60,15 +84,10 @@ class PanelChecker {
     }
 
     void check_numbers() const {
-        const auto is_near_point = [](const Vec2d& p) { return is_near(p); };
-        bool is_sound = std::all_of(panel_.vertices.begin(), panel_.vertices.end(), is_near_point) &&
-                        is_near(panel_.translation) && panel_.rotation.allFinite() && is_near(panel_.sett_offset) &&
-                        std::isfinite(panel_.grain_angle) && is_near(panel_.wrap_radius) && panel_.wrap_radius >= 0 &&
-                        is_near(panel_.wrap_cone.value_or(sim::WrapCone()).apex) &&
-                        is_near(panel_.sheet_position.value_or(Vec2d::Zero()));
-        for (const sim::InternalLine& line : panel_.internal_lines) {
-            is_sound = is_sound && std::all_of(line.points.begin(), line.points.end(), is_near_point);
-        }
+        bool is_sound = panel_.wrap_radius >= 0;
+        visit_values(panel_, [&](const auto& field, const auto& value) {
+            if (!is_curve(field)) is_sound = is_sound && is_value_sound(field.measure, value);
+        });
         if (!is_sound) fail("would reach further than 100 m");
     }
 

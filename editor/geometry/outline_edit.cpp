@@ -6,6 +6,7 @@
 #include "editor/geometry/draft.h"
 #include "editor/geometry/edge_remap.h"
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/field_moves.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::editor {
@@ -117,20 +118,30 @@ void transform_panel(sim::Pattern& pattern, int panel, const Eigen::Affine2d& ma
     });
 }
 
+namespace {
+
+// Without what its kind of curve does not use.
+sim::OutlineEdge only_used(sim::OutlineEdge edge) {
+    const bool is_bezier = edge.kind == sim::CurveKind::Quadratic || edge.kind == sim::CurveKind::Cubic;
+    if (!is_bezier) edge.control = sim::OutlineEdge().control;
+    if (edge.kind == sim::CurveKind::Quadratic) edge.control[1] = Vec2d::Zero();
+    if (edge.kind != sim::CurveKind::Arc) {
+        edge.arc_radius = 0;
+        edge.is_large_arc = edge.turns_right = false;
+    }
+    return edge;
+}
+
+}  // namespace
+
 void set_curve(sim::Pattern& pattern, sim::SeamSide at, const sim::OutlineEdge& curve) {
     edge_of(pattern, at);
     edit_pattern(pattern, [&](sim::Pattern& draft) {
         sim::OutlineEdge& edge = edge_of(draft, at);
-        sim::OutlineEdge changed = sim::straightened(edge);
-        changed.kind = curve.kind;
-        if (curve.kind == sim::CurveKind::Arc) {
-            changed.arc_radius = curve.arc_radius;
-            changed.is_large_arc = curve.is_large_arc;
-            changed.turns_right = curve.turns_right;
-        }
-        if (curve.kind == sim::CurveKind::Quadratic || curve.kind == sim::CurveKind::Cubic)
-            changed.control[0] = curve.control[0];
-        if (curve.kind == sim::CurveKind::Cubic) changed.control[1] = curve.control[1];
+        sim::OutlineEdge changed = only_used(curve);
+        changed.start = edge.start;
+        changed.end = edge.end;
+        keep_properties(changed, edge);
         edge = changed;
     });
 }

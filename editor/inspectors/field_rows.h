@@ -7,10 +7,14 @@
 
 namespace selvedge::editor {
 
-// `of`: names the part, without values. Widgets are called edge.NAME, line.NAME and seam.NAME; fields of a part in it,
-// seam.NAME.INNER.
-void field_rows(InspectorContext& context, const SetFields& of, const sim::OutlineEdge& edge);
+// `of`: names the part, without values. `standing`: holds what a number that is not set stands for. Widgets are called
+// edge.NAME, line.NAME, notch.NAME, panel.NAME, seam.NAME and pattern.NAME; fields of a part in it, seam.NAME.INNER.
+void field_rows(InspectorContext& context, const SetFields& of, const sim::OutlineEdge& edge,
+                const sim::OutlineEdge& standing);
 void field_rows(InspectorContext& context, const SetFields& of, const sim::InternalLine& line);
+void field_rows(InspectorContext& context, const SetFields& of, const sim::Notch& notch);
+void field_rows(InspectorContext& context, const SetFields& of, const sim::Panel& panel, const sim::Panel& standing);
 void field_rows(InspectorContext& context, const SetFields& of, const sim::Seam& seam);
+void field_rows(InspectorContext& context, const sim::Pattern& pattern, const sim::Pattern& standing);
 
 }  // namespace selvedge::editor

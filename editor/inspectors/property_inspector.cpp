@@ -162,39 +162,11 @@ void draw_place(InspectorContext& context, const sim::Panel& panel) {
     }
 }
 
-NumberEdit allowance_row(InspectorContext& context, NumberBox box) {
-    box.least = 0;
-    box.most = sim::kWidestAllowance;
-    return number_row(context, std::move(box), "Allowance");
-}
-
 void draw_cloth(InspectorContext& context, const sim::Panel& panel) {
-    const std::string name = panel.name;
-    fabric_row(context, name);
-    const NumberEdit grain =
-        number_row(context,
-                   {.name = "panel.grain",
-                    .value = panel.grain_angle,
-                    .unit = Unit::Degrees,
-                    .tip = "From the panel's upward direction to the warp, counter-clockwise. 45: cut on the bias."},
-                   "Grain");
-    apply_edit(context, grain, SetGrain{.panel = name, .angle = grain.value.value_or(0)});
-    const NumberEdit layer = number_row(context,
-                                        {.name = "panel.layer",
-                                         .value = panel.layer,
-                                         .unit = Unit::Whole,
-                                         .tip = "Higher layers lie further out.",
-                                         .least = -100,
-                                         .most = 100},
-                                        "Layer");
-    apply_edit(context, layer, SetLayer{.panel = name, .layer = static_cast<int>(layer.value.value_or(0))});
-    const NumberEdit allowance =
-        allowance_row(context, {.name = "panel.allowance",
-                                .value = panel.allowance,
-                                .tip = "Between the outline and the cut line. Empty: the garment's.",
-                                .may_be_empty = true,
-                                .standing_for = context.pattern().allowance});
-    apply_edit(context, allowance, SetAllowance{.panel = name, .width = allowance.value});
+    fabric_row(context, panel.name);
+    sim::Panel standing;
+    standing.allowance = context.pattern().allowance;
+    field_rows(context, {.part = FieldOwner::Panel, .panel = panel.name}, panel, standing);
 }
 
 std::string mirror_of(const sim::Pattern& pattern, const sim::Panel& panel) {
@@ -442,38 +414,6 @@ void draw_vertices_section(InspectorContext& context) {
     ImGui::PopID();
 }
 
-namespace {
-
-void draw_allowance(InspectorContext& context, const PartRef& edge, const sim::Panel& panel,
-                    const sim::OutlineEdge& curve) {
-    const NumberEdit width =
-        allowance_row(context, {.name = "edge.allowance",
-                                .value = curve.allowance,
-                                .tip = "Between this edge and the cut line. Empty: the panel's.",
-                                .may_be_empty = true,
-                                .standing_for = panel.allowance.value_or(context.pattern().allowance)});
-    SetAllowance command{
-        .panel = edge.panel, .edge = edge.index, .width = width.value, .corner = curve.allowance_corner};
-    if (width) return apply_edit(context, width, command);
-    const std::array<std::string, 3> corners{"Mitred", "Squared", "Mirrored"};
-    const auto chosen = static_cast<std::size_t>(curve.allowance_corner);
-    row_label(
-        context, "Its corners",
-        "Mitred: both cut lines go on to where they meet. Squared: at a right angle to the edge. Mirrored: turned "
-        "up, the allowance covers the panel, as at a hem.");
-    const int now = choice_box(context, {.name = "edge.allowance_corner",
-                                         .shown = corners[chosen],
-                                         .items = corners,
-                                         .chosen = static_cast<int>(chosen),
-                                         .width_px = field_width()});
-    if (now < 0) return;
-    command.width = curve.allowance;
-    command.corner = static_cast<sim::AllowanceCorner>(now);
-    context.workspace.run(command);
-}
-
-}  // namespace
-
 void draw_edge_section(InspectorContext& context, const PartRef& edge) {
     const auto found = find(context.pattern(), edge.panel);
     if (!found || static_cast<std::size_t>(edge.index) >= found->panel.edges.size()) return;
@@ -487,8 +427,8 @@ void draw_edge_section(InspectorContext& context, const PartRef& edge) {
     draw_kind(context, edge, shown, curve);
     draw_controls(context, edge, shown, curve);
     if (curve.kind == sim::CurveKind::Arc) draw_arc(context, edge, shown, curve);
-    draw_allowance(context, edge, panel, curve);
-    field_rows(context, {.part = FieldOwner::Edge, .panel = edge.panel, .index = edge.index}, curve);
+    const sim::OutlineEdge standing{.allowance = panel.allowance.value_or(context.pattern().allowance)};
+    field_rows(context, {.part = FieldOwner::Edge, .panel = edge.panel, .index = edge.index}, curve, standing);
     draw_seam_of(context, shown, edge.index);
     ImGui::PopID();
 }
@@ -522,6 +462,7 @@ void draw_notch_section(InspectorContext& context, const PartRef& notch) {
         command.t = std::clamp(1 - from_end.value.value_or(0) / length, 0.0, 1.0);
         apply_edit(context, from_end, command);
     }
+    field_rows(context, {.part = FieldOwner::Notch, .panel = notch.panel, .index = notch.index}, held);
     fact(context, "On edge", std::to_string(held.edge), "The edge of the outline that it marks.");
     ButtonRow row(context);
     if (row.button({.name = "notch.delete", .title = "Delete", .tip = "Removes the notch (Del)."})) {
@@ -538,17 +479,6 @@ void draw_internal_line_section(InspectorContext& context, const PartRef& line) 
     for (std::size_t i = 1; i < held.points.size(); ++i) length += (held.points[i] - held.points[i - 1]).norm();
     heading(context, ("Internal line of " + line.panel).c_str());
     ImGui::PushID(("line " + line.panel + "." + std::to_string(line.index)).c_str());
-    row_label(context, "Name", "What the line is called.");
-    const auto name = text_box(context, {.name = "line.name",
-                                         .text = held.name,
-                                         .hint = "unnamed",
-                                         .tip = "What the line is called.",
-                                         .width_px = field_width()});
-    if (name) {
-        sim::InternalLine renamed = held;
-        renamed.name = *name;
-        context.workspace.run(SetInternalLine{.panel = line.panel, .index = line.index, .line = std::move(renamed)});
-    }
     field_rows(context, {.part = FieldOwner::InternalLine, .panel = line.panel, .index = line.index}, held);
     fact(context, "Length", quantity_text(length, Unit::Centimetres), "From its first point to its last.");
     fact(context, "Points", std::to_string(held.points.size()), "That the line goes through.");
@@ -563,8 +493,7 @@ void draw_internal_line_section(InspectorContext& context, const PartRef& line) 
 
 namespace {
 
-constexpr double kUsualEdgeLength = 0.05;                    // m, default of the mesher
-constexpr double kShortestMesh = 0.005, kLongestMesh = 0.5;  // m, limits of the file format
+constexpr double kUsualEdgeLength = 0.05;  // m, default of the mesher
 
 std::string counted(std::size_t count, const char* what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
@@ -633,21 +562,9 @@ void draw_pattern_section(InspectorContext& context) {
         apply_edit(context, moved.number, TranslateAll{by});
     }
     fabric_row(context, "");
-    const NumberEdit length = number_row(context,
-                                         {.name = "pattern.edge_length",
-                                          .value = pattern.edge_length,
-                                          .tip = "How far points of the coarsest mesh lie apart. Empty: 5 cm.",
-                                          .least = kShortestMesh,
-                                          .most = kLongestMesh,
-                                          .may_be_empty = true,
-                                          .standing_for = kUsualEdgeLength},
-                                         "Mesh edges");
-    apply_edit(context, length, SetEdgeLength{length.value});
-    const NumberEdit allowance =
-        allowance_row(context, {.name = "pattern.allowance",
-                                .value = pattern.allowance,
-                                .tip = "Seam allowance of all panels that have none of their own."});
-    apply_edit(context, allowance, SetAllowance{.width = allowance.value});
+    sim::Pattern standing;
+    standing.edge_length = kUsualEdgeLength;
+    field_rows(context, pattern, standing);
     fact(context, "Parts", counted(pattern.panels.size(), "panel") + ", " + counted(pattern.seams.size(), "seam"),
          "What the garment consists of.");
     ImGui::PopID();

@@ -1,6 +1,11 @@
 #include "editor/ui/shown_text.h"
 
+#include <string>
+#include <type_traits>
+
 #include "editor/ui/app_state.h"
+#include "sim/pattern/field_visit.h"
+#include "sim/pattern/pattern_fields.h"
 
 namespace selvedge::editor {
 namespace {
@@ -8,20 +13,9 @@ namespace {
 using Visit = std::function<void(std::string_view)>;
 
 void visit_pattern(const sim::Pattern& pattern, const Visit& visit) {
-    for (const std::string* text : {&pattern.name, &pattern.fabric, &pattern.tartan, &pattern.body, &pattern.size})
-        visit(*text);
-    for (const sim::Panel& panel : pattern.panels) {
-        visit(panel.name);
-        visit(panel.fabric);
-        visit(panel.garment);
-        for (const std::string& interlining : panel.interlinings) visit(interlining);
-        for (const sim::OutlineEdge& edge : panel.edges) visit(edge.label);
-        for (const sim::InternalLine& line : panel.internal_lines) visit(line.name);
-    }
-    for (const sim::Seam& seam : pattern.seams) {
-        visit(seam.name);
-        visit(seam.sewing);
-    }
+    visit_values(pattern, [&]<class T>(const auto&, const T& value) {
+        if constexpr (std::is_same_v<T, std::string>) visit(value);
+    });
 }
 
 void visit_drape(const Drape& drape, const Visit& visit) {

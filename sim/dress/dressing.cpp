@@ -12,6 +12,7 @@
 #include "sim/core/error.h"
 #include "sim/dress/carry_over.h"
 #include "sim/dress/limbs_aside.h"
+#include "sim/pattern/field_moves.h"
 #include "sim/place/placement.h"
 
 namespace selvedge::sim {
@@ -25,10 +26,7 @@ bool has_equal_surface(const Body& a, const Body& b) {
 }
 
 bool is_placed_otherwise(const Pattern& a, const Pattern& b) {
-    return !std::ranges::equal(a.panels, b.panels, [](const Panel& p, const Panel& q) {
-        return p.translation == q.translation && p.rotation == q.rotation && p.wrap_radius == q.wrap_radius &&
-               p.wrap_cone == q.wrap_cone;
-    });
+    return !std::ranges::equal(a.panels, b.panels, has_same_placement);
 }
 
 }  // namespace

@@ -68,15 +68,8 @@ struct CutInstructions {
 struct DrawnPlacement {
     std::vector<std::pair<int, Vec2d>> starts = {};  // edges, as DrawnSeam counts them, and where they begin in the
                                                      // panel frame, m
-    Vec3d translation = Vec3d::Zero();               // this and all below: as in Panel
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-    bool is_mirrored = false;
-    double wrap_radius = 0;
-    std::optional<WrapCone> wrap_cone = {};
-    int layer = 0;
-    bool is_worn = true;
-    std::string label = {};
-    std::vector<int> pinned_edges = {};  // edges at whose start the panel is pinned
+    std::vector<int> pinned_edges = {};              // edges at whose start the panel is pinned
+    Panel stated = {};                               // has what is stated; else defaults
 
     bool operator==(const DrawnPlacement&) const = default;
 };

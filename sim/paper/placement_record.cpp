@@ -9,6 +9,7 @@
 #include "sim/paper/record_words.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/fault.h"
+#include "sim/pattern/field_moves.h"
 #include "sim/pattern/limits.h"
 #include "sim/pattern/pattern_read.h"
 
@@ -45,14 +46,14 @@ std::string one_phrase(std::string text) {
 
 bool read_wrap(std::string_view key, RecordWords& words, DrawnPlacement& placement) {
     if (key == "cylinder") {
-        placement.wrap_radius = kMillimetre * words.real();
-        if (placement.wrap_radius < 0) words.refuse();
+        placement.stated.wrap_radius = kMillimetre * words.real();
+        if (placement.stated.wrap_radius < 0) words.refuse();
         return words.is_good() && words.is_at_end();
     }
     const Vec2d apex = kMillimetre * words.point();
     const double sine = words.real();
     if (!(std::abs(sine) >= kLeastConeSine && std::abs(sine) <= 1)) return false;
-    placement.wrap_cone = WrapCone{.apex = apex, .sine = sine};
+    placement.stated.wrap_cone = WrapCone{.apex = apex, .sine = sine};
     return words.is_good() && words.is_at_end();
 }
 
@@ -133,24 +134,24 @@ bool read_placement_phrase(std::string_view phrase, DrawnPlacement& placement) {
     RecordWords words(phrase);
     const std::string_view key = words.word();
     if (key == "cylinder" || key == "cone") return read_wrap(key, words, placement);
-    if (key == "label") return placement.label = words.rest(), true;
+    if (key == "label") return placement.stated.label = words.rest(), true;
     if (key == "mirrored") {
-        placement.is_mirrored = true;
+        placement.stated.is_mirrored = true;
     } else if (key == "unworn") {
-        placement.is_worn = false;
+        placement.stated.is_worn = false;
     } else if (key == "start") {
         const int edge = words.whole();
         placement.starts.emplace_back(edge, kMillimetre * words.point());
         if (placement.starts.size() > kMostStarts) words.refuse();
     } else if (key == "at") {
-        placement.translation = kMillimetre * words.point_in_space();
-        if (placement.translation.cwiseAbs().maxCoeff() > kMaxCoordinate) words.refuse();
+        placement.stated.translation = kMillimetre * words.point_in_space();
+        if (placement.stated.translation.cwiseAbs().maxCoeff() > kMaxCoordinate) words.refuse();
     } else if (key == "turned") {
-        placement.rotation = rotation_from_degrees(words.point_in_space());
+        placement.stated.rotation = rotation_from_degrees(words.point_in_space());
     } else if (key == "layer") {
         const double layer = std::round(words.real());
         if (std::abs(layer) > kHighestLayer) words.refuse();
-        if (words.is_good()) placement.layer = static_cast<int>(layer);
+        if (words.is_good()) placement.stated.layer = static_cast<int>(layer);
     } else if (key == "pin") {
         placement.pinned_edges.push_back(words.whole());
     } else {
@@ -173,14 +174,8 @@ bool place_as_drawn(Panel& panel, const DrawnPath& outline, const DrawnPlacement
     const std::optional<Eigen::Affine2d> map = map_to_frame(outline, placement.starts);
     if (!map) return false;
     Panel placed = mapped_panel(panel, *map);
-    placed.translation = placement.translation;
-    placed.rotation = placement.rotation;
-    placed.is_mirrored = placement.is_mirrored;
-    placed.wrap_cone = placement.wrap_cone;
-    placed.wrap_radius = placement.wrap_cone ? 0 : placement.wrap_radius;
-    placed.layer = placement.layer;
-    placed.label = placement.label;
-    placed.is_worn = placement.is_worn;
+    take_changes(placed, placement.stated);
+    if (placed.wrap_cone) placed.wrap_radius = 0;
     for (const int edge : std::set(placement.pinned_edges.begin(), placement.pinned_edges.end())) {
         if (as_size(edge) < placed.edges.size()) placed.pins.push_back(placed.edges[as_size(edge)].start);
     }

@@ -7,6 +7,9 @@
 #include <initializer_list>
 #include <numbers>
 #include <optional>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "sim/core/assert.h"
@@ -14,29 +17,25 @@
 #include "sim/core/file.h"
 #include "sim/core/json.h"
 #include "sim/pattern/enum_names.h"
+#include "sim/pattern/fabric_fields.h"
 #include "sim/pattern/named_file.h"
 
 namespace selvedge::sim {
 namespace {
 
-constexpr std::array kKeys{
-    FabricKey{"area_density", &Fabric::area_density, 0.005, 5, true},
-    FabricKey{"stretch_warp", &Fabric::stretch_warp, 10, 1e6, true},
-    FabricKey{"stretch_weft", &Fabric::stretch_weft, 10, 1e6, true},
-    FabricKey{"shear", &Fabric::shear, 0.1, 1e5, true},
-    FabricKey{"bending_warp", &Fabric::bending_warp, 0, 0.1, true},
-    FabricKey{"bending_weft", &Fabric::bending_weft, 0, 0.1, true},
-    FabricKey{"bending_hysteresis", &Fabric::bending_hysteresis, 0, 1, false},
-    FabricKey{"shear_hysteresis", &Fabric::shear_hysteresis, 0, 1e3, false},
-    FabricKey{"thickness", &Fabric::thickness, 1e-5, 0.02, true},
-    FabricKey{"friction", &Fabric::friction, 0, 2, false},
-    FabricKey{"damping", &Fabric::damping, 0, 100, false},
-    FabricKey{"air_drag", &Fabric::air_drag, 0, 100, false},
-    FabricKey{"strain_limit", &Fabric::strain_limit, 1e-4, 2, false},
-    FabricKey{"gloss", &Fabric::gloss, 0, 1, false},
-    FabricKey{"roughness", &Fabric::roughness, 0.05, 1, false},
-    FabricKey{"sheen", &Fabric::sheen, 0, 1, false},
-};
+constexpr auto kKeys = [] {
+    std::array<FabricKey, std::tuple_size_v<std::remove_cvref_t<decltype(kFabricFields)>>> keys{};
+    std::size_t count = 0;
+    for_each_field<Fabric>([&]<class SomeField>(const SomeField& field) {
+        if constexpr (SomeField::is_key)
+            keys[count++] = {.key = field.key.data(),
+                             .value = SomeField::member,
+                             .least = field.range.least,
+                             .most = field.range.most,
+                             .is_required = SomeField::form == FileForm::Required};
+    });
+    return std::pair(keys, count);
+}();
 
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;  // as of every JSON file
 
@@ -102,12 +101,13 @@ void set_surface(Json& root, const std::optional<SurfaceDesign>& surface, const 
 }  // namespace
 
 std::span<const FabricKey> fabric_keys() {
-    return kKeys;
+    return std::span(kKeys.first).first(kKeys.second);
 }
 
 const FabricKey& fabric_key(double Fabric::*value) {
-    const auto found = std::ranges::find(kKeys, value, &FabricKey::value);
-    SELVEDGE_ASSERT(found != kKeys.end());
+    const std::span<const FabricKey> keys = fabric_keys();
+    const auto found = std::ranges::find(keys, value, &FabricKey::value);
+    SELVEDGE_ASSERT(found != keys.end());
     return *found;
 }
 
@@ -142,7 +142,7 @@ std::string write_fabric(const Fabric& fabric, const std::string& file, std::str
     if (!root.is_object()) root = Json::object();
     root["name"] = fabric.name;
     const Fabric usual;
-    for (const FabricKey& key : kKeys) {
+    for (const FabricKey& key : fabric_keys()) {
         const double value = fabric.*key.value;
         if (key.is_required || root.find(key.key) || value != usual.*key.value) set_exact_number(root[key.key], value);
     }

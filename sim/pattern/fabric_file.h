@@ -10,7 +10,7 @@
 namespace selvedge::sim {
 
 // A key of a fabric file, the value that it sets, and the smallest and largest value that is accepted, in the units of
-// Fabric.
+// Fabric: of the fields in sim/pattern/fabric_fields.h, those that are keys.
 struct FabricKey {
     const char* key;
     double Fabric::*value;

@@ -26,6 +26,7 @@ enum class Measure {
     EdgeShare,    // 0..1 of an edge's length from its start: 1 - t when it is reversed
     Colour,       // #RRGGBB
     Fabric,       // a shipped fabric or a file
+    File,         // a file that the garment names
 };
 
 constexpr bool is_length(Measure measure) {
@@ -64,6 +65,7 @@ enum class Descent {
 struct FieldRow {
     std::string_view label = {};  // empty: it has none, or one by hand
     std::string_view tip = {};
+    std::string_view hint = {};  // shown in grey where a text is empty
 };
 
 template <auto kMember, FileForm kForm = FileForm::Key>
@@ -83,6 +85,7 @@ struct Field<kMember, kForm> {
     Range range = {};
     Descent descent = Descent::Kept;
     bool is_in_python = true;
+    bool is_placement = false;     // of a panel: how it starts round the body
     std::string_view record = {};  // its word in SVG and DXF; empty: what is drawn says it, or nothing does
     FieldRow row = {};
 };

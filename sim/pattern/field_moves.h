@@ -123,6 +123,15 @@ void take_fields(Part& part, const Part& from, Choice is_chosen) {
     });
 }
 
+// Gives `part` those fields of `from` that are not defaults.
+template <Described Part>
+void take_changes(Part& part, const Part& from) {
+    const Part usual{};
+    visit_fields(part, [&](const auto& field, auto& value) {
+        if (from.*field.member != usual.*field.member) value = from.*field.member;
+    });
+}
+
 // Gives `part`, whose shape was made anew, the other fields of the part that it stands for.
 template <Described Part>
 void keep_properties(Part& part, const Part& from) {
@@ -148,6 +157,12 @@ bool have_same_shapes(const std::vector<OutlineEdge>& edges, const std::vector<O
 
 // Whether both are meshed and drawn alike: the same vertices, and edges of the same shape.
 bool has_same_outline(const Panel& one, const Panel& other);
+
+// Whether both start in the same way round the body (Field::is_placement).
+bool has_same_placement(const Panel& one, const Panel& other);
+
+// Gives the panel the other one's placement.
+void take_placement(Panel& panel, const Panel& from);
 
 template <class T>
 void gather(T&, const T&) {}

@@ -1,28 +1,38 @@
 #include "sim/pattern/named_file.h"
 
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "sim/core/error.h"
 #include "sim/core/file_path.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/fabric_file.h"
+#include "sim/pattern/field_visit.h"
+#include "sim/pattern/pattern_fields.h"
 
 namespace selvedge::sim {
 namespace {
 
 namespace fs = std::filesystem;
 
-void resolve(std::string& name, const fs::path& file) {
-    name = resolve_named_file(name, file);
-}
-
-void resolve_fabric(std::string& name, const fs::path& file) {
-    if (is_fabric_file(name)) resolve(name, file);
-}
-
-void resolve_picture(std::optional<SurfaceDesign>& surface, const fs::path& file) {
-    if (surface && surface->kind == DesignKind::Picture) resolve(surface->source, file);
+// visit(name, use) for each file that the pattern names, its own before those of its panels.
+template <class MaybeConst, class Visit>
+void visit_named_files(MaybeConst& pattern, const Visit& visit) {
+    if (is_body_file(pattern.body)) visit(pattern.body, FileUse::Body);
+    const auto visit_name = [&]<class T>(const auto& field, T& value) {
+        if constexpr (std::is_same_v<std::remove_const_t<T>, SurfaceDesign>) {
+            if (value.kind == DesignKind::Picture) visit(value.source, FileUse::Picture);
+        } else if constexpr (std::is_same_v<std::remove_const_t<T>, std::string>) {
+            if (field.measure == Measure::Fabric && is_fabric_file(value)) visit(value, FileUse::Fabric);
+            if (field.measure == Measure::File) visit(value, FileUse::Underlay);
+        }
+    };
+    visit_fields(pattern, [&]<class T>(const auto& field, T& value) {
+        if constexpr (!std::is_same_v<std::remove_const_t<T>, std::vector<Panel>>)
+            visit_value(field, value, visit_name);
+    });
+    for (auto& panel : pattern.panels) visit_values(panel, visit_name);
 }
 
 }  // namespace
@@ -32,39 +42,20 @@ std::string resolve_named_file(const std::string& name, const fs::path& file) {
 }
 
 void resolve_named_files(Pattern& pattern, const fs::path& file) {
-    if (is_body_file(pattern.body)) resolve(pattern.body, file);
-    resolve_fabric(pattern.fabric, file);
-    resolve_picture(pattern.surface, file);
-    for (Underlay& underlay : pattern.underlays) resolve(underlay.file, file);
-    for (Panel& panel : pattern.panels) {
-        resolve_fabric(panel.fabric, file);
-        for (std::string& interlining : panel.interlinings) resolve_fabric(interlining, file);
-        resolve_picture(panel.surface, file);
-    }
+    visit_named_files(pattern, [&](std::string& name, FileUse) { name = resolve_named_file(name, file); });
 }
 
 std::vector<NamedFileUse> named_file_uses(const Pattern& pattern) {
     std::vector<NamedFileUse> files;
-    const auto add_picture = [&](const std::optional<SurfaceDesign>& surface) {
-        if (surface && surface->kind == DesignKind::Picture) files.push_back({surface->source, FileUse::Picture});
-    };
-    const auto add_fabric = [&](const std::string& name) {
-        if (!is_fabric_file(name)) return;
-        files.push_back({name, FileUse::Fabric});
+    visit_named_files(pattern, [&](const std::string& name, FileUse use) {
+        files.push_back({name, use});
+        if (use != FileUse::Fabric) return;
         try {
-            add_picture(find_fabric(name).surface);
+            const std::optional<SurfaceDesign> surface = find_fabric(name).surface;
+            if (surface && surface->kind == DesignKind::Picture) files.push_back({surface->source, FileUse::Picture});
         } catch (const InputError&) {  // the fabric is reported where it is used
         }
-    };
-    if (is_body_file(pattern.body)) files.push_back({pattern.body, FileUse::Body});
-    add_fabric(pattern.fabric);
-    add_picture(pattern.surface);
-    for (const Underlay& underlay : pattern.underlays) files.push_back({underlay.file, FileUse::Underlay});
-    for (const Panel& panel : pattern.panels) {
-        add_fabric(panel.fabric);
-        for (const std::string& interlining : panel.interlinings) add_fabric(interlining);
-        add_picture(panel.surface);
-    }
+    });
     return files;
 }
 

@@ -51,14 +51,21 @@ inline constexpr std::tuple kEdgeFields{
         .name = "is_large_arc", .journal = "is_large", .descent = Descent::Shape},
     Field<&OutlineEdge::turns_right, FileForm::ByHand>{.name = "turns_right", .descent = Descent::Shape},
     Field<&OutlineEdge::label, FileForm::ByHand>{.name = "label"},
-    Field<&OutlineEdge::allowance>{.name = "allowance", .measure = Measure::Length, .range = kAllowanceRange},
-    Field<&OutlineEdge::allowance_corner>{.name = "allowance_corner"},
+    Field<&OutlineEdge::allowance>{.name = "allowance",
+                                   .measure = Measure::Length,
+                                   .range = kAllowanceRange,
+                                   .row = {"Allowance", "Between this edge and the cut line. Empty: the panel's."}},
+    Field<&OutlineEdge::allowance_corner>{
+        .name = "allowance_corner",
+        .row = {"Its corners",
+                "Mitred: both cut lines go on to where they meet. Squared: at a right angle to the edge. Mirrored: "
+                "turned up, the allowance covers the panel, as at a hem."}},
     Field<&OutlineEdge::topstitch>{.name = "topstitch", .record = "topstitch", .row = kTopstitchRow},
 };
 
 inline constexpr std::tuple kLineFields{
-    Field<&InternalLine::name>{.name = "name"},
-    Field<&InternalLine::use>{.name = "use"},
+    Field<&InternalLine::name>{.name = "name", .row = {"Name", "What the line is called.", "unnamed"}},
+    Field<&InternalLine::use>{.name = "use", .row = {"Use", "Mark: drawn only. Fold: the panel is folded here."}},
     Field<&InternalLine::points, FileForm::Required>{
         .name = "points", .measure = Measure::Point, .descent = Descent::Place},
     Field<&InternalLine::topstitch>{.name = "topstitch", .record = "topstitch", .row = kTopstitchRow},
@@ -70,8 +77,10 @@ inline constexpr std::tuple kNotchFields{
                                          .measure = Measure::EdgeShare,
                                          .range = {0, 1, "a notch lies from 0 to 1 along its edge"},
                                          .descent = Descent::Place},
-    Field<&Notch::kind>{.name = "kind", .journal = "notch_kind"},
-    Field<&Notch::count>{.name = "count", .range = {1, kMostNotchesTogether}},
+    Field<&Notch::kind>{.name = "kind", .journal = "notch_kind", .row = {"Kind", "The form of the cut."}},
+    Field<&Notch::count>{.name = "count",
+                         .range = {1, kMostNotchesTogether},
+                         .row = {"Count", "Of notches side by side: two often mark the back."}},
 };
 
 inline constexpr std::tuple kConeFields{
@@ -90,7 +99,7 @@ inline constexpr std::tuple kDesignFields{
 };
 
 inline constexpr std::tuple kUnderlayFields{
-    Field<&Underlay::file, FileForm::ByHand>{.name = "file"},
+    Field<&Underlay::file, FileForm::ByHand>{.name = "file", .measure = Measure::File},
     Field<&Underlay::position, FileForm::ByHand>{.name = "position", .measure = Measure::Length},
     Field<&Underlay::pixel_size, FileForm::ByHand>{.name = "pixel_size", .measure = Measure::Length},
     Field<&Underlay::rotation, FileForm::ByHand>{.name = "rotation", .measure = Measure::Angle},
@@ -101,11 +110,16 @@ inline constexpr std::tuple kPanelFields{
     Field<&Panel::name, FileForm::ByHand>{.name = "name", .descent = Descent::Own},
     Field<&Panel::vertices, FileForm::ByHand>{.name = "vertices", .measure = Measure::Point, .descent = Descent::Shape},
     Field<&Panel::edges, FileForm::ByHand>{.name = "edges", .descent = Descent::Shape},
-    Field<&Panel::translation, FileForm::ByHand>{.name = "translation", .measure = Measure::Length},
-    Field<&Panel::rotation, FileForm::ByHand>{.name = "rotation"},
-    Field<&Panel::is_mirrored, FileForm::None>{.name = "is_mirrored"},
+    Field<&Panel::translation, FileForm::ByHand>{
+        .name = "translation", .measure = Measure::Length, .is_placement = true},
+    Field<&Panel::rotation, FileForm::ByHand>{.name = "rotation", .is_placement = true},
+    Field<&Panel::is_mirrored, FileForm::None>{.name = "is_mirrored", .is_placement = true},
     Field<&Panel::label, FileForm::ByHand>{.name = "label"},
-    Field<&Panel::grain_angle>{.name = "grain_angle", .key = "grainline", .measure = Measure::Direction},
+    Field<&Panel::grain_angle>{
+        .name = "grain_angle",
+        .key = "grainline",
+        .measure = Measure::Direction,
+        .row = {"Grain", "From the panel's upward direction to the warp, counter-clockwise. 45: cut on the bias."}},
     Field<&Panel::sett_offset>{.name = "sett_offset", .measure = Measure::ClothShift},
     Field<&Panel::fabric>{.name = "fabric", .measure = Measure::Fabric},
     Field<&Panel::interlinings, FileForm::ByHand>{.name = "interlinings", .measure = Measure::Fabric},
@@ -113,6 +127,7 @@ inline constexpr std::tuple kPanelFields{
     Field<&Panel::layer>{
         .name = "layer",
         .range = {-kHighestLayer, kHighestLayer, "a layer is a whole number from -1000 to 1000"},
+        .row = {"Layer", "Higher layers lie further out."},
     },
     Field<&Panel::garment>{.name = "garment"},
     Field<&Panel::pins>{.name = "pins", .measure = Measure::VertexIndex},
@@ -120,13 +135,20 @@ inline constexpr std::tuple kPanelFields{
     Field<&Panel::notches>{.name = "notches"},
     Field<&Panel::wrap_radius>{.name = "wrap_radius",
                                .measure = Measure::Length,
-                               .range = {0, kMaxCoordinate, "wrap_radius must not be negative"}},
-    Field<&Panel::wrap_cone, FileForm::ByHand>{.name = "wrap_cone", .is_in_python = false},
+                               .range = {0, kMaxCoordinate, "wrap_radius must not be negative"},
+                               .is_placement = true},
+    Field<&Panel::wrap_cone, FileForm::ByHand>{.name = "wrap_cone", .is_in_python = false, .is_placement = true},
     Field<&Panel::mirror_of, FileForm::ByHand>{.name = "mirror_of", .descent = Descent::Own},
     Field<&Panel::sheet_position>{.name = "sheet_position", .measure = Measure::Length, .descent = Descent::Own},
-    Field<&Panel::allowance>{.name = "allowance", .measure = Measure::Length, .range = kAllowanceRange},
-    Field<&Panel::pieces>{.name = "pieces", .range = {1, kMostPieces}},
-    Field<&Panel::is_worn>{.name = "is_worn", .key = "worn"},
+    Field<&Panel::allowance>{.name = "allowance",
+                             .measure = Measure::Length,
+                             .range = kAllowanceRange,
+                             .row = {"Allowance", "Between the outline and the cut line. Empty: the garment's."}},
+    Field<&Panel::pieces>{
+        .name = "pieces", .range = {1, kMostPieces}, .row = {"Pieces", "How often the panel is cut."}},
+    Field<&Panel::is_worn>{.name = "is_worn",
+                           .key = "worn",
+                           .row = {"Worn", "Takes part in the drape. A pocket or a facing is only cut."}},
     Field<&Panel::drill_points>{.name = "drill_points", .measure = Measure::Point, .descent = Descent::Gathered},
 };
 
@@ -169,12 +191,16 @@ inline constexpr std::tuple kPatternFields{
         .name = "body_height",
         .measure = Measure::Length,
         .range = {kLeastBodyHeight, kGreatestBodyHeight, "# is not a body height: 30 to 300 cm"}},
-    Field<&Pattern::allowance>{.name = "allowance", .measure = Measure::Length, .range = kAllowanceRange},
+    Field<&Pattern::allowance>{.name = "allowance",
+                               .measure = Measure::Length,
+                               .range = kAllowanceRange,
+                               .row = {"Allowance", "Seam allowance of all panels that have none of their own."}},
     Field<&Pattern::size>{.name = "size"},
     Field<&Pattern::edge_length>{
         .name = "edge_length",
         .measure = Measure::Length,
-        .range = {kShortestMeshEdge, kLongestMeshEdge, "# is no edge length of a mesh: 0.5 to 30 cm are"}},
+        .range = {kShortestMeshEdge, kLongestMeshEdge, "# is no edge length of a mesh: 0.5 to 30 cm are"},
+        .row = {"Mesh edges", "How far points of the coarsest mesh lie apart. Empty: 5 cm."}},
 };
 
 // The one description of each part: fields(&part), or for_each_field<Part>() and visit_fields(part).

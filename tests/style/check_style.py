@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Checks the tree's style: check_style.py includes|modules|types|flow|text|lengths|examples|format [ROOT]. Prints
-file:line: problem; exit 1 when there is any, 77 when the check cannot be made here (ctest then says skipped)."""
+"""Checks the tree's style: check_style.py includes|modules|types|fields|flow|text|lengths|examples|format [ROOT].
+Prints file:line: problem; exit 1 when there is any, 77 when the check cannot be made here (ctest then says skipped)."""
 import pathlib
 import sys
 
 import check_examples
+import check_fields
 import check_flow
 import check_format
 import check_includes
@@ -40,6 +41,11 @@ def types(root):
     yield from check_types.check_types(cpp_sources(root))
 
 
+def fields(root):
+    sources = cpp_sources(root)
+    yield from check_fields.check_fields(sources, check_fields.Parts.of(sources))
+
+
 def flow(root):
     yield from check_flow.check_flow(cpp_sources(root), rules.architecture_of(root))
 
@@ -71,8 +77,8 @@ def formatting(root):
     yield from check_format.check_format(root, cpp_sources(root), program)
 
 
-CHECKS = {"includes": includes, "modules": modules, "types": types, "flow": flow, "text": text, "lengths": lengths,
-          "examples": examples, "format": formatting}
+CHECKS = {"includes": includes, "modules": modules, "types": types, "fields": fields, "flow": flow,
+          "text": text, "lengths": lengths, "examples": examples, "format": formatting}
 
 
 def main(arguments):

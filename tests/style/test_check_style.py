@@ -6,6 +6,7 @@ import tempfile
 import unittest
 
 import check_examples
+import check_fields
 import check_flow
 import check_format
 import check_includes
@@ -269,6 +270,48 @@ class Lengths(unittest.TestCase):
         text = 'void f() {\n    g("}", \'{\', 1\'000);  // }\n    h(R"x( } )x");\n#define B {\n}\n'
         found = [(function.name, function.length) for function in functions_of(Source("x.cpp", text))]
         self.assertEqual(found, [("f", 5)])
+
+
+class Fields(unittest.TestCase):
+    PARTS = check_fields.Parts(
+        "Field<&Seam::first>{} Field<&Seam::second>{} Field<&Panel::name>{} Field<&Panel::layer>{} "
+        "Field<&Panel::notches>{} Field<&Notch::edge>{} Field<&Notch::t>{} Field<&SeamSide::edge>{} "
+        "fields(const Seam*) fields(const Panel*) fields(const Notch*) fields(const SeamSide*)",
+        "struct Panel {\n    std::vector<Notch> notches;\n};\nstruct Pattern {\n    std::vector<Seam> seams;\n};\n")
+
+    def faults_of(self, text, path="sim/mesh/x.cpp"):
+        return problems(check_fields.check_fields([Source(path, text)], self.PARTS))
+
+    def test_a_part_that_is_made_without_names_fails_at_its_line(self):
+        self.assertEqual(self.faults_of("int a;\nNotch notch{3, 0.5};\n"),
+                         ["sim/mesh/x.cpp:2: a Notch without the names of its members"])
+        for text in ["f(sim::Seam{a, b});", "panel.notches.push_back({3, 0.5});", "pattern.seams = {{{0, 1}, {1, 2}}};",
+                     "pattern.panels[0].notches = {{.edge = 1}, {2, 0.5}};", "std::vector<Notch> notches{{1, 0.5}};",
+                     "void f(sim::Panel& own) { own.notches = {{1, 0.5}}; }", "Notch f() {\n    return {1, 0.5};\n}"]:
+            self.assertEqual(len(self.faults_of(text)), 1, text)
+
+    def test_a_part_with_names_or_defaults_and_other_types_pass(self):
+        for text in ["Notch notch{.edge = 3};", "Notch notch{};", "struct Notch {\n    int edge = 0;\n};", "Seam f() {\n}",
+                     "SeamSide side{0, 1};", "shape.notches.push_back({3, 0.5});", "std::vector<int> seams{{1}, {2}};",
+                     "pattern.seams = {a, b};", "panel.notches = other.notches;", 'f("Notch{1, 2}");']:
+            self.assertEqual(self.faults_of(text), [], text)
+
+    def test_tests_may_write_a_seam_as_two_sides_and_nothing_more(self):
+        path = "tests/sim/mesh/x.cpp"
+        self.assertEqual(self.faults_of("pattern.seams = {{{0, 1}, {1, 3}}, {{p, e}, {q, 0}}};", path), [])
+        self.assertEqual(len(self.faults_of("pattern.seams = {{{0, 1}, {1, 3}, false}};", path)), 1)
+
+    def test_members_that_are_copied_one_by_one_fail(self):
+        copies = "\n    a.name = b.name;\n    a.layer = b.layer;\n    a.notches = b.notches;\n"
+        self.assertEqual(self.faults_of("void f() {" + copies + "}"),
+                         ["sim/mesh/x.cpp:2: copies name, layer, notches of a Panel one by one"])
+        self.assertEqual(len(self.faults_of("{" + copies.replace("a.", "all[i]->").replace("b.", "f(x).") + "}")), 1)
+
+    def test_two_copies_other_members_and_several_sources_pass(self):
+        for text in ["a.name = b.name; a.layer = b.layer;", "a.x = b.x; a.y = b.y; a.z = b.z;",
+                     "a.name = b.name; a.layer = c.layer; a.notches = b.notches;",
+                     "panel.name = command.name; panel.layer = command.layer; panel.notches = command.notches;"]:
+            self.assertEqual(self.faults_of("{" + text + "}"), [], text)
 
 
 class Examples(unittest.TestCase):

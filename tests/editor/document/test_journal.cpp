@@ -157,9 +157,11 @@ TEST(CommandJson, every_command_survives) {
     panel.notches = {{.edge = 1, .t = 0.25}};
     panel.label = "leg";
     panel.sheet_position = Vec2d(1, 2);
-    panel.internal_lines = {{"pocket", {{0.05, 0.05}, {0.1, 0.05}}}};
+    panel.internal_lines = {{.name = "pocket", .points = {{0.05, 0.05}, {0.1, 0.05}}}};
     const std::vector<Command> commands{
-        AddPanels{.panels = {panel}, .seams = {{{0, 0}, {0, 1}, false, "tuck", true}}},
+        AddPanels{
+            .panels = {panel},
+            .seams = {{.first = {0, 0}, .second = {0, 1}, .is_reversed = false, .name = "tuck", .is_eased = true}}},
         DuplicatePanels{.panels = {"a", "b"}, .shift = Vec2d(0.3, 0), .move = Vec3d(0.4, 0, 0)},
         SetBody{.body = "mannequin:bust=92", .shifts = {Vec3d(0, 0.01, 0)}},
         TransformPanels{.panels = {"a", "b"}, .map = {.x_axis = {0, 1}, .y_axis = {-1, 0}}, .what = "Rotate"},

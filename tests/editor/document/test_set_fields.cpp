@@ -22,7 +22,7 @@ std::string problem_of(sim::Pattern pattern, const SetFields& command) {
     return "";
 }
 
-TEST(SetFields, sets_what_it_names_and_leaves_the_rest) {
+TEST(SetFields, changes_the_named_fields_and_no_others) {
     sim::Pattern pattern = shipped("tshirt.json").pattern;
     const sim::Pattern before = pattern;
     sim::Panel& panel = pattern.panels[0];
@@ -40,7 +40,7 @@ TEST(SetFields, sets_what_it_names_and_leaves_the_rest) {
     EXPECT_EQ(panel.vertices, before.panels[0].vertices);
 }
 
-TEST(SetFields, refuses_other_fields_and_values_and_changes_nothing) {
+TEST(SetFields, refuses_unknown_fields_and_values_out_of_range) {
     const sim::Pattern pattern = shipped("tshirt.json").pattern;
     const std::string& name = pattern.panels[0].name;
     EXPECT_EQ(problem_of(pattern, fields_of(FieldOwner::Panel, name, 0, R"({"pieces": 0})")),
@@ -76,7 +76,7 @@ TEST(SetFields, gives_all_seams_of_a_sewing_a_topstitch_that_is_undone) {
     EXPECT_EQ(document.pattern(), source.pattern);
 }
 
-TEST(SetFields, is_undone_and_has_a_form_in_journals) {
+TEST(SetFields, is_undone_and_written_to_journals) {
     Document document(shipped("tshirt.json"));
     const std::string name = document.pattern().panels[0].name;
     const std::string text = R"({"set_fields":{"part":"panel","panel":")" + name + R"(","values":{"pieces":3}}})";

@@ -9,7 +9,7 @@
 namespace selvedge::editor {
 namespace {
 
-TEST(WrittenCommands, say_every_field_of_a_part) {
+TEST(WrittenCommands, of_parts_with_every_field_equal_the_reference) {
     const std::string path = source_folder() + "/tests/reference/all_fields.json";
     const sim::Pattern pattern = sim::parse_pattern(sim::read_file(path, 1 << 20), "").pattern;
     std::vector<Command> commands{AddPanels{.panels = pattern.panels, .seams = pattern.seams},

@@ -28,7 +28,7 @@ inline sim::Pattern two_squares() {
     sim::Pattern pattern;
     pattern.panels = {unit_square("left"), unit_square("right")};
     pattern.panels[1].translation.x() = 1.5;
-    pattern.seams = {{{0, 1}, {1, 3}, true, "middle"}};
+    pattern.seams = {{.first = {0, 1}, .second = {1, 3}, .name = "middle"}};
     return pattern;
 }
 

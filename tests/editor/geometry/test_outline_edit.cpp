@@ -68,8 +68,15 @@ TEST(SplitEdge, splits_the_other_side_of_its_seam_where_it_meets) {
         ASSERT_EQ(pattern.seams.size(), 2U);
         const sim::Seam& first = pattern.seams[0];
         const sim::Seam& second = pattern.seams[1];
-        EXPECT_EQ(first, (sim::Seam{{0, 1}, {1, is_reversed ? 4 : 3}, is_reversed, "middle", true}));
-        EXPECT_EQ(second, (sim::Seam{{0, 2}, {1, is_reversed ? 3 : 4}, is_reversed, "", true}));
+        EXPECT_EQ(first, (sim::Seam{.first = {0, 1},
+                                    .second = {1, is_reversed ? 4 : 3},
+                                    .is_reversed = is_reversed,
+                                    .name = "middle",
+                                    .is_eased = true}));
+        EXPECT_EQ(
+            second,
+            (sim::Seam{
+                .first = {0, 2}, .second = {1, is_reversed ? 3 : 4}, .is_reversed = is_reversed, .is_eased = true}));
         EXPECT_NEAR(edge_length(pattern, first.first), 0.2, 1e-12);
         EXPECT_NEAR(edge_length(pattern, first.second), 0.2, 1e-12);
         EXPECT_NEAR(edge_length(pattern, second.second), 0.8, 1e-12);
@@ -78,7 +85,7 @@ TEST(SplitEdge, splits_the_other_side_of_its_seam_where_it_meets) {
 
 TEST(SplitEdge, seams_notches_and_pins_behind_it_follow) {
     sim::Pattern pattern = two_squares();
-    pattern.panels[0].notches = {{0, 0.1}, {0, 0.7}, {2, 0.3}};
+    pattern.panels[0].notches = {{.edge = 0, .t = 0.1}, {.edge = 0, .t = 0.7}, {.edge = 2, .t = 0.3}};
     pattern.panels[0].pins = {1};
     split_edge(pattern, {0, 0}, 0.4);
     EXPECT_EQ(pattern.seams[0].first, (sim::SeamSide{0, 2}));
@@ -89,13 +96,13 @@ TEST(SplitEdge, seams_notches_and_pins_behind_it_follow) {
     EXPECT_NEAR(notches[0].t, 0.25, 1e-12);
     EXPECT_EQ(notches[1].edge, 1);
     EXPECT_NEAR(notches[1].t, 0.5, 1e-12);
-    EXPECT_EQ(notches[2], (sim::Notch{3, 0.3}));
+    EXPECT_EQ(notches[2], (sim::Notch{.edge = 3, .t = 0.3}));
     EXPECT_EQ(pattern.panels[0].pins, std::vector<int>{1});
 }
 
 TEST(SplitEdge, splits_a_panel_that_is_sewn_to_itself) {
     sim::Pattern pattern = of(unit_square());
-    pattern.seams = {{{0, 3}, {0, 1}, true}};
+    pattern.seams = {{{0, 3}, {0, 1}}};
     split_edge(pattern, {0, 3}, 0.25);
     ASSERT_EQ(pattern.seams.size(), 2U);
     for (const sim::Seam& seam : pattern.seams) {
@@ -168,7 +175,7 @@ TEST(RemoveVertices, seams_go_where_the_other_side_has_a_corner) {
 
 TEST(RemoveVertices, the_first_vertex_too_and_notches_keep_their_place) {
     sim::Panel panel = make_polygon({{0, 0}, {1, 0}, {2, 0.2}, {2, 1}, {0, 1}});
-    panel.notches = {{0, 0.5}, {4, 0.5}, {2, 0.25}};
+    panel.notches = {{.edge = 0, .t = 0.5}, {.edge = 4, .t = 0.5}, {.edge = 2, .t = 0.25}};
     panel.pins = {0, 3};
     sim::Pattern pattern = of(panel);
     remove_vertices(pattern, 0, {0});
@@ -223,7 +230,7 @@ TEST(MoveVertices, refuses_an_outline_that_would_cross_itself_and_says_where) {
 
 TEST(TransformPanel, a_turn_takes_lines_and_grain_along) {
     sim::Panel panel = bottomed(sim::CurveKind::Arc);
-    panel.internal_lines = {{"pleat", {{0.5, 0.2}, {0.5, 0.8}}}};
+    panel.internal_lines = {{.name = "pleat", .points = {{0.5, 0.2}, {0.5, 0.8}}}};
     sim::Pattern pattern = of(panel);
     const double quarter = std::numbers::pi / 2;
     transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Rotation2Dd(quarter)));
@@ -235,7 +242,7 @@ TEST(TransformPanel, a_turn_takes_lines_and_grain_along) {
 
 TEST(TransformPanel, a_mirroring_keeps_it_counter_clockwise_and_its_seams_together) {
     sim::Pattern pattern = two_squares();
-    pattern.panels[0].notches = {{1, 0.25}};
+    pattern.panels[0].notches = {{.edge = 1, .t = 0.25}};
     pattern.panels[0].edges[1].label = "side";
     transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
     const sim::Panel& panel = pattern.panels[0];
@@ -243,12 +250,12 @@ TEST(TransformPanel, a_mirroring_keeps_it_counter_clockwise_and_its_seams_togeth
     EXPECT_EQ(pattern.seams[0].first, (sim::SeamSide{0, 3}));  // edge e of 4 becomes edge (4 - e) % 4
     EXPECT_FALSE(pattern.seams[0].is_reversed);
     EXPECT_EQ(panel.edges[3].label, "side");
-    EXPECT_EQ(panel.notches[0], (sim::Notch{3, 0.75}));
+    EXPECT_EQ(panel.notches[0], (sim::Notch{.edge = 3, .t = 0.75}));
     EXPECT_TRUE(outline_point(panel, panel.edges[3], 0.75).isApprox(Vec2d(-1, 0.25)));
     EXPECT_TRUE(panel.vertices[1].isApprox(Vec2d(-1, 0)));
     transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
     sim::Pattern whole = two_squares();
-    whole.panels[0].notches = {{1, 0.25}};
+    whole.panels[0].notches = {{.edge = 1, .t = 0.25}};
     whole.panels[0].edges[1].label = "side";
     EXPECT_TRUE(pattern == whole);
 }

@@ -67,7 +67,7 @@ TEST(RemovePanels, takes_their_seams_and_frees_their_images) {
     sim::Pattern pattern = two_squares();
     add_panel(pattern, unit_square("third"));
     pattern.panels[2].mirror_of = "left";
-    pattern.seams.push_back({{1, 0}, {2, 0}, true});
+    pattern.seams.push_back({{1, 0}, {2, 0}});
     remove_panels(pattern, {0, 0});
     ASSERT_EQ(pattern.panels.size(), 2U);
     ASSERT_EQ(pattern.seams.size(), 1U);
@@ -100,7 +100,8 @@ TEST(FreeShift, leads_past_the_panels_in_the_way) {
 TEST(DuplicatePanels, keep_their_darts_and_the_seams_among_them) {
     sim::Pattern pattern = two_squares();
     add_panel(pattern, unit_square("third"));
-    pattern.seams.push_back({{1, 1}, {2, 3}, false, "to_third", true});
+    pattern.seams.push_back(
+        {.first = {1, 1}, .second = {2, 3}, .is_reversed = false, .name = "to_third", .is_eased = true});
     insert_dart(pattern, {0, 0}, 0.3, 0.1, 0.4);
     const sim::Seam dart = pattern.seams.back();
     ASSERT_EQ(pattern.seams.size(), 3U);
@@ -109,8 +110,10 @@ TEST(DuplicatePanels, keep_their_darts_and_the_seams_among_them) {
     ASSERT_EQ(pattern.seams.size(), 5U);
     EXPECT_TRUE(std::equal(before.seams.begin(), before.seams.end(), pattern.seams.begin()));
     const sim::Seam& middle = before.seams[0];  // the dart has changed its edge
-    EXPECT_EQ(pattern.seams[3], (sim::Seam{{4, middle.first.edge}, {3, middle.second.edge}, true}));
-    EXPECT_EQ(pattern.seams[4], (sim::Seam{{4, dart.first.edge}, {4, dart.second.edge}, dart.is_reversed}));
+    EXPECT_EQ(pattern.seams[3], (sim::Seam{{4, middle.first.edge}, {3, middle.second.edge}}));
+    EXPECT_EQ(
+        pattern.seams[4],
+        (sim::Seam{.first = {4, dart.first.edge}, .second = {4, dart.second.edge}, .is_reversed = dart.is_reversed}));
     EXPECT_TRUE(can_be_saved(pattern));
 }
 
@@ -136,9 +139,10 @@ TEST(CutPanel, both_parts_stay_where_they_were_and_keep_what_was_theirs) {
     panel.wrap_radius = 0.4;
     panel.translation = {0.1, 1, 0.2};
     panel.grain_angle = 0.3;
-    panel.notches = {{0, 0.25}, {0, 0.75}, {1, 0.5}, {3, 0.5}};
+    panel.notches = {{.edge = 0, .t = 0.25}, {.edge = 0, .t = 0.75}, {.edge = 1, .t = 0.5}, {.edge = 3, .t = 0.5}};
     panel.pins = {0, 1};
-    panel.internal_lines = {{"pleat", {{0.1, 0.5}, {0.9, 0.5}}}, {"dart", {{0.8, 0.1}, {0.9, 0.1}}}};
+    panel.internal_lines = {{.name = "pleat", .points = {{0.1, 0.5}, {0.9, 0.5}}},
+                            {.name = "dart", .points = {{0.8, 0.1}, {0.9, 0.1}}}};
     const sim::Panel before = panel;
     const Vec2d sheet = sheet_positions(pattern)[0];
     // From the bottom to the top, with a bend to the left. The part on the right of the path is the new panel.
@@ -226,7 +230,7 @@ TEST(CutPanel, refuses_a_path_that_leaves_the_panel) {
 
 TEST(MergePanels, takes_back_a_cut) {
     sim::Pattern pattern = two_squares();
-    pattern.panels[0].notches = {{1, 0.5}, {3, 0.5}};
+    pattern.panels[0].notches = {{.edge = 1, .t = 0.5}, {.edge = 3, .t = 0.5}};
     cut_panel(pattern, 0, {{0.5, 0}, {0.4, 0.5}, {0.5, 1}}, true);
     EXPECT_EQ(merge_panels(pattern, 1), 0);
     ASSERT_EQ(pattern.panels.size(), 2U);
@@ -260,16 +264,16 @@ TEST(MergePanels, refuses_sides_that_do_not_fit) {
     pattern = two_squares();
     pattern.seams[0].is_reversed = false;
     EXPECT_THROW(merge_panels(pattern, 0), GeometryError);
-    pattern.seams = {{{0, 0}, {0, 1}, true}};
+    pattern.seams = {{{0, 0}, {0, 1}}};
     EXPECT_THROW(merge_panels(pattern, 0), GeometryError);
     EXPECT_THROW(merge_panels(pattern, 1), GeometryError);
 }
 
 TEST(UnfoldPanel, opens_what_was_cut_on_the_fold) {
     sim::Pattern pattern = two_squares();
-    pattern.panels[0].notches = {{0, 0.25}, {3, 0.5}};
+    pattern.panels[0].notches = {{.edge = 0, .t = 0.25}, {.edge = 3, .t = 0.5}};
     pattern.panels[0].pins = {1, 3};
-    pattern.panels[0].internal_lines = {{"pocket", {{0.5, 0.5}, {0.8, 0.5}}}};
+    pattern.panels[0].internal_lines = {{.name = "pocket", .points = {{0.5, 0.5}, {0.8, 0.5}}}};
     unfold_panel(pattern, {0, 3});
     const sim::Panel& panel = pattern.panels[0];
     EXPECT_NEAR(outline_area(panel), 2, 1e-12);

@@ -41,7 +41,7 @@ sim::OutlineEdge arc_of_radius(double radius) {
     return {.kind = sim::CurveKind::Arc, .arc_radius = radius};
 }
 
-TEST(PropertiesOfEdges, survive_bending_and_straightening) {
+TEST(PropertiesOfEdges, are_kept_when_an_edge_is_bent_and_straightened) {
     sim::Pattern pattern = one_square();
     set_curve(pattern, {0, 1}, arc_of_radius(1));
     EXPECT_EQ(pattern.panels[0].edges[1].kind, sim::CurveKind::Arc);
@@ -50,7 +50,7 @@ TEST(PropertiesOfEdges, survive_bending_and_straightening) {
     EXPECT_EQ(pattern.panels[0], one_square().panels[0]);
 }
 
-TEST(PropertiesOfEdges, survive_a_scaling_that_makes_an_arc_a_cubic) {
+TEST(PropertiesOfEdges, are_kept_when_scaling_makes_an_arc_a_cubic) {
     sim::Pattern pattern = one_square();
     set_curve(pattern, {0, 1}, arc_of_radius(1));
     transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Scaling(2.0, 1.0)));
@@ -58,7 +58,7 @@ TEST(PropertiesOfEdges, survive_a_scaling_that_makes_an_arc_a_cubic) {
     expect_marked(pattern.panels[0]);
 }
 
-TEST(PropertiesOfEdges, of_the_first_survive_where_two_are_joined) {
+TEST(PropertiesOfEdges, are_those_of_the_first_edge_when_two_are_joined) {
     sim::Pattern pattern = one_square();
     set_curve(pattern, {0, 0}, arc_of_radius(1));
     const int straight = split_edge(pattern, {0, 2}, 0.4), curved = split_edge(pattern, {0, 0}, 0.5);
@@ -70,7 +70,7 @@ TEST(PropertiesOfEdges, of_the_first_survive_where_two_are_joined) {
     expect_marked(pattern.panels[0]);
 }
 
-TEST(PropertiesOfEdges, survive_a_slide_of_what_is_sewn) {
+TEST(PropertiesOfEdges, are_kept_when_a_sewing_slides_along_the_edge) {
     sim::Pattern pattern;
     pattern.panels = {marked_square("one"), marked_square("two"), marked_square("three")};
     sew_runs(pattern, {{0, 1}}, {{1, 3}, {2, 3}}, true);
@@ -81,7 +81,7 @@ TEST(PropertiesOfEdges, survive_a_slide_of_what_is_sewn) {
     for (const sim::Panel& panel : pattern.panels) expect_marked(panel);
 }
 
-TEST(PropertiesOfSeams, survive_where_a_sewing_is_reversed) {
+TEST(PropertiesOfSeams, are_kept_when_a_sewing_is_reversed) {
     sim::Pattern pattern;
     pattern.panels = {unit_square("one"), unit_square("two"), unit_square("three")};
     sew_runs(pattern, {{0, 1}}, {{1, 3}, {2, 3}}, true);
@@ -100,7 +100,7 @@ TEST(PropertiesOfSeams, survive_where_a_sewing_is_reversed) {
     EXPECT_TRUE(can_be_saved(pattern));
 }
 
-TEST(PropertiesOfSeams, of_darts_follow_a_mirror_link) {
+TEST(PropertiesOfSeams, of_a_dart_are_copied_to_the_linked_panel_when_they_change) {
     sim::Pattern pattern;
     pattern.panels = {unit_square("left")};
     insert_dart(pattern, {0, 0}, 0.3, 0.1, 0.4);
@@ -119,7 +119,7 @@ TEST(PropertiesOfSeams, of_darts_follow_a_mirror_link) {
     }
 }
 
-TEST(PropertiesOfLines, survive_a_cut_and_drill_points_stay_where_they_are) {
+TEST(PropertiesOfLines, are_kept_with_drill_points_when_a_panel_is_cut_and_merged) {
     sim::Pattern pattern = one_square();
     pattern.panels[0].internal_lines = {
         {.name = "fold", .points = {{0.2, 0.5}, {0.8, 0.5}}, .use = sim::LineUse::Fold}};

@@ -164,13 +164,14 @@ class Drafter {
         const sim::SeamSide at = side(pattern);
         if (last(pattern).edges.empty()) return;
         sim::Panel& own = pattern.panels[static_cast<std::size_t>(at.panel)];
-        own.notches.push_back({at.edge % static_cast<int>(own.edges.size()), number(0, 1)});
+        own.notches.push_back({.edge = at.edge % static_cast<int>(own.edges.size()), .t = number(0, 1)});
         if (below(3) == 0) own.pins = {own.edges[0].start};
     }
 
     void add_line(sim::Pattern& pattern) {
         if (last(pattern).edges.empty()) return;
-        pattern.panels[static_cast<std::size_t>(panel_)].internal_lines.push_back({"fold", path(pattern)});
+        pattern.panels[static_cast<std::size_t>(panel_)].internal_lines.push_back(
+            {.name = "fold", .points = path(pattern)});
     }
 
     std::mt19937 random_;

@@ -85,7 +85,7 @@ TEST(SewRuns, two_parts_of_one_edge_and_none_twice) {
     EXPECT_THROW(sew_runs(pattern, {{0, 7}}, {{1, 1}}, true), GeometryError);
     EXPECT_TRUE(pattern == before);
     ASSERT_EQ(sew_runs(pattern, {{0, 1, 0, 0.5}}, {{0, 1, 0.5, 1}}, true).size(), 1U);
-    EXPECT_EQ(pattern.seams[0], (sim::Seam{{0, 1}, {0, 2}, true}));
+    EXPECT_EQ(pattern.seams[0], (sim::Seam{{0, 1}, {0, 2}}));
     EXPECT_THROW(sew_runs(pattern, {{0, 2, 0, 0.5}}, {{1, 1}}, true), GeometryError);  // sewn already
 }
 

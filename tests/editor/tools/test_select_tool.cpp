@@ -449,7 +449,7 @@ TEST(EditPointTool, a_box_selects_points) {
 
 TEST(EditPointTool, drags_a_point_of_an_internal_line) {
     sim::PatternDocument source = two_squares();
-    source.pattern.panels[0].internal_lines.push_back({"", {Vec2d(0.05, 0.05), Vec2d(0.15, 0.05)}});
+    source.pattern.panels[0].internal_lines.push_back({.name = "", .points = {Vec2d(0.05, 0.05), Vec2d(0.15, 0.05)}});
     SheetUser user(source);
     user.choose("edit_point");
     user.drag({0.149, 0.05}, {0.15, 0.15}, {.ctrl = true});

@@ -21,7 +21,7 @@ sim::Pattern bent_pattern() {
     edge.kind = sim::CurveKind::Cubic;
     edge.control = {Vec2d(0.05, -0.05), Vec2d(0.15, -0.05)};
     pattern.panels[0].notches.push_back({.edge = 2, .t = 0.25});
-    pattern.panels[0].internal_lines.push_back({"fold", {Vec2d(0.02, 0.1), Vec2d(0.18, 0.1)}});
+    pattern.panels[0].internal_lines.push_back({.name = "fold", .points = {Vec2d(0.02, 0.1), Vec2d(0.18, 0.1)}});
     return pattern;
 }
 

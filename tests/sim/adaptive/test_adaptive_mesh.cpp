@@ -216,7 +216,8 @@ TEST(RightWrong, panels_sewn_at_random_make_a_sound_mesh) {
         std::shuffle(free.begin(), free.end(), random);
         const std::size_t seams = 1 + random() % 5;
         for (std::size_t i = 0; i < seams; ++i)
-            pattern.seams.push_back({free[2 * i], free[2 * i + 1], random() % 2 == 0});
+            pattern.seams.push_back(
+                {.first = free[2 * i], .second = free[2 * i + 1], .is_reversed = random() % 2 == 0});
         GarmentMesh base = assemble(pattern, {.target_edge = 0.1});
         merge_seams(base);
         AdaptiveMesh mesh(base, {.max_level = 2});

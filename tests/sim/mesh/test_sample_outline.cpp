@@ -64,7 +64,7 @@ TEST(SampleOutline, keeps_corners_and_spaces_samples_evenly_along_a_curve) {
 TEST(CountSegments, gives_both_sides_of_a_seam_the_larger_count) {
     Pattern pattern;
     pattern.panels = {rectangle("short", 0.5, 0.3), rectangle("long", 0.8, 0.3)};
-    pattern.seams = {{{0, 0}, {1, 2}, true}};
+    pattern.seams = {{{0, 0}, {1, 2}}};
     const auto segments = count_segments(pattern, {.target_edge = 0.05});
     EXPECT_EQ(segments[0][0], 16);
     EXPECT_EQ(segments[1][2], 16);
@@ -75,7 +75,7 @@ TEST(CountSegments, gives_the_banks_of_a_slit_one_count_although_one_is_sewn_els
     Pattern pattern;
     pattern.panels = {polygon("slit", {{0, 0}, {0.5, 0}, {0.5, 0.3}, {0.5, 0}, {1, 0}, {1, 1}, {0, 1}}),
                       rectangle("gusset", 0.9, 0.2)};
-    pattern.seams = {{{0, 1}, {1, 0}, true}};
+    pattern.seams = {{{0, 1}, {1, 0}}};
     const auto segments = count_segments(pattern, {.target_edge = 0.05});
     EXPECT_EQ(segments[0][1], 18);
     EXPECT_EQ(segments[0][2], 18);
@@ -84,7 +84,7 @@ TEST(CountSegments, gives_the_banks_of_a_slit_one_count_although_one_is_sewn_els
 TEST(CountSegments, gives_three_segments_to_an_edge_that_sewing_closes_into_a_ring) {
     Pattern pattern;
     pattern.panels = {rectangle("cuff", 0.06, 0.3)};
-    pattern.seams = {{{0, 1}, {0, 3}, true}};
+    pattern.seams = {{{0, 1}, {0, 3}}};
     const auto segments = count_segments(pattern, {.target_edge = 0.05});
     EXPECT_EQ(segments[0][0], 3);
     EXPECT_EQ(segments[0][2], 3);
@@ -93,7 +93,7 @@ TEST(CountSegments, gives_three_segments_to_an_edge_that_sewing_closes_into_a_ri
 TEST(CountSegments, keeps_two_straight_edges_apart_whose_ends_are_sewn_together) {
     Pattern pattern;
     pattern.panels = {rectangle("front", 0.04, 0.3), rectangle("back", 0.04, 0.3)};
-    pattern.seams = {{{0, 1}, {1, 3}, true}, {{0, 3}, {1, 1}, true}};
+    pattern.seams = {{{0, 1}, {1, 3}}, {{0, 3}, {1, 1}}};
     const auto segments = count_segments(pattern, {.target_edge = 0.05});
     EXPECT_EQ(segments[0][0], 2);
     EXPECT_EQ(segments[1][0], 2);
@@ -129,11 +129,11 @@ TEST(CountSegments, leaves_a_narrow_panel_three_corners) {
 TEST(CountSegments, refuses_seams_that_cannot_be) {
     Pattern pattern;
     pattern.panels = {rectangle("only", 0.5, 0.3)};
-    pattern.seams = {{{0, 0}, {0, 4}, true}};
+    pattern.seams = {{{0, 0}, {0, 4}}};
     EXPECT_THROW(count_segments(pattern, {}), InputError);
-    pattern.seams = {{{0, 0}, {1, 0}, true}};
+    pattern.seams = {{{0, 0}, {1, 0}}};
     EXPECT_THROW(count_segments(pattern, {}), InputError);
-    pattern.seams = {{{0, 0}, {0, 0}, true}};
+    pattern.seams = {{{0, 0}, {0, 0}}};
     EXPECT_THROW(count_segments(pattern, {}), InputError);
 }
 

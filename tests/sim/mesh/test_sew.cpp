@@ -27,7 +27,7 @@ Pattern two_squares() {
     Pattern pattern;
     pattern.panels = {rectangle("left", 0.3, 0.3), rectangle("right", 0.3, 0.3)};
     pattern.panels[1].translation = {0.4, 0, 0};
-    pattern.seams = {{{0, 1}, {1, 3}, true}};
+    pattern.seams = {{{0, 1}, {1, 3}}};
     return pattern;
 }
 
@@ -65,7 +65,7 @@ TEST(Assemble, places_mirrored_and_turned_panels_but_keeps_their_material_coordi
 TEST(Assemble, leaves_out_what_is_not_worn_and_its_seams) {
     Pattern pattern = two_squares();
     pattern.panels.push_back(rectangle("below", 0.3, 0.3));
-    pattern.seams.push_back({{0, 0}, {2, 2}, true});
+    pattern.seams.push_back({{0, 0}, {2, 2}});
     pattern.panels[1].is_worn = false;
     pattern.panels[1].pins = {0};
     const GarmentMesh mesh = assemble(pattern);
@@ -124,7 +124,7 @@ TEST(MergeSeams, joins_starts_to_starts_when_a_seam_is_not_reversed) {
 TEST(MergeSeams, sews_three_panels_to_a_moebius_band) {
     Pattern pattern;
     for (const char* name : {"a", "b", "c"}) pattern.panels.push_back(rectangle(name, 0.3, 0.1));
-    pattern.seams = {{{0, 1}, {1, 3}}, {{1, 1}, {2, 3}}, {{2, 1}, {0, 3}, false}};
+    pattern.seams = {{{0, 1}, {1, 3}}, {{1, 1}, {2, 3}}, {.first = {2, 1}, .second = {0, 3}, .is_reversed = false}};
     const Topology topology = topology_of(sew_soundly(pattern));
     EXPECT_EQ(topology.euler, 0);
     EXPECT_EQ(topology.boundary_loops, 1) << "a tube has two";
@@ -148,7 +148,7 @@ TEST(MergeSeams, closes_a_dart_to_its_tip) {
     for (double width : {0.05, 0.01, 0.0005}) {
         Pattern pattern;
         pattern.panels = {square_with_dart(0.5, width, 0.2)};
-        pattern.seams = {{{0, 1}, {0, 2}, true}};
+        pattern.seams = {{{0, 1}, {0, 2}}};
         const GarmentMesh unsewn = assemble(pattern);
         EXPECT_EQ(unsewn.links.size(), 4U) << "the tip is one vertex already";
         const Topology topology = topology_of(sew_soundly(pattern));
@@ -162,7 +162,7 @@ TEST(MergeSeams, closes_a_slit_without_width_into_the_ring_it_cut_open) {
     pattern.panels = {polygon(
         "poncho",
         {{0, 0}, {0.4, 0}, {0.4, 0.3}, {0.3, 0.5}, {0.5, 0.5}, {0.4, 0.3}, {0.4, 0}, {0.8, 0}, {0.8, 0.8}, {0, 0.8}})};
-    pattern.seams = {{{0, 1}, {0, 5}, true}};
+    pattern.seams = {{{0, 1}, {0, 5}}};
     const GarmentMesh sewn = sew_soundly(pattern);
     const Topology topology = topology_of(sewn);
     EXPECT_EQ(topology.euler, 0);
@@ -173,7 +173,7 @@ TEST(MergeSeams, closes_a_slit_without_width_into_the_ring_it_cut_open) {
 TEST(MergeSeams, leaves_three_panels_on_one_edge_for_the_check_to_find) {
     Pattern pattern = two_squares();
     pattern.panels.push_back(rectangle("third", 0.3, 0.3));
-    pattern.seams.push_back({{0, 1}, {2, 3}, true});
+    pattern.seams.push_back({{0, 1}, {2, 3}});
     const auto faults = check_mesh(sew_together(assemble(pattern)));
     ASSERT_EQ(faults.size(), 6U) << "one for each seam edge";
     EXPECT_NE(faults[0].find("3 triangles meet"), std::string::npos) << faults[0];
@@ -183,7 +183,7 @@ TEST(MergeSeams, merges_the_corner_where_three_seams_meet) {
     Pattern pattern;
     pattern.panels = {rectangle("floor", 0.2, 0.2), rectangle("wall", 0.2, 0.2), rectangle("side", 0.2, 0.2)};
     // All three meet at their corner 0: edge 0 of each panel is sewn to edge 3 of the next.
-    pattern.seams = {{{0, 0}, {1, 3}, true}, {{1, 0}, {2, 3}, true}, {{2, 0}, {0, 3}, true}};
+    pattern.seams = {{{0, 0}, {1, 3}}, {{1, 0}, {2, 3}}, {{2, 0}, {0, 3}}};
     const GarmentMesh unsewn = assemble(pattern);
     GarmentMesh sewn = unsewn;
     const std::vector<int> sewn_vertex = merge_seams(sewn);
@@ -203,7 +203,7 @@ TEST(MergeSeams, closes_tubes_however_narrow) {
         for (double length : {0.5, 0.1, 0.03}) {
             Pattern pattern;
             pattern.panels = {rectangle("sleeve", around, length)};
-            pattern.seams = {{{0, 1}, {0, 3}, true}};
+            pattern.seams = {{{0, 1}, {0, 3}}};
             const Topology topology = topology_of(sew_soundly(pattern));
             EXPECT_EQ(topology.euler, 0) << around << " " << length;
             EXPECT_EQ(topology.boundary_loops, 2) << around << " " << length;
@@ -215,7 +215,7 @@ TEST(MergeSeams, closes_tubes_of_two_panels_however_narrow) {
     for (double width : {0.3, 0.1, 0.04}) {
         Pattern pattern;
         pattern.panels = {rectangle("front", width, 0.3), rectangle("back", width, 0.3)};
-        pattern.seams = {{{0, 1}, {1, 3}, true}, {{0, 3}, {1, 1}, true}};
+        pattern.seams = {{{0, 1}, {1, 3}}, {{0, 3}, {1, 1}}};
         const Topology topology = topology_of(sew_soundly(pattern));
         EXPECT_EQ(topology.euler, 0) << width;
         EXPECT_EQ(topology.boundary_loops, 2) << width;
@@ -226,7 +226,7 @@ TEST(MergeSeams, makes_a_cone_of_a_corner_sewn_to_itself) {
     for (double side : {0.3, 0.1, 0.04}) {
         Pattern pattern;
         pattern.panels = {rectangle("corner", side, side)};
-        pattern.seams = {{{0, 0}, {0, 1}, true}};
+        pattern.seams = {{{0, 0}, {0, 1}}};
         const Topology topology = topology_of(sew_soundly(pattern));
         EXPECT_EQ(topology.euler, 1) << side;
         EXPECT_EQ(topology.boundary_loops, 1) << side;
@@ -237,8 +237,7 @@ TEST(MergeSeams, makes_a_pillow_of_two_squares_sewn_all_round) {
     for (double side : {0.4, 0.12, 0.05}) {
         Pattern pattern;
         pattern.panels = {rectangle("front", side, side), rectangle("back", side, side)};
-        pattern.seams = {
-            {{0, 0}, {1, 0}, true}, {{0, 1}, {1, 3}, true}, {{0, 2}, {1, 2}, true}, {{0, 3}, {1, 1}, true}};
+        pattern.seams = {{{0, 0}, {1, 0}}, {{0, 1}, {1, 3}}, {{0, 2}, {1, 2}}, {{0, 3}, {1, 1}}};
         const Topology topology = topology_of(sew_soundly(pattern));
         EXPECT_EQ(topology.euler, 2) << side;
         EXPECT_EQ(topology.boundary_loops, 0) << side;
@@ -255,7 +254,7 @@ TEST(MergeSeams, sets_a_sleeve_cap_into_an_armhole_that_is_shorter) {
     OutlineEdge& cap = pattern.panels[1].edges[2];
     cap.kind = CurveKind::Cubic;
     cap.control = {Vec2d(0.33, 0.36), Vec2d(0.09, 0.36)};
-    pattern.seams = {{{0, 1}, {1, 2}, true}};
+    pattern.seams = {{{0, 1}, {1, 2}}};
     const GarmentMesh sewn = sew_soundly(pattern);
     EXPECT_EQ(topology_of(sewn).euler, 1);
     const MeshReport report = report_mesh(pattern, sewn);

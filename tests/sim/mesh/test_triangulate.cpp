@@ -245,7 +245,7 @@ TEST(RandomPanels, sewn_to_their_mirror_image_are_closed_surfaces) {
         pattern.panels = {front, polygon("mirrored", mirrored)};
         const auto corners = static_cast<int>(mirrored.size());
         for (int i = 0; i < corners; ++i) {
-            pattern.seams.push_back({{0, i}, {1, (2 * corners - 2 - i) % corners}, true});
+            pattern.seams.push_back({{0, i}, {1, (2 * corners - 2 - i) % corners}});
         }
         const GarmentMesh sewn = sew_together(assemble(pattern, {.relaxations = run % 4 == 0 ? 12 : 0}));
         const std::vector<std::string> faults = check_mesh(sewn);

@@ -41,7 +41,7 @@ TEST(Dart, has_legs_of_several_edges) {
 TEST(Dart, is_none_without_a_seam_or_at_an_outer_corner) {
     Pattern pattern = darted_pattern();
     // Waist to side, at the outer corner between them; legs of different darts; right side to wrong side.
-    pattern.seams = {{{0, 3}, {0, 4}}, {{0, 1}, {0, 6}}, {{0, 5}, {0, 6}, false}};
+    pattern.seams = {{{0, 3}, {0, 4}}, {{0, 1}, {0, 6}}, {.first = {0, 5}, .second = {0, 6}, .is_reversed = false}};
     EXPECT_TRUE(find_darts(pattern.panels[0], 0, pattern.seams).empty());
     pattern.seams = {{{1, 1}, {1, 2}}};
     EXPECT_TRUE(find_darts(pattern.panels[0], 0, pattern.seams).empty());

@@ -3,8 +3,11 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <vector>
 
+#include "sim/pattern/fabric_fields.h"
 #include "sim/pattern/field_moves.h"
+#include "sim/pattern/field_visit.h"
 #include "sim/pattern/pattern_fields.h"
 
 namespace selvedge::sim {
@@ -13,7 +16,7 @@ namespace {
 template <class Part>
 class FieldsOf : public ::testing::Test {};
 using Parts = ::testing::Types<OutlineEdge, InternalLine, Notch, WrapCone, SurfaceDesign, Underlay, SeamSide, Panel,
-                               Seam, Pattern>;
+                               Seam, Pattern, Thread, Topstitch, MatchedSett, Fabric>;
 TYPED_TEST_SUITE(FieldsOf, Parts);
 
 template <class T>
@@ -39,7 +42,7 @@ void change(T& value) {
     }
 }
 
-TYPED_TEST(FieldsOf, are_all_part_of_its_equality) {
+TYPED_TEST(FieldsOf, make_two_parts_unequal_when_one_differs) {
     for_each_field<TypeParam>([](const auto& field) {
         TypeParam part{};
         change(part.*field.member);
@@ -47,7 +50,7 @@ TYPED_TEST(FieldsOf, are_all_part_of_its_equality) {
     });
 }
 
-TYPED_TEST(FieldsOf, have_names_of_their_own) {
+TYPED_TEST(FieldsOf, have_unique_names_keys_and_journal_names) {
     std::set<std::string_view> names, keys, journal;
     std::size_t count = 0;
     for_each_field<TypeParam>([&](const auto& field) {
@@ -70,6 +73,26 @@ TYPED_TEST(FieldsOf, have_defaults_within_their_ranges) {
     });
 }
 
+TEST(FieldVisit, reaches_values_in_lists_optionals_and_parts_with_their_own_fields) {
+    Pattern pattern;
+    pattern.panels.resize(2);
+    pattern.panels[1].fabric = "denim";
+    pattern.panels[1].interlinings = {"linen", "canvas"};
+    pattern.panels[1].edges = {{.topstitch = Topstitch{.thread = {.colour = "#102030"}}}, {}};
+    std::vector<std::string> fabrics, colours;
+    int parts = 0;
+    visit_values(pattern, [&]<class T>(const auto& field, T& value) {
+        parts += Described<T> ? 1 : 0;
+        if constexpr (std::is_same_v<T, std::string>) {
+            if (field.measure == Measure::Fabric) fabrics.push_back(value);
+            if (field.measure == Measure::Colour) colours.push_back(value);
+        }
+    });
+    EXPECT_EQ(fabrics, (std::vector<std::string>{"", "denim", "linen", "canvas", ""}));
+    EXPECT_EQ(colours, std::vector<std::string>{"#102030"});
+    EXPECT_EQ(parts, 6) << "two panels, two edges, a topstitch and its thread";
+}
+
 Panel marked_panel() {
     Panel panel;
     panel.vertices = {{0, 0}, {0.4, 0}, {0.4, 0.3}};
@@ -86,7 +109,7 @@ Panel marked_panel() {
     return panel;
 }
 
-TEST(FieldMoves, two_mirrorings_or_flips_give_the_panel_back) {
+TEST(FieldMoves, mirroring_or_flipping_twice_gives_the_panel_back) {
     const Eigen::Affine2d mirror(Eigen::Scaling(-1.0, 1.0));
     Panel panel = mapped_panel(mapped_panel(marked_panel(), mirror), mirror);
     EXPECT_EQ(panel, marked_panel());
@@ -100,7 +123,7 @@ TEST(FieldMoves, two_mirrorings_or_flips_give_the_panel_back) {
     EXPECT_EQ(panel, marked_panel());
 }
 
-TEST(FieldMoves, a_mirroring_moves_what_lies_in_the_panel) {
+TEST(FieldMoves, mirroring_changes_points_notches_and_directions_of_a_panel) {
     const Panel panel = mapped_panel(marked_panel(), Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
     EXPECT_EQ(panel.sett_offset, Vec2d(-0.01, 0.02));
     EXPECT_EQ(panel.notches[0], (Notch{.edge = 2, .t = 0.75, .kind = NotchKind::V}));
@@ -110,7 +133,7 @@ TEST(FieldMoves, a_mirroring_moves_what_lies_in_the_panel) {
     EXPECT_EQ(panel.edges[1].allowance_corner, AllowanceCorner::Squared) << "edge 2, reversed";
 }
 
-TEST(FieldMoves, a_turn_turns_directions_and_keeps_lengths) {
+TEST(FieldMoves, turning_changes_directions_and_keeps_lengths) {
     const Panel panel = mapped_panel(marked_panel(), Eigen::Affine2d(Eigen::Rotation2Dd(0.5)));
     EXPECT_NEAR(panel.grain_angle, 0.75, 1e-12);
     EXPECT_EQ(panel.sett_offset, Vec2d(0.01, 0.02));
@@ -118,7 +141,7 @@ TEST(FieldMoves, a_turn_turns_directions_and_keeps_lengths) {
     EXPECT_FALSE(panel.wrap_cone);
 }
 
-TEST(FieldMoves, a_copy_has_no_names_and_a_replacement_keeps_them) {
+TEST(FieldMoves, copies_lose_their_names_and_replacements_keep_them) {
     const Seam seam{.first = {0, 1}, .second = {1, 2}, .name = "side", .is_eased = true, .sewing = "all"};
     Seam copy = copy_of(seam);
     EXPECT_EQ(copy, (Seam{.first = {0, 1}, .second = {1, 2}, .is_eased = true}));
@@ -129,7 +152,31 @@ TEST(FieldMoves, a_copy_has_no_names_and_a_replacement_keeps_them) {
     EXPECT_EQ(edge, (OutlineEdge{.start = 4, .end = 5, .label = "hem", .allowance = 0.02}));
 }
 
-TEST(FieldMoves, an_outline_is_the_same_whatever_its_edges_are_called_and_allow) {
+TEST(FieldMoves, taking_a_placement_copies_its_fields_and_no_others) {
+    Panel panel = marked_panel(), placed = marked_panel();
+    placed.translation = {0, 1, 0.2};
+    placed.rotation = Eigen::AngleAxisd(0.5, Vec3d::UnitY()).matrix();
+    placed.is_mirrored = true;
+    placed.wrap_radius = 0.1;
+    placed.layer = 3;
+    EXPECT_FALSE(has_same_placement(panel, placed));
+    take_placement(panel, placed);
+    EXPECT_TRUE(has_same_placement(panel, placed));
+    EXPECT_EQ(panel.layer, 0);
+    panel.layer = 3;
+    EXPECT_EQ(panel, placed);
+    take_placement(panel, {});
+    EXPECT_FALSE(panel.wrap_cone);
+    EXPECT_TRUE(panel.rotation.isIdentity());
+}
+
+TEST(FieldMoves, taking_changes_copies_values_that_are_not_defaults) {
+    Notch notch{.edge = 4, .t = 0.25, .kind = NotchKind::V};
+    take_changes(notch, Notch{.t = 0.75, .count = 2});
+    EXPECT_EQ(notch, (Notch{.edge = 4, .t = 0.75, .kind = NotchKind::V, .count = 2}));
+}
+
+TEST(FieldMoves, outlines_are_equal_when_only_labels_and_allowances_differ) {
     Panel panel = marked_panel();
     panel.edges[0].allowance = 0.03;
     panel.edges[1].label = "side";

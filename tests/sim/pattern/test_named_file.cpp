@@ -147,7 +147,7 @@ TEST_F(NamedFile, of_a_fabrics_picture_is_named_from_the_fabrics_folder) {
     EXPECT_EQ(parse_fabric(moved, at("work/roses.json")), fabric);
 }
 
-TEST_F(NamedFile, every_one_of_a_pattern_is_listed) {
+TEST_F(NamedFile, is_listed_for_every_field_of_a_pattern_that_has_one) {
     Fabric fabric = find_fabric("silk");
     fabric.surface = SurfaceDesign{.kind = DesignKind::Picture, .source = at("work/tulips.png")};
     write_file_atomically(at("work/my_silk.json"), write_fabric(fabric, at("work/my_silk.json")));

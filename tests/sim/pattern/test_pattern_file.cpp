@@ -200,7 +200,7 @@ std::string with_additions() {
  "internal_lines": [{"name": "pleat", "points": [[10, 1], [10, 40]]}]}, )");
 }
 
-TEST(PatternFile, reads_what_we_add_in_the_held_frame) {
+TEST(PatternFile, reads_our_additions_in_the_panel_frame) {
     const Pattern pattern = parse_pattern(with_additions(), "").pattern;
     EXPECT_EQ(pattern.fabric, "wool_twill");
     EXPECT_EQ(pattern.tartan, "black_watch");
@@ -279,13 +279,13 @@ TEST(PatternFile, reads_and_writes_the_labels_of_panels) {
     EXPECT_EQ(again.pattern.panels[1].label, "");
 }
 
-TEST(PatternFile, follows_panels_and_seams_that_come_and_go) {
+TEST(PatternFile, writes_panels_and_seams_that_were_added_and_drops_removed_ones) {
     PatternDocument document = parse_pattern(sample_text(), "");
     Panel third = document.pattern.panels[1];
     third.name = "lining";
     document.pattern.panels.push_back(third);
     document.pattern.panels.erase(document.pattern.panels.begin());
-    document.pattern.seams = {{{0, 2}, {1, 2}, false}};
+    document.pattern.seams = {{.first = {0, 2}, .second = {1, 2}, .is_reversed = false}};
     const PatternDocument again = parse_pattern(write_pattern(document), "");
     ASSERT_EQ(again.pattern.panels.size(), 2U);
     EXPECT_EQ(again.pattern.panels[1].name, "lining");
@@ -396,7 +396,7 @@ TEST(PatternAdditions, are_read_in_metres_and_along_the_edges_of_the_file) {
 }
 
 // What the panel's paper says: allowances, kinds of notches, fold lines, drill points, pieces, size.
-TEST(PatternAdditions, keep_what_paper_says_and_mirror_it_with_the_panel) {
+TEST(PatternAdditions, for_paper_are_kept_and_mirrored_with_their_panel) {
     PatternDocument document = parse_pattern(sample_text(), "");
     Pattern& pattern = document.pattern;
     pattern.allowance = 0.01;
@@ -407,7 +407,7 @@ TEST(PatternAdditions, keep_what_paper_says_and_mirror_it_with_the_panel) {
     back.is_worn = false;
     back.drill_points = {{-0.1, 0.2}};
     back.notches = {{.edge = 1, .t = 0.5, .kind = NotchKind::Castle, .count = 2}};
-    back.internal_lines = {{"middle", {{-0.1, 0.1}, {-0.3, 0.1}}, LineUse::Fold}};
+    back.internal_lines = {{.name = "middle", .points = {{-0.1, 0.1}, {-0.3, 0.1}}, .use = LineUse::Fold}};
     back.edges[3].allowance = 0.03;
     back.edges[3].allowance_corner = AllowanceCorner::Mirrored;
     const std::string text = write_pattern(document);
@@ -431,16 +431,16 @@ TEST(PatternAdditions, keep_what_paper_says_and_mirror_it_with_the_panel) {
     EXPECT_FALSE(parse_pattern(write_pattern(document), "").pattern.panels[1].edges[3].allowance);
 }
 
-TEST(PatternAdditions, come_back_as_they_stood_when_nothing_changed) {
+TEST(PatternAdditions, are_written_unchanged_when_nothing_was_edited) {
     EXPECT_EQ(written(parse_pattern(with_drafting(), "")), one_line(with_drafting()));
     const std::string empty = replaced(sample_text(), R"("pattern": {)", R"("selvedge": {"eased": []}, "pattern": {)");
     EXPECT_EQ(written(parse_pattern(empty, "")), one_line(empty));
 }
 
-TEST(PatternAdditions, go_to_a_file_that_had_none_and_come_back) {
+TEST(PatternAdditions, are_written_to_a_file_without_them_and_read_again) {
     PatternDocument document = parse_pattern(sample_text(), "");
     Panel& back = document.pattern.panels[1];
-    back.notches = {{2, 0.125}, {0, 0}};
+    back.notches = {{.edge = 2, .t = 0.125}, {.edge = 0, .t = 0}};
     back.wrap_radius = 0.125;
     back.mirror_of = "front";
     back.sheet_position = Vec2d(-0.5, 0.25);

@@ -24,7 +24,7 @@ PatternDocument stitched() {
     return document;
 }
 
-TEST(Topstitch, comes_back_from_a_file) {
+TEST(Topstitch, is_equal_after_writing_and_reading_a_file) {
     const PatternDocument document = stitched();
     const std::string text = write_pattern(document);
     const PatternDocument again = parse_pattern(text, "");
@@ -48,7 +48,7 @@ TEST(Topstitch, of_a_seam_follows_a_panel_that_is_renamed) {
     EXPECT_EQ(parse_pattern(write_pattern(document), "").pattern.seams, document.pattern.seams);
 }
 
-TEST(Topstitch, that_no_machine_sews_is_refused_with_its_place) {
+TEST(Topstitch, out_of_range_is_refused_with_its_place) {
     const std::string text = write_pattern(stitched());
     EXPECT_EQ(
         faults_of(replaced(text, "\"rows\": 2", "\"rows\": 10")),

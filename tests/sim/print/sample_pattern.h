@@ -25,13 +25,14 @@ inline Pattern sample_pattern() {
     cap.edges[3].arc_radius = 0.2;
     cap.edges[0].allowance = 0.03;
     cap.edges[0].allowance_corner = AllowanceCorner::Mirrored;
-    cap.notches = {{1, 0.4, NotchKind::V, 2},
-                   {2, 0.5, NotchKind::T, 1},
-                   {3, 0.3, NotchKind::Castle, 1},
-                   {4, 0.6, NotchKind::Slit, 1},
-                   {0, 0.5, NotchKind::U, 3}};
-    cap.internal_lines = {{"pocket line", {{0.1, 0.1}, {0.2, 0.1}, {0.2, 0.15}}, LineUse::Mark},
-                          {"middle", {{0.15, 0}, {0.15, 0.4}}, LineUse::Fold}};
+    cap.notches = {{.edge = 1, .t = 0.4, .kind = NotchKind::V, .count = 2},
+                   {.edge = 2, .t = 0.5, .kind = NotchKind::T, .count = 1},
+                   {.edge = 3, .t = 0.3, .kind = NotchKind::Castle, .count = 1},
+                   {.edge = 4, .t = 0.6, .kind = NotchKind::Slit, .count = 1},
+                   {.edge = 0, .t = 0.5, .kind = NotchKind::U, .count = 3}};
+    cap.internal_lines = {
+        {.name = "pocket line", .points = {{0.1, 0.1}, {0.2, 0.1}, {0.2, 0.15}}, .use = LineUse::Mark},
+        {.name = "middle", .points = {{0.15, 0}, {0.15, 0.4}}, .use = LineUse::Fold}};
     cap.drill_points = {{0.12, 0.2}};
     cap.grain_angle = 0.2;
     cap.pieces = 2;
@@ -45,7 +46,9 @@ inline Pattern sample_pattern() {
     pattern.size = "40";
     pattern.allowance = 0.01;
     pattern.panels = {cap, strip};
-    pattern.seams = {{{0, 0}, {1, 0}, true, "hem & strip", true, "round & round"}, {{0, 1}, {0, 4}, false, "", false}};
+    pattern.seams = {
+        {.first = {0, 0}, .second = {1, 0}, .name = "hem & strip", .is_eased = true, .sewing = "round & round"},
+        {.first = {0, 1}, .second = {0, 4}, .is_reversed = false}};
     return pattern;
 }
 

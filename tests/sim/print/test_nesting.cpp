@@ -155,7 +155,7 @@ TEST(CuttingLayout, folded_fabric_cuts_pairs_at_once_and_symmetric_panels_on_the
 
 TEST(CuttingLayout, a_matched_sett_is_kept_and_not_folded) {
     Pattern pattern = pattern_to_fold();
-    pattern.matched_sett = MatchedSett{"test", Vec2d(0.1, 0.12)};
+    pattern.matched_sett = MatchedSett{.tartan = "test", .repeat = Vec2d(0.1, 0.12)};
     pattern.panels[1].sett_offset = {0.03, 0.05};
     const std::vector<PaperSheet> layouts = cutting_layouts(pattern, {.width = 1.4, .is_folded = true});
     ASSERT_EQ(layouts.size(), 1U);

@@ -58,8 +58,8 @@ Eigen::AlignedBox2d text_box(const PaperLabel& label) {
 TEST(PaperPiece, label_and_grain_line_keep_clear_of_lines_inside) {
     Pattern pattern = sample_pattern();
     Panel& strip = pattern.panels[1];
-    strip.internal_lines = {{"fold", {{0, 0.03}, {0.5, 0.03}}, LineUse::Fold},
-                            {"button", {{0.25, 0}, {0.25, 0.06}}, LineUse::Mark}};
+    strip.internal_lines = {{.name = "fold", .points = {{0, 0.03}, {0.5, 0.03}}, .use = LineUse::Fold},
+                            {.name = "button", .points = {{0.25, 0}, {0.25, 0.06}}, .use = LineUse::Mark}};
     strip.drill_points = {{0.12, 0.015}, {0.38, 0.045}};
     strip.grain_angle = 0;
     for (const double width : {0.06, 0.05, 0.04}) {
@@ -78,7 +78,7 @@ TEST(PaperPiece, label_of_a_narrow_upright_strip_runs_up) {
     Panel& strip = pattern.panels[1];
     strip.vertices = {{0, 0}, {0.06, 0}, {0.06, 0.5}, {0, 0.5}};
     strip.grain_angle = 0;
-    strip.internal_lines = {{"fold", {{0.03, 0}, {0.03, 0.5}}, LineUse::Fold}};
+    strip.internal_lines = {{.name = "fold", .points = {{0.03, 0}, {0.03, 0.5}}, .use = LineUse::Fold}};
     const PaperPiece piece = paper_pieces(pattern)[1];
     EXPECT_TRUE(piece.label.runs_up);
     EXPECT_GE(piece.label.height, 0.0045);

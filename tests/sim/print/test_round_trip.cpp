@@ -200,7 +200,7 @@ TEST(RoundTrip, dxf_keeps_the_points_of_internal_lines_and_the_width_of_allowanc
     Pattern pattern = darted_pattern();
     pattern.allowance = 0.01;
     Panel& panel = pattern.panels[0];
-    InternalLine arc{"pocket bag", {}, LineUse::Mark};
+    InternalLine arc{.name = "pocket bag", .points = {}, .use = LineUse::Mark};
     for (int k = 0; k <= 16; ++k) arc.points.push_back(turned_about({0.08, 0.3}, {0.12, 0.3}, 0.1 * k));
     panel.internal_lines = {arc};
     expect_same(dxf_of(pattern), pattern);
@@ -271,7 +271,7 @@ Pattern placed_sample() {
     Panel& cap = pattern.panels[0];
     cap.translation = {0.1, 1.2, -0.05};
     cap.rotation = Eigen::AngleAxisd(1.1, Vec3d(0.3, 0.9, -0.2).normalized()).toRotationMatrix();
-    cap.wrap_cone = WrapCone{{0.15, 0.9}, -0.4};
+    cap.wrap_cone = WrapCone{.apex = {0.15, 0.9}, .sine = -0.4};
     cap.layer = -2;
     cap.label = "arm; \"upper\"";
     cap.pins = {0, 3};
@@ -389,7 +389,7 @@ TEST(RoundTrip, dxf_keeps_a_body_with_all_measurements) {
     }());
 }
 
-TEST(RoundTrip, placements_round_a_body_file_stay_at_home) {
+TEST(RoundTrip, placements_round_a_body_file_are_not_written) {
     Pattern original = placed_sample();
     original.body = "/bodies/somebody.obj";
     for (const std::string& text : {svg_of(original), dxf_of(original)}) {

@@ -24,7 +24,7 @@ std::string lines_with(const std::string& word, const std::string& text) {
     return lines;
 }
 
-TEST(WrittenRecords, say_what_is_not_drawn) {
+TEST(WrittenRecords, of_a_pattern_with_every_field_equal_the_reference) {
     const std::string path = source_folder() + "/tests/reference/all_fields.json";
     const Pattern all = parse_pattern(read_file(path, 1 << 20), "").pattern;
     std::string text;

@@ -24,7 +24,7 @@ Pattern matched(Pattern pattern, const Sett& sett, const MatchOptions& options =
 Pattern tube(double rise) {
     Pattern pattern;
     pattern.panels = {box("front", {0, 0}, 0.4, 0.5), box("back", {0.03, rise}, 0.4, 0.5)};
-    pattern.seams = {{{0, 1}, {1, 3}, true}, {{0, 3}, {1, 1}, true}};
+    pattern.seams = {{{0, 1}, {1, 3}}, {{0, 3}, {1, 1}}};
     return pattern;
 }
 
@@ -78,7 +78,7 @@ Pattern chevron() {
     const double lean = 0.5 * std::tan(std::numbers::pi / 6);
     pattern.panels = {polygon_panel("left", {{0, 0}, {0.4, 0}, {0.4 - lean, 0.5}, {0, 0.5}}),
                       polygon_panel("right", {{0, 0.011}, {0.4, 0.011}, {0.4, 0.511}, {lean, 0.511}})};
-    pattern.seams = {{{0, 1}, {1, 3}, true}};
+    pattern.seams = {{{0, 1}, {1, 3}}};
     return pattern;
 }
 
@@ -120,7 +120,7 @@ Pattern ring() {
     pattern.panels = {box("a", {0, 0}, 0.3, 0.5), box("b", {0, 0}, 0.3, 0.5), box("c", {0, 0}, 0.3, 0.5)};
     pattern.panels[2].vertices[1].y() += 0.008;
     pattern.panels[2].vertices[2].y() += 0.008;
-    pattern.seams = {{{0, 1}, {1, 3}, true}, {{1, 1}, {2, 3}, true}, {{2, 1}, {0, 3}, true}};
+    pattern.seams = {{{0, 1}, {1, 3}}, {{1, 1}, {2, 3}}, {{2, 1}, {0, 3}}};
     return pattern;
 }
 
@@ -158,7 +158,7 @@ TEST(Match, a_short_seam_named_first_wins_against_two_long_ones) {
     pattern.panels[1].vertices[4] = {0, 0.106};
     pattern.panels[1].vertices[5] = {0, 0.003};
     pattern.panels[1].vertices[0] = {0, -0.02};
-    pattern.seams = {{{0, 2}, {1, 3}, true}, {{0, 1}, {1, 4}, true}};
+    pattern.seams = {{{0, 2}, {1, 3}}, {{0, 1}, {1, 4}}};
     const SettMatch by_length = match_sett(pattern, one_way_sett());
     const SettMatch by_name = match_sett(pattern, one_way_sett(), {.first_seams = {1}});
     EXPECT_LT(by_length.seams[0].after, kExact);
@@ -221,7 +221,9 @@ Pattern random_garment(unsigned seed, int panels) {
     for (int edge = 0; edge < 4; ++edge) {
         for (int p = 0; p + 1 < panels; p += 1 + static_cast<int>(random() % 2)) {
             const auto other = static_cast<int>(random() % static_cast<unsigned>(panels));
-            pattern.seams.push_back({{p, edge}, {other, static_cast<int>(random() % 4)}, random() % 4 != 0});
+            pattern.seams.push_back({.first = {p, edge},
+                                     .second = {other, static_cast<int>(random() % 4)},
+                                     .is_reversed = random() % 4 != 0});
         }
     }
     return pattern;
@@ -275,10 +277,10 @@ TEST(Match, hostile_offsets_darts_and_points_do_no_harm) {
     Pattern pattern = tube(0.01);
     pattern.panels[0].sett_offset = {std::nan(""), 1e9};
     pattern.panels[1].sett_offset = {std::numeric_limits<double>::infinity(), 99.99};
-    pattern.seams.push_back({{0, 0}, {0, 2}, true});  // a panel that is sewn to itself
+    pattern.seams.push_back({{0, 0}, {0, 2}});  // a panel that is sewn to itself
     pattern.panels.push_back(polygon_panel("point", {{0, 0}, {0, 0}, {0, 0}}));
-    pattern.seams.push_back({{2, 0}, {1, 0}, true});
-    pattern.seams.push_back({{2, 1}, {2, 2}, true});
+    pattern.seams.push_back({{2, 0}, {1, 0}});
+    pattern.seams.push_back({{2, 1}, {2, 2}});
     const SettMatch match = match_sett(pattern, mirrored_sett());
     for (const Vec2d& offset : match.offsets) EXPECT_TRUE(offset.allFinite());
     for (const SeamMatch& seam : match.seams) EXPECT_TRUE(std::isfinite(seam.after)) << seam.name;
@@ -303,7 +305,7 @@ TEST(Match, warp_and_weft_may_repeat_at_different_sizes) {
 
 TEST(Match, offsets_serve_the_sett_that_they_were_found_for_and_no_other) {
     const Sett sett = find_tartan("gordon");
-    const MatchedSett matched{"Gordon", Vec2d(repeat_size(sett), repeat_size(sett))};
+    const MatchedSett matched{.tartan = "Gordon", .repeat = Vec2d(repeat_size(sett), repeat_size(sett))};
     EXPECT_TRUE(is_sett_of(matched, sett));
     EXPECT_FALSE(is_sett_of(matched, with_repeat_size(sett, 0.09)));
     EXPECT_FALSE(is_sett_of(matched, with_repeat_size(find_tartan("anderson"), repeat_size(sett))));
@@ -343,9 +345,9 @@ TEST(Match, thousands_of_panels_are_matched_to_the_last) {
     constexpr int kPanels = 3000;
     for (int p = 0; p < kPanels; ++p) {
         pattern.panels.push_back(box("p" + std::to_string(p), {0, 0.001 * (p * 7919 % 53)}, 0.3, 0.5));
-        if (p > 0) pattern.seams.push_back({{p - 1, 1}, {p, 3}, true});
+        if (p > 0) pattern.seams.push_back({{p - 1, 1}, {p, 3}});
     }
-    pattern.seams.push_back({{kPanels - 1, 1}, {0, 3}, true});
+    pattern.seams.push_back({{kPanels - 1, 1}, {0, 3}});
     const SettMatch match = match_sett(pattern, mirrored_sett());
     ASSERT_EQ(match.seams.size(), pattern.seams.size());
     for (const SeamMatch& seam : match.seams) EXPECT_LT(seam.after, kExact) << seam.name;
