@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/cloth/coulomb.h"
 #include "sim/cloth/loop_parts.h"
 
 namespace selvedge::sim {
@@ -47,17 +48,29 @@ struct ContactCache {
     return {normal, now, is_near & is_lost, is_known, is_known & (now < 0.0F), squared};
 }
 
+// The arithmetic of as many points as a register holds; see coulomb.h.
+struct ManyPoints {
+    using Real = Floats;
+    using Xyz = lanes::Xyz;
+
+    [[gnu::always_inline]] static Floats dot(const Xyz& a, const Xyz& b) { return selvedge::sim::dot(a, b); }
+    [[gnu::always_inline]] static Xyz minus(const Xyz& a, const Xyz& b, Floats t) {
+        return {a.x - b.x * t, a.y - b.y * t, a.z - b.z * t};
+    }
+    [[gnu::always_inline]] static Xyz scaled(const Xyz& a, Floats t) { return {a.x * t, a.y * t, a.z * t}; }
+    [[gnu::always_inline]] static Floats share_of(Floats held, Floats squared) {
+        return lanes::min(held * lanes::inverse_root(squared + lanes::broadcast(kTiny)), lanes::broadcast(1.0F));
+    }
+};
+
 // Projects points that lie `depth` below the offset surface (0: above it) onto that surface, and reduces their
 // tangential displacement since `from` by friction times depth.
 [[gnu::always_inline]] inline Xyz project(const Xyz& x, const Xyz& from, const Xyz& normal, Floats depth,
                                           Floats friction) {
     const Xyz out{x.x + normal.x * depth, x.y + normal.y * depth, x.z + normal.z * depth};
     const Xyz moved{out.x - from.x, out.y - from.y, out.z - from.z};
-    const Floats along = dot(moved, normal);
-    const Xyz slid{moved.x - normal.x * along, moved.y - normal.y * along, moved.z - normal.z * along};
-    const Floats inverse = lanes::inverse_root(dot(slid, slid) + lanes::broadcast(kTiny));
-    const Floats taken = lanes::min(friction * depth * inverse, lanes::broadcast(1.0F));
-    return {out.x - slid.x * taken, out.y - slid.y * taken, out.z - slid.z * taken};
+    const Xyz back = taken_by_friction<ManyPoints>(moved, normal, friction * depth);
+    return {out.x - back.x, out.y - back.y, out.z - back.z};
 }
 
 // Loads kCount consecutive points. After transposition lane 4 k + j holds point kCount / 4 j + k.

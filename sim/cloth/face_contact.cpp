@@ -10,6 +10,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/cloth_penetration.h"
 #include "sim/cloth/contact.h"
+#include "sim/cloth/coulomb.h"
 #include "sim/cloth/solver_state.h"
 #include "sim/cloth/standoff.h"
 #include "sim/collide/surface_bvh.h"
@@ -134,10 +135,8 @@ void push_out(FaceContact& face, SolverState& solver, const Collider& body, cons
     if (height >= 0) return;
     const float sunk = std::clamp(face.plane + options.offset - face.normal.dot(from), 0.0F, -height);
     shift(face, face.normal * sunk, solver.before);
-    const Vec3f moving = at - from;
-    const Vec3f sliding = moving - face.normal * face.normal.dot(moving);
-    const float slid = sliding.norm(), held = face.friction * options.friction_scale * (-height - sunk);
-    shift(face, -height * face.normal - sliding * (slid > 0 ? std::min(1.0F, held / slid) : 0.0F), solver.points);
+    const float held = face.friction * options.friction_scale * (-height - sunk);
+    shift(face, -height * face.normal - taken_by_friction<OnePoint>(at - from, face.normal, held), solver.points);
 }
 
 FaceContact& watch(Cloth& cloth, const LeafTriangle& leaf) {

@@ -8,6 +8,7 @@
 
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/contact.h"
+#include "sim/cloth/coulomb.h"
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/solver_state.h"
 #include "sim/core/morton.h"
@@ -361,11 +362,8 @@ void hold_in_crease(const CreaseContact& crease, const StepShare& share, float f
             x += normal * depth;
             const float gained = last.is_pinched ? 0 : std::min(depth, crease.offset[k].change * share.length);
             solver.before[crease.vertex].head<3>() += normal * gained;
-            Vec3f slid = x - from - share.length * crease.planes[k].motion;
-            slid -= normal * normal.dot(slid);
-            const float length = slid.norm();
-            if (length > 0 && !last.is_pinched)
-                x -= slid * std::min(1.0F, crease.friction * friction_scale * depth / length);
+            const float held = last.is_pinched ? 0 : crease.friction * friction_scale * depth;
+            x -= taken_by_friction<OnePoint>(x - from - share.length * crease.planes[k].motion, normal, held);
         }
     }
     point.head<3>() = x;

@@ -8,6 +8,7 @@
 
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/contact.h"
+#include "sim/cloth/coulomb.h"
 #include "sim/cloth/face_contact.h"
 #include "sim/cloth/solver_state.h"
 
@@ -116,11 +117,10 @@ void push_out_faces_on_planes(Cloth& cloth, const StepShare& share, const Contac
         const float depth = face.offset.start + share.end * face.offset.change - above;
         if (depth <= 0) continue;
         const float gained = std::min(depth, face.offset.change * share.length);
-        Vec3f sliding = at - from - share.length * face.plane.motion;
-        sliding -= normal * normal.dot(sliding);
-        const float slid = sliding.norm(), held = face.friction * options.friction_scale * (depth - gained);
+        const float held = face.friction * options.friction_scale * (depth - gained);
+        const Vec3f motion = at - from - share.length * face.plane.motion;
         shift(face, normal * gained, solver.before);
-        shift(face, depth * normal - sliding * (slid > 0 ? std::min(1.0F, held / slid) : 0.0F), solver.points);
+        shift(face, depth * normal - taken_by_friction<OnePoint>(motion, normal, held), solver.points);
     }
 }
 
