@@ -64,12 +64,13 @@ struct ManyPoints {
 };
 
 // Projects points that lie `depth` below the offset surface (0: above it) onto that surface, and reduces their
-// tangential displacement since `from` by friction times depth.
+// tangential displacement since `from` by friction times the depth that their motion, or the surface's, made: not what
+// is `gained` without velocity.
 [[gnu::always_inline]] inline Xyz project(const Xyz& x, const Xyz& from, const Xyz& normal, Floats depth,
-                                          Floats friction) {
+                                          Floats friction, Floats gained = Floats{}) {
     const Xyz out{x.x + normal.x * depth, x.y + normal.y * depth, x.z + normal.z * depth};
     const Xyz moved{out.x - from.x, out.y - from.y, out.z - from.z};
-    const Xyz back = taken_by_friction<ManyPoints>(moved, normal, friction * depth);
+    const Xyz back = taken_by_friction<ManyPoints>(moved, normal, friction * (depth - gained));
     return {out.x - back.x, out.y - back.y, out.z - back.z};
 }
 
@@ -284,7 +285,7 @@ struct PushedCorners {
     if (lanes::bits(sunk > 0.0F) != 0)
         from = shifted(from, {normal.x * sunk, normal.y * sunk, normal.z * sunk}, shares);
     const Floats mu = load_at(block.friction, at) * friction_scale;
-    const Xyz out = project(s.x, mixed(block, at, from), normal, depth, mu);
+    const Xyz out = project(s.x, mixed(block, at, from), normal, depth, mu, lanes::min(sunk, depth));
     return {shifted(s.corners, {out.x - s.x.x, out.y - s.x.y, out.z - s.x.z}, shares), from};
 }
 

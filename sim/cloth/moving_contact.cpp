@@ -362,7 +362,7 @@ void hold_in_crease(const CreaseContact& crease, const StepShare& share, float f
             x += normal * depth;
             const float gained = last.is_pinched ? 0 : std::min(depth, crease.offset[k].change * share.length);
             solver.before[crease.vertex].head<3>() += normal * gained;
-            const float held = last.is_pinched ? 0 : crease.friction * friction_scale * depth;
+            const float held = last.is_pinched ? 0 : crease.friction * friction_scale * (depth - gained);
             x -= taken_by_friction<OnePoint>(x - from - share.length * crease.planes[k].motion, normal, held);
         }
     }

@@ -41,12 +41,13 @@ void hold_on_planes(std::span<const MovingVertexBlock> blocks, const StepShare& 
             if (lanes::bits(now.depth > 0.0F) == 0) continue;
             const Xyz from = sum(lanes::transposed(lanes::gather_points(before, &block.vertices[at])), now.motion);
             const Floats mu = load_at(block.friction, at) * friction_scale;
-            Rows out = lanes::rows_of(project(x, from, now.normal, lanes::max(now.depth, Floats{}), mu));
+            const Floats depth = lanes::max(now.depth, Floats{});
+            const Floats rise = load_at(block.rise, at) * lanes::broadcast(share.length);
+            const Floats gained = lanes::min(depth, rise);
+            Rows out = lanes::rows_of(project(x, from, now.normal, depth, mu, gained));
             for (int j = 0; j < 4; ++j) out.row[j] = lanes::with_w_components(out.row[j], was.row[j]);
             lanes::scatter_points(points, &block.vertices[at], out);
-            const Floats rise = load_at(block.rise, at) * lanes::broadcast(share.length);
             if (lanes::bits(rise > 0.0F) == 0) continue;
-            const Floats gained = lanes::min(lanes::max(now.depth, Floats{}), rise);
             const Rows start = lanes::gather_points(before, &block.vertices[at]);
             const Xyz b = lanes::transposed(start);
             Rows moved =
