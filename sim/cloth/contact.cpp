@@ -206,9 +206,8 @@ class SampleLists {
     }
 
     SampleBlock dummy_samples(bool is_in_turn) const {
-        constexpr float kFar = 1e6F;  // m
         SampleBlock block = dummy_block<SampleBlock>(contacts_.vertices);
-        block.slack.fill(kFar);
+        block.slack.fill(kFarAway);
         block.in_turn.fill(is_in_turn ? 1 : 0);
         return block;
     }
@@ -263,10 +262,10 @@ void store_query_at(const ContactBlock& result, std::size_t at, const ContactLim
     const float height = result.distance[at] - limits.offset;
     const bool is_new = samples.slack[at] < ContactCacheArrays::kInvalidBelow;
     samples.sunk[at] = is_new ? std::max(-height, 0.0F) : 0.0F;
-    set_values(samples.query_point, at, result.point(at));
+    set_values(samples.side.point, at, result.point(at));
     samples.slack[at] = height - limits.margin;
-    set_values(samples.normal, at, {result.nx[at], result.ny[at], result.nz[at]});
-    samples.height[at] = height;
+    set_values(samples.side.normal, at, {result.nx[at], result.ny[at], result.nz[at]});
+    samples.side.height[at] = height;
 }
 
 // The same for these slots.
@@ -279,10 +278,9 @@ void store_queries(const ContactBlock& result, unsigned slots, const Kernels& lo
 
 // The block with this slot alone near anything: a collider is done with the others at once.
 ContactBlock alone(const ContactBlock& block, std::size_t at) {
-    constexpr float kNowhere = 1e6F;  // m
     ContactBlock one;
     for (std::size_t i = 0; i < kContactLanes; ++i)
-        one.set_point(i, i == at ? block.point(at) : Vec3f(Vec3f::Constant(kNowhere)));
+        one.set_point(i, i == at ? block.point(at) : Vec3f(Vec3f::Constant(kFarAway)));
     return one;
 }
 
@@ -422,7 +420,7 @@ void set_contact_offset(Cloth& cloth, float offset) {
     }
     for (SampleBlock& block : contacts.samples) {
         for (std::size_t at = 0; at < kBlock; ++at) {
-            block.height[at] += lower;
+            block.side.height[at] += lower;
             if (block.slack[at] >= ContactCacheArrays::kInvalidBelow) block.slack[at] += lower;
         }
     }

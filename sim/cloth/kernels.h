@@ -156,7 +156,7 @@ struct Kernels {
     // planes since `before`. What a vertex gains by the rise of its plane is added to `before` too.
     void (*hold_on_planes)(std::span<const MovingVertexBlock> blocks, const StepShare& share, float friction_scale,
                            float* before, float* points);
-    void (*push_samples_on_planes)(SampleBlock& block, const MovingPlaneBlock& planes, const StepShare& share,
+    void (*push_samples_on_planes)(SampleBlock& block, const MovingSideBlock& sides, const StepShare& share,
                                    float friction_scale, float* points, float* before);
 };
 
