@@ -16,9 +16,10 @@
 namespace selvedge::sim {
 namespace {
 
-// The assumed error of a collider's distance, m: at least 0.7 mm, and at least what the collider reports.
+// The assumed error of a collider's distance, m: at least kMinMargin, chosen by experiment, and at least what the
+// collider reports.
 float slack_margin(const Collider& body) {
-    constexpr float kMinMargin = 0.0007F;
+    constexpr float kMinMargin = 0.0007F;  // m
     return std::max(kMinMargin, body.max_error());
 }
 
@@ -492,7 +493,7 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
 }
 
 Vec3f outside(const Vec3f& x, const Vec3f& outward, const Collider& body, float offset) {
-    constexpr float kReach = 0.05F;  // m
+    constexpr float kReach = 0.05F;  // m, of the ray either way; chosen by experiment
     const Contact contact = body.contact(x);
     if (contact.distance >= offset) return x;
     const Vec3f nearest = x + contact.normal * (offset - contact.distance);

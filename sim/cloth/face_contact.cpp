@@ -25,7 +25,7 @@ constexpr float kFaceReach = 0.0005F;  // m, how far the tangent plane is used: 
 
 constexpr float kUnseen = 0.002F;  // m, after which a face is queried again: the descent may miss a second finger
 
-constexpr float kRounding = 1e-6F;  // m
+constexpr float kRounding = 1e-6F;  // m, more than the rounding errors of positions within 8 m of the origin
 
 struct FacePoint {
     Vec3f x = Vec3f::Zero();
@@ -78,8 +78,8 @@ float largest_move(const Corners& from, const Corners& to) {
 // pierced: for a limb of the radius kAim one step suffices.
 NearestPoint nearest_point(const ContactWithin& body, const Corners& x, const Shares& last) {
     constexpr float kAim = 0.005F;         // m, less than the radius of a finger
-    constexpr float kProgress = 0.00002F;  // m
-    constexpr int kSteps = 12;
+    constexpr float kProgress = 0.00002F;  // m: a step that comes nearer by less is the last one
+    constexpr int kSteps = 12;             // at most
     FacePoint nearest;
     const Vec3f middle = (x[0] + x[1] + x[2]) / 3;
     take_nearer(body, middle, nearest);

@@ -27,7 +27,7 @@ struct CorrectedPoints {
     float* correction = nullptr;  // displacement by the corrections of stretch and shear
 };
 
-// Gains and bounds of the update of the biases.
+// Gains of the update of the biases, and bounds, which were chosen by experiment.
 struct BiasGains {
     float stretch = 0;  // share of the strain error that is added to the bias of warp and weft
     float shear = 0;

@@ -330,7 +330,7 @@ void hold_in_crease(const CreaseContact& crease, const StepShare& share, float f
         for (std::size_t k = 0; k < 2; ++k) sides[k].offset = {.start = offsets.kept[k]};
     solver.contacts.moving.last[v].is_pinched = offsets.is_pinched;
     solver.contacts.moving.pinched += offsets.is_pinched ? 1 : 0;
-    constexpr int kIterations = 2;
+    constexpr int kIterations = 2;  // over both sides: what the second side pushes back into the first comes out again
     for (int i = 0; i < kIterations; ++i) {
         for (const BodySide& side : sides) {
             const Vec3f x = solver.points[v].head<3>();
