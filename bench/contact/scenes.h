@@ -9,6 +9,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/step.h"
 #include "sim/collide/collider.h"
+#include "sim/core/gravity.h"
 #include "sim/mesh/garment_mesh.h"
 
 namespace selvedge::bench {
@@ -17,13 +18,13 @@ struct ContactScene {
     std::string name;
     sim::GarmentMesh mesh;
     std::shared_ptr<const sim::Collider> body;
-    float floor = -1000;                  // m
-    bool is_adaptive = false;             // else level 0 only
-    int steps = 241;                      // of 1/120 s
-    int sheets = 1;                       // panel i + 1 lies above (outside of) panel i
-    Vec3f last_velocity = Vec3f::Zero();  // m/s, of the last sheet at the start
-    Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
-    float damping = 0;                    // 1/s, in addition to what all scenes have
+    float floor = -1000;                      // m
+    bool is_adaptive = false;                 // else level 0 only
+    int steps = 241;                          // of 1/120 s
+    int sheets = 1;                           // panel i + 1 lies above (outside of) panel i
+    Vec3f last_velocity = Vec3f::Zero();      // m/s, of the last sheet at the start
+    Vec3f gravity = sim::standard_gravity();  // m/s^2
+    float damping = 0;                        // 1/s, in addition to what all scenes have
     // Optional: moves the pinned vertices; their targets at the end of a step, given the time then (s).
     std::function<std::vector<sim::KinematicVertex>(const sim::Cloth&, float)> kinematic{};
 };

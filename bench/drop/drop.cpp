@@ -11,6 +11,7 @@
 #include "bench/support/cloth_run.h"
 #include "bench/support/measured_mesh.h"
 #include "sim/collide/collider.h"
+#include "sim/core/gravity.h"
 #include "sim/core/math.h"
 #include "sim/mesh/square.h"
 
@@ -230,7 +231,6 @@ namespace {
 constexpr int kLength = 4;      // widths, of the strip
 constexpr double kFrom = 1.25;  // widths below the clamp: upper gauge line
 constexpr double kTo = 2.75;
-constexpr double kG = 9.81;  // m/s^2
 
 // One column of quads in the plane z = 0 that hangs down from y = 0. The lowest quad is the weight, a separate panel.
 sim::GarmentMesh hanging_strip(double width) {
@@ -252,7 +252,7 @@ sim::GarmentMesh hanging_strip(double width) {
 double weight_density(const sim::Fabric& fabric, const BiasStripOptions& options) {
     const double force = options.strain * bias_stiffness(fabric);  // N/m
     const double strip_below = kLength - (kFrom + kTo) / 2;        // widths
-    return std::max(force / (kG * options.element) - strip_below * fabric.area_density, fabric.area_density);
+    return std::max(force / (sim::kGravity * options.element) - strip_below * fabric.area_density, fabric.area_density);
 }
 
 }  // namespace
@@ -277,7 +277,7 @@ BiasStrip measure_bias(const sim::Fabric& fabric, const BiasStripOptions& option
     const auto strain = [&] { return (line(kFrom).y() - line(kTo).y()) / rest - 1; };
     const double measured = mean_reading(run, sim::NoBody(), resting.damping, strain);
     const double own = (kLength - (kFrom + kTo) / 2) * width * fabric.area_density;  // kg/m, strip below gauge middle
-    const double force = kG * (own + width * weight.area_density);
+    const double force = sim::kGravity * (own + width * weight.area_density);
     result.stiffness_ratio = bias_strain(fabric, force) / measured;
     return result;
 }

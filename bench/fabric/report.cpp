@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "bench/fabric/theory.h"
+#include "sim/core/gravity.h"
 
 namespace selvedge::bench {
 namespace {
@@ -190,7 +191,7 @@ std::string drape_miss(double coefficient, double floor, const DrapeBand& band) 
 void add_drape_row(TableMaker& maker, Table& table, const sim::Fabric& fabric, const MeshSetting& level,
                    DrapeOfFabric& total) {
     const double rigidity = (fabric.bending_warp + fabric.bending_weft) / 2;
-    const double floor = drape_floor(std::cbrt(rigidity / (9.81 * fabric.area_density)));
+    const double floor = drape_floor(std::cbrt(rigidity / (sim::kGravity * fabric.area_density)));
     const DrapeBand band = published_drape(fabric.name);
     std::vector<Cell> row{fabric.name, level_name(level), Cell(floor, 1)};
     row.push_back(band.high > 0

@@ -12,6 +12,7 @@
 #include "bench/support/measured_mesh.h"
 #include "sim/collide/collider.h"
 #include "sim/core/file.h"
+#include "sim/core/gravity.h"
 #include "sim/core/json.h"
 #include "sim/mesh/sew.h"
 
@@ -52,10 +53,8 @@ DrapeBand published_drape(const std::string& fabric_name) {
 
 namespace {
 
-constexpr double kG = 9.81;  // m/s^2
-
 double weight_of(const sim::Fabric& fabric) {
-    return fabric.area_density * kG;  // N/m^2
+    return fabric.area_density * sim::kGravity;  // N/m^2
 }
 
 double warp_angle(YarnDirection direction) {
@@ -254,7 +253,7 @@ double energy_growth(const sim::Fabric& fabric, const MeshSetting& mesh, const S
     ClothRun run = let_go(fabric, std::numbers::pi / 2, mesh, stepping);
     double mass = 0;
     for (const double m : masses(run)) mass += m;
-    const double work = mass * kG * kSwingLength;
+    const double work = mass * sim::kGravity * kSwingLength;
     double highest = -work;
     const double start = energy(run).potential;
     for (double t = 0; t < kSeconds; t += stepping.frame_seconds) {
@@ -366,7 +365,7 @@ Specimen cut_strip(const sim::Fabric& fabric, const StripCut& cut, const Specime
         pattern.panels.push_back(rectangle("weight", cut, cut.length, cut.length + bar, frame));
         pattern.seams.push_back({.first = {1, 2}, .second = {2, 0}});
         fabrics.push_back(fabric);
-        fabrics.back().area_density = cut.weight / (kG * bar);
+        fabrics.back().area_density = cut.weight / (sim::kGravity * bar);
     }
     return sew_specimen(pattern, fabrics, cut.edge_length, cut.mesh_angle);
 }

@@ -6,6 +6,7 @@
 
 #include "bench/support/measured_mesh.h"
 #include "sim/cloth/cloth.h"
+#include "sim/core/gravity.h"
 #include "sim/core/math.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
@@ -25,7 +26,7 @@ struct RunOptions {
     float contact_offset = 1e-4F;  // m
     float sampled_edge = 0.02F;    // m: triangles with an edge this long have a contact sample in the middle
     float extra_damping = 0;       // 1/s, added to the damping of the fabrics
-    Vec3f gravity = Vec3f(0, -9.81F, 0);
+    Vec3f gravity = sim::standard_gravity();
 };
 
 struct ClothRun {

@@ -7,6 +7,7 @@
 // constraint of that cloth's solver.
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/step.h"
+#include "sim/core/gravity.h"
 #include "sim/core/math.h"
 
 namespace selvedge::sim {
@@ -16,15 +17,15 @@ class Collider;
 namespace selvedge::bench {
 
 struct ProvotOptions {
-    int substeps = 4;                     // per step, each of Cloth::substep
-    Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
-    float spring = 0;                     // N/m, of each edge at every level (fig. 3.14); see stable_spring()
-    float bending = 7.5e-6F;              // N m
-    float max_elongation = 0.1F;          // share of the rest length beyond which an edge is corrected (Provot: 10 %)
-    int corrections = 1;                  // iterations over all edges per sub-step
-    float damping = 0.6F;                 // 1/s
-    float friction = 0.35F;               // Coulomb coefficient
-    float offset = 0.003F;                // m, kept from the body at vertices
+    int substeps = 4;                         // per step, each of Cloth::substep
+    Vec3f gravity = sim::standard_gravity();  // m/s^2
+    float spring = 0;                         // N/m, of each edge at every level (fig. 3.14); see stable_spring()
+    float bending = 7.5e-6F;                  // N m
+    float max_elongation = 0.1F;  // share of the rest length beyond which an edge is corrected (Provot: 10 %)
+    int corrections = 1;          // iterations over all edges per sub-step
+    float damping = 0.6F;         // 1/s
+    float friction = 0.35F;       // Coulomb coefficient
+    float offset = 0.003F;        // m, kept from the body at vertices
 };
 
 // Listing 3.12: shortens ab to `longest` (m) if it is longer. Each end moves in proportion to its inverse mass (1/kg,

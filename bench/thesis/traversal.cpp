@@ -7,6 +7,7 @@
 #include "bench/support/measured_mesh.h"
 #include "bench/thesis/thesis.h"
 #include "sim/adaptive/criteria.h"
+#include "sim/core/gravity.h"
 #include "sim/mesh/square.h"
 
 namespace selvedge::bench {
@@ -18,7 +19,7 @@ constexpr float kBend = 1e-4F;           // N
 constexpr float kDensity = 0.12F;        // kg/m^2
 constexpr float kKept = 0.999F;          // share of the velocity that is kept per step
 constexpr float kCorrectedFrom = 1.01F;  // times the rest length, from which an edge is corrected
-const Vec3f kGravity(0, -9.81F, 0);      // m/s^2
+const Vec3f kAcceleration = sim::standard_gravity();
 
 // The work at each element, the same for every traversal.
 
@@ -53,7 +54,7 @@ void add_bending(SpringState& state, const std::array<std::uint32_t, 4>& v) {
 void move(SpringState& state, std::uint32_t v) {
     if (state.inverse_mass[v] == 0) return;
     const Vec3f x = state.x[v];
-    const Vec3f acceleration = state.inverse_mass[v] * state.force[v] + kGravity;
+    const Vec3f acceleration = state.inverse_mass[v] * state.force[v] + kAcceleration;
     state.x[v] = x + kKept * (x - state.x_prev[v]) + (kSeconds * kSeconds) * acceleration;
     state.x_prev[v] = x;
 }

@@ -9,6 +9,7 @@
 #include "sim/cloth/step.h"
 #include "sim/collide/body_collider.h"
 #include "sim/collide/collider.h"
+#include "sim/core/gravity.h"
 #include "sim/core/math.h"
 #include "sim/dress/dressing.h"
 #include "sim/mannequin/mannequin.h"
@@ -184,7 +185,7 @@ sim::Json to_json(const TshirtReport& report) {
 Vec3f leaning_gravity(double seconds) {
     const double lean = 5 * std::numbers::pi / 180;
     const double turn = 2 * std::numbers::pi * seconds;
-    return (9.81 * Vec3d(std::sin(lean) * std::cos(turn), -std::cos(lean), std::sin(lean) * std::sin(turn)))
+    return (sim::kGravity * Vec3d(std::sin(lean) * std::cos(turn), -std::cos(lean), std::sin(lean) * std::sin(turn)))
         .cast<float>();
 }
 

@@ -109,7 +109,8 @@ class BlockColoring {
     const std::vector<Run>& runs() const { return runs_; }
 
  private:
-    // Number of shared colours. Blocks of constraints for which none is left have a colour of their own, from kColors.
+    // Number of shared colours: one bit each in used_. Blocks of constraints for which none is left have a colour of
+    // their own, from kColors.
     static constexpr std::uint32_t kColors = 64;
     static constexpr std::size_t list_of(std::uint32_t color) { return color < kColors ? color : kColors; }
 

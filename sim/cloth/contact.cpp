@@ -16,9 +16,10 @@
 namespace selvedge::sim {
 namespace {
 
-// The assumed error of a collider's distance, m: at least 0.7 mm, and at least what the collider reports.
+// The assumed error of a collider's distance, m: at least kMinMargin, chosen by experiment, and at least what the
+// collider reports.
 float slack_margin(const Collider& body) {
-    constexpr float kMinMargin = 0.0007F;
+    constexpr float kMinMargin = 0.0007F;  // m
     return std::max(kMinMargin, body.max_error());
 }
 
@@ -206,9 +207,8 @@ class SampleLists {
     }
 
     SampleBlock dummy_samples(bool is_in_turn) const {
-        constexpr float kFar = 1e6F;  // m
         SampleBlock block = dummy_block<SampleBlock>(contacts_.vertices);
-        block.slack.fill(kFar);
+        block.slack.fill(kFarAway);
         block.in_turn.fill(is_in_turn ? 1 : 0);
         return block;
     }
@@ -263,10 +263,10 @@ void store_query_at(const ContactBlock& result, std::size_t at, const ContactLim
     const float height = result.distance[at] - limits.offset;
     const bool is_new = samples.slack[at] < ContactCacheArrays::kInvalidBelow;
     samples.sunk[at] = is_new ? std::max(-height, 0.0F) : 0.0F;
-    set_values(samples.query_point, at, result.point(at));
+    set_values(samples.side.point, at, result.point(at));
     samples.slack[at] = height - limits.margin;
-    set_values(samples.normal, at, {result.nx[at], result.ny[at], result.nz[at]});
-    samples.height[at] = height;
+    set_values(samples.side.normal, at, {result.nx[at], result.ny[at], result.nz[at]});
+    samples.side.height[at] = height;
 }
 
 // The same for these slots.
@@ -279,10 +279,9 @@ void store_queries(const ContactBlock& result, unsigned slots, const Kernels& lo
 
 // The block with this slot alone near anything: a collider is done with the others at once.
 ContactBlock alone(const ContactBlock& block, std::size_t at) {
-    constexpr float kNowhere = 1e6F;  // m
     ContactBlock one;
     for (std::size_t i = 0; i < kContactLanes; ++i)
-        one.set_point(i, i == at ? block.point(at) : Vec3f(Vec3f::Constant(kNowhere)));
+        one.set_point(i, i == at ? block.point(at) : Vec3f(Vec3f::Constant(kFarAway)));
     return one;
 }
 
@@ -422,7 +421,7 @@ void set_contact_offset(Cloth& cloth, float offset) {
     }
     for (SampleBlock& block : contacts.samples) {
         for (std::size_t at = 0; at < kBlock; ++at) {
-            block.height[at] += lower;
+            block.side.height[at] += lower;
             if (block.slack[at] >= ContactCacheArrays::kInvalidBelow) block.slack[at] += lower;
         }
     }
@@ -494,7 +493,7 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
 }
 
 Vec3f outside(const Vec3f& x, const Vec3f& outward, const Collider& body, float offset) {
-    constexpr float kReach = 0.05F;  // m
+    constexpr float kReach = 0.05F;  // m, of the ray either way; chosen by experiment
     const Contact contact = body.contact(x);
     if (contact.distance >= offset) return x;
     const Vec3f nearest = x + contact.normal * (offset - contact.distance);

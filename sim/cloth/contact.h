@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/adaptive/adapt.h"
+#include "sim/cloth/body_contact.h"
 #include "sim/cloth/constraint_set.h"
 #include "sim/cloth/contact_options.h"
 #include "sim/cloth/face_contact.h"
@@ -41,15 +42,13 @@ struct ContactCacheArrays {
     float* plane = nullptr;        // unit normal found there; w: the height above the offset surface, m
 };
 
-// Samples: contact points on an edge or in the middle of a triangle. A free slot has a slack of 1,000 km.
+// Samples: carriers on an edge or in the middle of a triangle. A free slot has a slack of 1,000 km.
 struct alignas(64) SampleBlock {
     std::array<BlockPoints, 3> vertices{};  // none twice, unless in turn; the third of an edge is the dummy vertex
-    std::array<BlockFloats, 3> shares{};    // barycentric weights of the vertices; they sum to 1
+    std::array<BlockFloats, 3> shares{};    // as in Carrier
     BlockFloats friction{};
-    std::array<BlockFloats, 3> query_point{};  // m; this and the next three as in ContactCacheArrays
-    BlockFloats slack{};
-    std::array<BlockFloats, 3> normal{};
-    BlockFloats height{};
+    SideBlock side{};       // found by the last query; its point is where the sample was then
+    BlockFloats slack{};    // m, as in ContactCacheArrays
     BlockFloats sunk{};     // m, depth below the offset surface at the sample's first query
     BlockPoints in_turn{};  // 1 in all slots or 0: the samples may share vertices, so they are pushed one by one
 };

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/cloth/loop_parts.h"
+#include "sim/cloth/projection.h"
 
 namespace selvedge::sim {
 namespace {
@@ -47,18 +48,25 @@ struct ContactCache {
     return {normal, now, is_near & is_lost, is_known, is_known & (now < 0.0F), squared};
 }
 
-// Projects points that lie `depth` below the offset surface (0: above it) onto that surface, and reduces their
-// tangential displacement since `from` by friction times depth.
-[[gnu::always_inline]] inline Xyz project(const Xyz& x, const Xyz& from, const Xyz& normal, Floats depth,
-                                          Floats friction) {
-    const Xyz out{x.x + normal.x * depth, x.y + normal.y * depth, x.z + normal.z * depth};
-    const Xyz moved{out.x - from.x, out.y - from.y, out.z - from.z};
-    const Floats along = dot(moved, normal);
-    const Xyz slid{moved.x - normal.x * along, moved.y - normal.y * along, moved.z - normal.z * along};
-    const Floats inverse = lanes::inverse_root(dot(slid, slid) + lanes::broadcast(kTiny));
-    const Floats taken = lanes::min(friction * depth * inverse, lanes::broadcast(1.0F));
-    return {out.x - slid.x * taken, out.y - slid.y * taken, out.z - slid.z * taken};
-}
+// The arithmetic of as many points as a register holds; see projection.h.
+struct ManyPoints {
+    using Real = Floats;
+    using Xyz = lanes::Xyz;
+
+    [[gnu::always_inline]] static Floats dot(const Xyz& a, const Xyz& b) { return selvedge::sim::dot(a, b); }
+    [[gnu::always_inline]] static Xyz minus(const Xyz& a, const Xyz& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    [[gnu::always_inline]] static Xyz plus(const Xyz& a, const Xyz& b, Floats t) {
+        return {a.x + b.x * t, a.y + b.y * t, a.z + b.z * t};
+    }
+    [[gnu::always_inline]] static Xyz minus(const Xyz& a, const Xyz& b, Floats t) {
+        return {a.x - b.x * t, a.y - b.y * t, a.z - b.z * t};
+    }
+    [[gnu::always_inline]] static Floats share_of(Floats held, Floats squared) {
+        return lanes::min(held * lanes::inverse_root(squared + lanes::broadcast(kTiny)), lanes::broadcast(1.0F));
+    }
+};
+using StillPlanes = MetPlane<ManyPoints>;
+using MovedPlanes = MetPlane<ManyPoints, Xyz>;
 
 // Loads kCount consecutive points. After transposition lane 4 k + j holds point kCount / 4 j + k.
 [[gnu::always_inline]] inline Rows rows_at(const float* points) {
@@ -99,11 +107,12 @@ constexpr std::size_t lane_of_point(std::size_t i) {
     const Xyz before = lanes::transposed(from);
     const Floats mu = friction_of(friction, limits.friction_scale);
     const Xyz up{Floats{}, lanes::broadcast(1.0F), Floats{}};
-    const Xyz above = project(x, before, up, lanes::where(below, limits.floor - x.y), mu);
+    const StillPlanes floor{.normal = up, .depth = lanes::where(below, limits.floor - x.y)};
+    const Xyz above = projected(x, before, floor, mu);
     const Xyz lift{above.x - x.x, above.y - x.y, above.z - x.z};
     const Floats height = lanes::min(known.height + dot(known.normal, lift), Floats{});
-    const Xyz out = project(above, before, known.normal, lanes::where(known.is_known, -height), mu);
-    return lanes::rows_of(out, w_of(was));
+    const StillPlanes side{.normal = known.normal, .depth = lanes::where(known.is_known, -height)};
+    return lanes::rows_of(projected(above, before, side, mu), w_of(was));
 }
 
 std::size_t project_vertices(float* points, const float* before, const ContactCacheArrays& known, const float* friction,
@@ -155,7 +164,7 @@ void store_query_and_project(const ContactBlock& result, const std::uint32_t* of
         const Floats depth = lanes::max(-height, Floats{});
         const Xyz from = lanes::transposed(lanes::gather_points(before, offsets + at));
         const Rows as_it_was = lanes::gather_points(points, offsets + at);
-        Rows moved = lanes::rows_of(project(x, from, normal, depth, mu));
+        Rows moved = lanes::rows_of(projected(x, from, StillPlanes{.normal = normal, .depth = depth}, mu));
         for (int j = 0; j < 4; ++j) moved.row[j] = lanes::with_w_components(moved.row[j], as_it_was.row[j]);
         lanes::scatter_points(points, offsets + at, moved);
         lanes::scatter_points(known.query_point, offsets + at, lanes::rows_of(x, height - limits.margin));
@@ -172,8 +181,8 @@ void store_query_and_project(const ContactBlock& result, const std::uint32_t* of
 }
 
 [[gnu::always_inline]] inline ContactCache near(const SampleBlock& block, std::size_t at, const Xyz& x) {
-    return near(x, load_three(block.query_point, at), load_at(block.slack, at), load_three(block.normal, at),
-                load_at(block.height, at));
+    return near(x, load_three(block.side.point, at), load_at(block.slack, at), load_three(block.side.normal, at),
+                load_at(block.side.height, at));
 }
 
 [[gnu::always_inline]] inline float least_of(Floats values) {
@@ -213,11 +222,11 @@ void store_query(const ContactBlock& result, const ContactLimits& limits, Sample
         const Floats height = lanes::load(&result.distance[at]) - limits.offset;
         const Ints is_new = load_at(block.slack, at) < ContactCacheArrays::kInvalidBelow;
         lanes::store(&block.sunk[at], lanes::where(is_new, lanes::max(-height, Floats{})));
-        store_three(block.query_point, at, x.x, x.y, x.z);
+        store_three(block.side.point, at, x.x, x.y, x.z);
         const Ints is_used = load_at(block.shares[0], at) > 0.0F;
         lanes::store(&block.slack[at], chosen(is_used, height - limits.margin, load_at(block.slack, at)));
-        store_three(block.normal, at, normal.x, normal.y, normal.z);
-        lanes::store(&block.height[at], height);
+        store_three(block.side.normal, at, normal.x, normal.y, normal.z);
+        lanes::store(&block.side.height[at], height);
     }
 }
 
@@ -271,7 +280,8 @@ struct PushedCorners {
     if (lanes::bits(sunk > 0.0F) != 0)
         from = shifted(from, {normal.x * sunk, normal.y * sunk, normal.z * sunk}, shares);
     const Floats mu = load_at(block.friction, at) * friction_scale;
-    const Xyz out = project(s.x, mixed(block, at, from), normal, depth, mu);
+    const StillPlanes side{.normal = normal, .depth = depth, .gained = lanes::min(sunk, depth)};
+    const Xyz out = projected(s.x, mixed(block, at, from), side, mu);
     return {shifted(s.corners, {out.x - s.x.x, out.y - s.x.y, out.z - s.x.z}, shares), from};
 }
 

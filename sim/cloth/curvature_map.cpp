@@ -11,7 +11,7 @@ namespace {
 const Vec3d kCurvatureNorm(1, 1, 0.5);
 const Vec3d kQuadraticNorm(1, 1, 2);
 
-// Minimum share of a hinge's angle for either side.
+// Minimum share of a hinge's angle for either side, chosen by experiment.
 constexpr double kMinShare = 0.1;
 
 std::size_t next(std::size_t i) {
@@ -65,7 +65,8 @@ Eigen::RowVector3d angle_of_quadratics(const RestTriangle& triangle, std::size_t
 }
 
 // Least squares for an exchange z between the maps of two triangles at their common edge: column `edge` of each changes
-// by z / area. kKeep weights a regularisation term, which determines z where the quadratics do not.
+// by z / area. kKeep weights a regularisation term, which determines z where the quadratics do not; its
+// value is chosen by experiment.
 constexpr double kKeep = 0.02;
 
 struct Exchange {  // one side's normal equations

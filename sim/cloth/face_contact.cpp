@@ -25,7 +25,7 @@ constexpr float kFaceReach = 0.0005F;  // m, how far the tangent plane is used: 
 
 constexpr float kUnseen = 0.002F;  // m, after which a face is queried again: the descent may miss a second finger
 
-constexpr float kRounding = 1e-6F;  // m
+constexpr float kRounding = 1e-6F;  // m, more than the rounding errors of positions within 8 m of the origin
 
 struct FacePoint {
     Vec3f x = Vec3f::Zero();
@@ -78,8 +78,8 @@ float largest_move(const Corners& from, const Corners& to) {
 // pierced: for a limb of the radius kAim one step suffices.
 NearestPoint nearest_point(const ContactWithin& body, const Corners& x, const Shares& last) {
     constexpr float kAim = 0.005F;         // m, less than the radius of a finger
-    constexpr float kProgress = 0.00002F;  // m
-    constexpr int kSteps = 12;
+    constexpr float kProgress = 0.00002F;  // m: a step that comes nearer by less is the last one
+    constexpr int kSteps = 12;             // at most
     FacePoint nearest;
     const Vec3f middle = (x[0] + x[1] + x[2]) / 3;
     take_nearer(body, middle, nearest);
@@ -97,53 +97,42 @@ NearestPoint nearest_point(const ContactWithin& body, const Corners& x, const Sh
 }
 
 Corners corners_of(const FaceContact& face, const std::vector<Vec4f>& points) {
-    return {points[face.vertices[0]].head<3>(), points[face.vertices[1]].head<3>(), points[face.vertices[2]].head<3>()};
+    const auto at = [&](std::size_t k) -> Vec3f { return points[face.carrier.vertices[k]].head<3>(); };
+    return {at(0), at(1), at(2)};
 }
 
 void query(FaceContact& face, const Corners& x, const Collider& body, float offset) {
-    const auto [nearest, least] = nearest_point(contacts_with(body), x, face.shares);
+    const auto [nearest, least] = nearest_point(contacts_with(body), x, face.carrier.shares);
     face.query_points = x;
-    face.shares = barycentric(nearest.x, x[0], x[1], x[2]);
-    face.normal = nearest.contact.normal;
-    face.plane = face.normal.dot(nearest.x) - nearest.contact.distance;
+    face.carrier.shares = barycentric(nearest.x, x[0], x[1], x[2]);
+    face.plane.normal = nearest.contact.normal;
+    face.plane.point = nearest.x - nearest.contact.normal * nearest.contact.distance;
     face.slack = std::clamp(nearest.contact.distance - offset, 0.0F, std::max(least - offset, kUnseen));
 }
 
-void shift(const FaceContact& face, const Vec3f& by, std::vector<Vec4f>& points) {
-    float sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) sum += points[face.vertices[k]].w() * face.shares[k] * face.shares[k];
-    if (sum <= 0) return;
-    for (std::size_t k = 0; k < 3; ++k) {
-        Vec4f& x = points[face.vertices[k]];
-        x.head<3>() += by * (x.w() * face.shares[k] / sum);
-    }
-}
-
-// The same as for samples: Coulomb friction by the corrected depth, and no velocity from depth that was there before.
+// Depth that the face had before the sub-step gives no velocity.
 void push_out(FaceContact& face, SolverState& solver, const Collider& body, const ContactOptions& options) {
     const Corners x = corners_of(face, solver.points);
     const bool is_known = face.slack >= 0;
     const float moved = is_known ? largest_move(face.query_points, x) : 0;
     if (!is_known || moved > std::max(face.slack, kFaceReach)) {
         query(face, x, body, options.offset);
+        if (face.slack > 0) return;
     } else if (face.slack > kFaceReach) {
         return;
     }
-    const Vec3f at = mixed(x, face.shares), from = mixed(corners_of(face, solver.before), face.shares);
-    const float height = face.normal.dot(at) - face.plane - options.offset;
-    if (height >= 0) return;
-    const float sunk = std::clamp(face.plane + options.offset - face.normal.dot(from), 0.0F, -height);
-    shift(face, face.normal * sunk, solver.before);
-    const Vec3f moving = at - from;
-    const Vec3f sliding = moving - face.normal * face.normal.dot(moving);
-    const float slid = sliding.norm(), held = face.friction * options.friction_scale * (-height - sunk);
-    shift(face, -height * face.normal - sliding * (slid > 0 ? std::min(1.0F, held / slid) : 0.0F), solver.points);
+    const auto met_by = [&](const std::vector<Vec4f>& points) {
+        return met({face.plane, {.start = options.offset}}, point_of(face.carrier, points), {});
+    };
+    MetPlane plane = met_by(solver.points);
+    plane.gained = std::min(plane.depth, met_by(solver.before).depth);
+    push_out(face.carrier, plane, options.friction_scale, solver.points, solver.before);
 }
 
 FaceContact& watch(Cloth& cloth, const LeafTriangle& leaf) {
     FaceContact& face = cloth.solver->contacts.faces.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k) face.vertices[k] = leaf.v[k].value;
-    face.friction = static_cast<float>(cloth.material.fabrics[leaf.panel].friction);
+    for (std::size_t k = 0; k < 3; ++k) face.carrier.vertices[k] = leaf.v[k].value;
+    face.carrier.friction = static_cast<float>(cloth.material.fabrics[leaf.panel].friction);
     return face;
 }
 
@@ -183,13 +172,13 @@ int watch_faces_inside(Cloth& cloth, const Collider& body, float depth) {
     const Penetration found = find_penetration(cloth, *surface, {.depth = depth});
     std::vector<FaceContact>& faces = cloth.solver->contacts.faces;
     std::map<std::array<std::uint32_t, 3>, std::size_t> watched;
-    for (std::size_t i = 0; i < faces.size(); ++i) watched.emplace(faces[i].vertices, i);
+    for (std::size_t i = 0; i < faces.size(); ++i) watched.emplace(faces[i].carrier.vertices, i);
     for (const DeepFace& deep : found.deep_faces) {
         const LeafTriangle& leaf = cloth.mesh.leaf_triangles()[deep.triangle];
         const auto at = [&](std::size_t k) -> Vec3f { return cloth.x[leaf.v[k].value].head<3>(); };
         const auto known = watched.find({leaf.v[0].value, leaf.v[1].value, leaf.v[2].value});
         FaceContact& face = known != watched.end() ? faces[known->second] : watch(cloth, leaf);
-        face.shares = barycentric(deep.at, at(0), at(1), at(2));
+        face.carrier.shares = barycentric(deep.at, at(0), at(1), at(2));
         face.slack = FaceContact::kUnknown;
     }
     return found.faces;
@@ -203,7 +192,7 @@ float deepest_watched_face(const Cloth& cloth, const Collider& body) {
     float least = 0;
     for (const FaceContact& face : cloth.solver->contacts.faces) {
         const Corners x = corners_of(face, cloth.solver->points);
-        least = std::min(least, nearest_point(contacts_with(body), x, face.shares).nearest.contact.distance);
+        least = std::min(least, nearest_point(contacts_with(body), x, face.carrier.shares).nearest.contact.distance);
     }
     return -least;
 }

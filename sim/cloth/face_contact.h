@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/cloth/body_contact.h"
 #include "sim/collide/collider.h"
 #include "sim/core/math.h"
 
@@ -25,13 +26,10 @@ class SurfaceBvh;
 struct FaceContact {
     static constexpr float kUnknown = -1;  // m: the slack of a face without a result
 
-    std::array<std::uint32_t, 3> vertices{};
-    float friction = 0;
+    Carrier carrier{.shares = {1.0F / 3.0F, 1.0F / 3.0F, 1.0F / 3.0F}};
+    TangentPlane plane{};                 // of the body at rest, where the face is nearest to it
     std::array<Vec3f, 3> query_points{};  // m, positions of the vertices at the last query
-    std::array<float, 3> shares{1.0F / 3.0F, 1.0F / 3.0F, 1.0F / 3.0F};  // of the contact point
-    Vec3f normal = Vec3f::Zero();                                        // unit, out of the body
-    float plane = 0;         // m: the body's tangent plane is normal . x = plane
-    float slack = kUnknown;  // m, that the vertices may move before the face can touch
+    float slack = kUnknown;               // m, that the vertices may move before the face can touch
 };
 
 // The point of a triangle that is nearest to a surface, or deepest in it.

@@ -20,7 +20,7 @@
 
 namespace selvedge::sim {
 
-inline constexpr int kFinestFixedLevel = 4;
+inline constexpr int kFinestFixedLevel = 4;  // 256 triangles for each of the base mesh
 
 // A vertex of the fixed mesh: the base triangle that it belongs to, one of several on an edge of it, and its
 // barycentric coordinates there times 2^level.

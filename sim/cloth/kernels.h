@@ -27,7 +27,7 @@ struct CorrectedPoints {
     float* correction = nullptr;  // displacement by the corrections of stretch and shear
 };
 
-// Gains and bounds of the update of the biases.
+// Gains of the update of the biases, and bounds, which were chosen by experiment.
 struct BiasGains {
     float stretch = 0;  // share of the strain error that is added to the bias of warp and weft
     float shear = 0;
@@ -156,7 +156,7 @@ struct Kernels {
     // planes since `before`. What a vertex gains by the rise of its plane is added to `before` too.
     void (*hold_on_planes)(std::span<const MovingVertexBlock> blocks, const StepShare& share, float friction_scale,
                            float* before, float* points);
-    void (*push_samples_on_planes)(SampleBlock& block, const MovingPlaneBlock& planes, const StepShare& share,
+    void (*push_samples_on_planes)(SampleBlock& block, const MovingSideBlock& sides, const StepShare& share,
                                    float friction_scale, float* points, float* before);
 };
 

@@ -15,29 +15,9 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr float kFar = 1e6F;             // m, the slack of a point that cannot touch
 constexpr float kCrease = 0.3F;          // cosine: normals of two sides of a crease enclose more than 73 degrees
 constexpr float kFacing = -0.5F;         // cosine: two sides face each other from 120 degrees on
 constexpr float kSampleRecovery = 0.1F;  // m/s, the same of points between them, with velocity: cloth hops by 0.5 mm
-
-void set_plane(MovingPlaneBlock& block, std::size_t at, const MovingPlane& plane) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<std::ptrdiff_t>(axis);
-        block.point[axis][at] = plane.point[i];
-        block.motion[axis][at] = plane.motion[i];
-        block.normal[axis][at] = plane.normal[i];
-        block.turn[axis][at] = plane.turn[i];
-    }
-}
-
-using Offset = CreaseContact::Offset;
-
-// The plane at which a point with that offset is held. Its motion along its normal is the change of the offset too.
-MovingPlane held_at(MovingPlane plane, const Offset& offset) {
-    plane.point += plane.normal * offset.start;
-    plane.motion += plane.normal * offset.change;
-    return plane;
-}
 
 // What a vertex in a crease keeps from both sides, m: where these face each other and leave less room than that, both
 // keep the same less.
@@ -47,8 +27,11 @@ struct CreaseOffsets {
 };
 
 CreaseOffsets offsets_in(const CreaseContact& crease, const Vec3f& x, float share) {
-    const std::array<PlaneNow, 2> now{plane_now(crease.planes[0], x, share), plane_now(crease.planes[1], x, share)};
-    const auto wanted = [&](std::size_t k) { return crease.offset[k].start + share * crease.offset[k].change; };
+    const auto& [own, other] = crease.sides;
+    const std::array<PlaneNow, 2> now{plane_now(own.plane, x, share), plane_now(other.plane, x, share)};
+    const auto wanted = [&](std::size_t k) {
+        return crease.sides[k].offset.start + share * crease.sides[k].offset.change;
+    };
     const float lack = wanted(0) + wanted(1) - now[0].height - now[1].height;
     if (now[0].normal.dot(now[1].normal) > kFacing || lack <= 0)
         return {.kept = {wanted(0), wanted(1)}, .is_pinched = wanted(0) < 0 || wanted(1) < 0};
@@ -62,10 +45,6 @@ bool is_ridge(const Side& a, const Side& b) {
     if (a.normal.dot(b.normal) <= kFacing) return false;
     const Vec3f way = b.point - a.point;
     return a.normal.dot(way) <= 0 && b.normal.dot(way) >= 0;
-}
-
-void clear_plane(MovingPlaneBlock& block, std::size_t at) {
-    set_plane(block, at, {.point = Vec3f(0, -kFar, 0), .normal = Vec3f::UnitY()});
 }
 
 // Sixteen contact points that look for the triangles nearest to them.
@@ -103,7 +82,7 @@ class ContactFinder {
         moving_.pinched = 0;
         moving_.last.resize(cloth_.x.size());
         in_block_ = kBlock;
-        for (Vec4f& query : contacts_.query_point) query.w() = kFar;  // the planes keep the vertices out
+        for (Vec4f& query : contacts_.query_point) query.w() = kFarAway;  // the planes keep the vertices out
         if (moving_.order_made_at != cloth_.adaptations) make_order();
         for (const std::uint32_t v : moving_.order) {
             Searchers& searchers = moving_.last[v].triangle == LastContact::kNone ? far_ : near_;
@@ -198,21 +177,19 @@ class ContactFinder {
             return;
         }
         const std::uint32_t triangle = on_own_side(last, nearest, p, searchers.own_reach[i]);
-        const MovingPlane plane = body_.plane_at(triangle, p);
+        const TangentPlane plane = body_.plane_at(triangle, p);
         const auto other = second_side(last, triangle, nearest, plane, p, searchers.offset[i]);
         last = {.triangle = triangle,
                 .point = plane.point + plane.motion,
                 .normal = (plane.normal + plane.turn).normalized(),
                 .motion = plane.motion};
-        const Offset offset = offset_from(plane, x, searchers.offset[i]);
+        const ContactOffset offset = offset_from(plane, x, searchers.offset[i]);
         if (other) {
-            const MovingPlane second = body_.plane_at(*other, p);
+            const TangentPlane second = body_.plane_at(*other, p);
             if (second.normal.dot(plane.normal) < kCrease && !is_ridge(plane, second)) {
                 last.second = *other;
-                moving_.creases.push_back({.vertex = v,
-                                           .friction = contacts_.friction[v],
-                                           .planes = {plane, second},
-                                           .offset = {offset, offset_from(second, x, searchers.offset[i])}});
+                moving_.creases.push_back({{.vertices = {v, v, v}, .friction = contacts_.friction[v]},
+                                           {{{plane, offset}, {second, offset_from(second, x, searchers.offset[i])}}}});
                 last.is_pinched = offsets_in(moving_.creases.back(), x, share_).is_pinched;
                 return;
             }
@@ -224,12 +201,12 @@ class ContactFinder {
         MovingVertexBlock& block = moving_.vertices.back();
         block.vertices[in_block_] = 4 * v;
         block.friction[in_block_] = contacts_.friction[v];
-        block.rise[in_block_] = offset.change;
-        set_plane(block.plane, in_block_++, held_at(plane, offset));
+        set_side(block.side, in_block_++, {plane, offset});
     }
 
     // What a point keeps from a plane: no more than its height now, and what it recovers in the step.
-    Offset offset_from(const MovingPlane& plane, const Vec3f& x, float offset, float recovery = kRecovery) const {
+    ContactOffset offset_from(const TangentPlane& plane, const Vec3f& x, float offset,
+                              float recovery = kRecovery) const {
         const float lack = std::max(0.0F, offset - plane_now(plane, x, share_).height);
         const float change = std::min(lack, recovery * seconds_);
         return {.start = offset - lack - share_ * change, .change = change};
@@ -250,7 +227,7 @@ class ContactFinder {
 
     // The other side of a crease, which is sought where the vertex touches.
     std::optional<std::uint32_t> second_side(const LastContact& last, std::uint32_t own, std::uint32_t nearest,
-                                             const MovingPlane& plane, const Vec3f& p, float offset) const {
+                                             const TangentPlane& plane, const Vec3f& p, float offset) const {
         if (last.is_pinched) return body_.surface().walk_nearest(last.second, p, plane.normal, {.most = kCrease});
         if (own != nearest) return nearest;
         if (plane.normal.dot(p - plane.point) > offset + kUnforeseen) return std::nullopt;
@@ -260,7 +237,7 @@ class ContactFinder {
     MovingVertexBlock dummies() const {
         MovingVertexBlock block;
         block.vertices.fill(static_cast<std::uint32_t>(4 * cloth_.x.size()));
-        for (std::size_t at = 0; at < kBlock; ++at) clear_plane(block.plane, at);
+        for (std::size_t at = 0; at < kBlock; ++at) clear_side(block.side, at);
         return block;
     }
 
@@ -272,7 +249,7 @@ class ContactFinder {
         std::vector<CodedPoint> order;
         for (std::size_t index = 0; index < contacts_.samples.size(); ++index) {
             for (std::size_t at = 0; at < kBlock; ++at) {
-                clear_plane(moving_.samples[index], at);
+                clear_side(moving_.samples[index], at);
                 if (contacts_.samples[index].shares[0][at] <= 0) continue;
                 order.push_back({morton_code(sample_place(index, at).first), std::uint32_t(index * kBlock + at)});
             }
@@ -315,9 +292,9 @@ class ContactFinder {
             if (triangle == NearestTriangle::kNone) continue;
             const std::size_t index = near[i].index / kBlock, at = near[i].index % kBlock;
             const Vec3f p = searchers.group.point(i);
-            const MovingPlane plane = body_.plane_at(triangle, p);
+            const TangentPlane plane = body_.plane_at(triangle, p);
             if (is_on_other_side(contacts_.samples[index], at, plane.normal)) continue;
-            set_plane(moving_.samples[index], at, held_at(plane, offset_from(plane, p, offset_, kSampleRecovery)));
+            set_side(moving_.samples[index], at, {plane, offset_from(plane, p, offset_, kSampleRecovery)});
             moving_.is_sample_near[index] = 1;
         }
     }
@@ -344,31 +321,23 @@ class ContactFinder {
     std::size_t in_block_ = kBlock;  // slots used in the last block of vertices
 };
 
+// A pinched vertex is held in the middle, without friction.
 void hold_in_crease(const CreaseContact& crease, const StepShare& share, float friction_scale, SolverState& solver) {
-    Vec4f& point = solver.points[crease.vertex];
-    const Vec3f from = solver.before[crease.vertex].head<3>();
-    Vec3f x = point.head<3>();
-    const CreaseOffsets offsets = offsets_in(crease, x, share.end);
-    LastContact& last = solver.contacts.moving.last[crease.vertex];
-    last.is_pinched = offsets.is_pinched;
-    solver.contacts.moving.pinched += last.is_pinched ? 1 : 0;
-    constexpr int kIterations = 2;
+    const std::uint32_t v = crease.carrier.vertices[0];
+    const CreaseOffsets offsets = offsets_in(crease, solver.points[v].head<3>(), share.end);
+    std::array<BodySide, 2> sides = crease.sides;
+    if (offsets.is_pinched)
+        for (std::size_t k = 0; k < 2; ++k) sides[k].offset = {.start = offsets.kept[k]};
+    solver.contacts.moving.last[v].is_pinched = offsets.is_pinched;
+    solver.contacts.moving.pinched += offsets.is_pinched ? 1 : 0;
+    constexpr int kIterations = 2;  // over both sides: what the second side pushes back into the first comes out again
     for (int i = 0; i < kIterations; ++i) {
-        for (std::size_t k = 0; k < 2; ++k) {
-            const auto [normal, height] = plane_now(crease.planes[k], x, share.end);
-            const float depth = offsets.kept[k] - height;
-            if (depth <= 0) continue;
-            x += normal * depth;
-            const float gained = last.is_pinched ? 0 : std::min(depth, crease.offset[k].change * share.length);
-            solver.before[crease.vertex].head<3>() += normal * gained;
-            Vec3f slid = x - from - share.length * crease.planes[k].motion;
-            slid -= normal * normal.dot(slid);
-            const float length = slid.norm();
-            if (length > 0 && !last.is_pinched)
-                x -= slid * std::min(1.0F, crease.friction * friction_scale * depth / length);
+        for (const BodySide& side : sides) {
+            const Vec3f x = solver.points[v].head<3>();
+            push_out(crease.carrier, met(side, x, share), offsets.is_pinched ? 0 : friction_scale, solver.points,
+                     solver.before);
         }
     }
-    point.head<3>() = x;
 }
 
 }  // namespace
@@ -384,9 +353,9 @@ bool is_pinched(const MovingContacts& contacts, VertexId vertex) {
 std::vector<std::uint8_t> pinched_vertices(const MovingContacts& contacts) {
     std::vector<std::uint8_t> pinched;
     for (const CreaseContact& crease : contacts.creases) {
-        if (!contacts.last[crease.vertex].is_pinched) continue;
+        if (!contacts.last[crease.carrier.vertices[0]].is_pinched) continue;
         pinched.resize(contacts.last.size(), 0);
-        pinched[crease.vertex] = 1;
+        pinched[crease.carrier.vertices[0]] = 1;
     }
     return pinched;
 }
@@ -394,7 +363,7 @@ std::vector<std::uint8_t> pinched_vertices(const MovingContacts& contacts) {
 std::optional<float> distance_between(const MovingContacts& contacts, std::span<const VertexId> vertices,
                                       std::span<const float> shares, const Vec3f& x) {
     constexpr float kSmooth = 0.9F;  // cosine: where normals turn by more than 26 degrees, the curvature may change
-    if (std::ranges::any_of(vertices, [&](VertexId v) { return is_pinched(contacts, v); })) return kFar;
+    if (std::ranges::any_of(vertices, [&](VertexId v) { return is_pinched(contacts, v); })) return kFarAway;
     Vec3f normal = Vec3f::Zero();
     for (std::size_t k = 0; k < vertices.size(); ++k) {
         if (vertices[k].value >= contacts.last.size()) return std::nullopt;
@@ -467,7 +436,7 @@ void end_moving_contacts(Cloth& cloth, const ContactOptions& options) {
         const Vec4f& x = cloth.solver->points[v.value];
         contacts.query_point[v.value] = {x.x(), x.y(), x.z(), ContactCacheArrays::kUnknown};
         if (last.triangle == LastContact::kNone) {
-            contacts.plane[v.value] = {0, 1, 0, kFar};
+            contacts.plane[v.value] = {0, 1, 0, kFarAway};
             continue;
         }
         const float above = last.normal.dot(x.head<3>() - last.point);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/cloth/body_contact.h"
 #include "sim/collide/moving_body.h"
 #include "sim/core/blocks.h"
 #include "sim/core/math.h"
@@ -14,47 +15,22 @@ inline constexpr float kRecovery =
     1;  // m/s, at which vertices and faces rise to their contact offset, without velocity
 inline constexpr float kUnforeseen = 0.002F;  // m, that forces may add to a way until the next search
 
-// The time of a sub-step within its step, as shares of the step.
-struct StepShare {
-    float end = 1;     // passed at the sub-step's end
-    float length = 1;  // that the sub-step takes
-};
-
-// Planes of sixteen contact points. A slot without a contact has a plane that is 1,000 km below.
-struct alignas(64) MovingPlaneBlock {
-    std::array<BlockFloats, 3> point{}, motion{};  // as in MovingPlane
-    std::array<BlockFloats, 3> normal{}, turn{};
-};
-
 struct alignas(64) MovingVertexBlock {
     BlockPoints vertices{};  // unused slots: the dummy vertex
     BlockFloats friction{};
-    BlockFloats rise{};  // m, of the plane relative to the surface in the step: it gives no velocity
-    MovingPlaneBlock plane{};
-};
-
-// m, kept from a plane: at the start of the step, and its change until the end
-struct MovingOffset {
-    float start = 0, change = 0;
+    MovingSideBlock side{};
 };
 
 // A vertex between two sides of the body; the first is its own.
 struct CreaseContact {
-    using Offset = MovingOffset;
-
-    std::uint32_t vertex = 0;
-    float friction = 0;
-    std::array<MovingPlane, 2> planes{};
-    std::array<Offset, 2> offset{};
+    Carrier carrier{};
+    std::array<BodySide, 2> sides{};
 };
 
 // A face that may meet a thin part of the body, at the point of it that is nearest to that.
 struct MovingFace {
-    std::array<std::uint32_t, 3> vertices{};
-    std::array<float, 3> shares{};  // of the contact point
-    float friction = 0;
-    MovingPlane plane{};
-    MovingOffset offset{};
+    Carrier carrier{};
+    BodySide side{};
 };
 
 // A vertex to which no triangle comes near within the step, as far as its way can be foreseen. When it leaves the ball
@@ -79,7 +55,7 @@ struct MovingContacts {
     std::vector<MovingVertexBlock> vertices;
     std::vector<CreaseContact> creases;
     std::vector<FreeVertex> free;
-    std::vector<MovingPlaneBlock> samples;  // as ContactState::samples; unused where is_sample_near is 0
+    std::vector<MovingSideBlock> samples;  // as ContactState::samples; unused where is_sample_near is 0
     std::vector<std::uint8_t> is_sample_near;
     std::vector<MovingFace> faces;
     std::vector<LastContact> last;             // by vertex

@@ -67,26 +67,9 @@ std::optional<MovingFace> contact_of(const Face& face, const MovingBodyCollider&
     const auto closest = body.surface().closest(nearest.x, std::abs(nearest.distance) + kUnforeseen);
     if (!closest) return std::nullopt;
     const float lack = std::max(0.0F, offset - closest->distance);
-    return MovingFace{.vertices = face.vertices,
-                      .shares = nearest.shares,
-                      .plane = body.plane_at(closest->triangle, nearest.x),
-                      .offset = {.start = offset - lack, .change = std::min(lack, kRecovery * seconds)}};
-}
-
-Vec3f mixed(const MovingFace& face, const std::vector<Vec4f>& points) {
-    Vec3f x = Vec3f::Zero();
-    for (std::size_t k = 0; k < 3; ++k) x += face.shares[k] * points[face.vertices[k]].head<3>();
-    return x;
-}
-
-void shift(const MovingFace& face, const Vec3f& by, std::vector<Vec4f>& points) {
-    float sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) sum += points[face.vertices[k]].w() * face.shares[k] * face.shares[k];
-    if (sum <= 0) return;
-    for (std::size_t k = 0; k < 3; ++k) {
-        Vec4f& x = points[face.vertices[k]];
-        x.head<3>() += by * (x.w() * face.shares[k] / sum);
-    }
+    return MovingFace{{.vertices = face.vertices, .shares = nearest.shares},
+                      {.plane = body.plane_at(closest->triangle, nearest.x),
+                       .offset = {.start = offset - lack, .change = std::min(lack, kRecovery * seconds)}}};
 }
 
 }  // namespace
@@ -103,7 +86,7 @@ void find_moving_faces(Cloth& cloth, const MovingBodyCollider& body, const Conta
         if (!is_near(parts, widened(face.box(), margin))) continue;
         std::optional<MovingFace> contact = contact_of(face, body, options.offset, cloth.substep * count);
         if (!contact) continue;
-        contact->friction = static_cast<float>(cloth.material.fabrics[leaf.panel].friction);
+        contact->carrier.friction = static_cast<float>(cloth.material.fabrics[leaf.panel].friction);
         moving.faces.push_back(*contact);
     }
 }
@@ -111,16 +94,8 @@ void find_moving_faces(Cloth& cloth, const MovingBodyCollider& body, const Conta
 void push_out_faces_on_planes(Cloth& cloth, const StepShare& share, const ContactOptions& options) {
     SolverState& solver = *cloth.solver;
     for (const MovingFace& face : solver.contacts.moving.faces) {
-        const Vec3f at = mixed(face, solver.points), from = mixed(face, solver.before);
-        const auto [normal, above] = plane_now(face.plane, at, share.end);
-        const float depth = face.offset.start + share.end * face.offset.change - above;
-        if (depth <= 0) continue;
-        const float gained = std::min(depth, face.offset.change * share.length);
-        Vec3f sliding = at - from - share.length * face.plane.motion;
-        sliding -= normal * normal.dot(sliding);
-        const float slid = sliding.norm(), held = face.friction * options.friction_scale * (depth - gained);
-        shift(face, normal * gained, solver.before);
-        shift(face, depth * normal - sliding * (slid > 0 ? std::min(1.0F, held / slid) : 0.0F), solver.points);
+        const MetPlane plane = met(face.side, point_of(face.carrier, solver.points), share);
+        push_out(face.carrier, plane, options.friction_scale, solver.points, solver.before);
     }
 }
 

@@ -109,6 +109,12 @@ struct LevelStress {
     std::vector<Vec4f> off;    // scratch: mean strain error of warp and weft of the leaves in it
 };
 
+// The angle t of a fold is approximated from its sine s and cosine c by (4 s / (1 + c) + s) / 3. Towards 180 degrees
+// it grows to kMaxFold. Within about 3 degrees of 180 it falls to 0, because there the sign of the fold cannot be
+// determined: 1 + c counts as kMinFold at least.
+inline constexpr float kMaxFold = 3.2F;  // rad, just more than pi
+inline constexpr float kMinFold = 0.02F;
+
 // The interval of a triangle that bends with no rigidity: larger than any interval that is solved.
 inline constexpr float kNeverSolved = 8;
 

@@ -343,7 +343,7 @@ namespace {
 // Calls visit(v) for each vertex whose value changed, and stores the new values in `kept`.
 template <class Visit>
 void for_changed(const std::vector<float>& now, std::vector<float>& kept, const Visit& visit) {
-    constexpr std::size_t kChunk = 16;
+    constexpr std::size_t kChunk = 16;  // values that are compared at once: few change
     kept.resize(now.size(), 0.0F);
     for (std::size_t first = 0; first < now.size(); first += kChunk) {
         const std::size_t count = std::min(kChunk, now.size() - first);

@@ -7,6 +7,7 @@
 
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/contact_options.h"
+#include "sim/core/gravity.h"
 #include "sim/selfcontact/options.h"
 
 namespace selvedge::sim {
@@ -33,7 +34,7 @@ struct StepTimes {
 
 struct StepOptions {
     int substeps = 12;                    // each of length Cloth::substep
-    Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
+    Vec3f gravity = standard_gravity();   // m/s^2
     float extra_damping = 0;              // 1/s, in addition to the fabrics' damping
     float internal_damping = 40;          // 1/s, of the relative motion of the corners of a triangle
     float stretch_bias_rate = 3;          // 1/s, update rate of the biases of warp and weft, and of shear

@@ -378,9 +378,8 @@ Vec3f curvature_now(const Cloth& cloth, const BendBlock& block, std::size_t at) 
         const Vec3f apex = x(3 + i) - a;
         const Vec3f beyond = apex.cross(x((i + 2) % 3) - a).normalized();
         const float sine = apex.dot(normal) * block.beyond[i][at], cosine = beyond.dot(normal);
-        constexpr float kMinCosine = 0.02F, kMaxAngle = 3.2F;  // as in triangle_bending_loops.h
-        const float half = sine / std::max(cosine + 1, kMinCosine);
-        const float angle = std::clamp((4 * half + sine) / 3, -kMaxAngle, kMaxAngle);
+        const float half = sine / std::max(cosine + 1, kMinFold);
+        const float angle = std::clamp((4 * half + sine) / 3, -kMaxFold, kMaxFold);
         bent += angle * Vec3f(block.map[i][at], block.map[3 + i][at], block.map[6 + i][at]);
     }
     return bent;

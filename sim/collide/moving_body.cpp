@@ -17,7 +17,7 @@ Vec3f unit_normal(const std::array<Vec3f, 3>& x) {
 
 }  // namespace
 
-PlaneNow plane_now(const MovingPlane& plane, const Vec3f& x, float share) {
+PlaneNow plane_now(const TangentPlane& plane, const Vec3f& x, float share) {
     const Vec3f normal = (plane.normal + share * plane.turn).normalized();
     return {normal, normal.dot(x - plane.point - share * plane.motion)};
 }
@@ -56,9 +56,9 @@ void MovingBodyCollider::place(std::span<const Vec3f> x) {
     arrive();
 }
 
-MovingPlane MovingBodyCollider::plane_at(std::uint32_t triangle, const Vec3f& p) const {
+TangentPlane MovingBodyCollider::plane_at(std::uint32_t triangle, const Vec3f& p) const {
     const ClosestPoint closest = bvh_.closest_on(triangle, p);
-    MovingPlane plane{.point = closest.point, .normal = closest.normal};
+    TangentPlane plane{.point = closest.point, .normal = closest.normal};
     if (longest_motion_ == 0) return plane;
     const auto [a, b, c] = bvh_.triangles()[triangle];
     const std::array<Vec3f, 3> start{bvh_.points()[a], bvh_.points()[b], bvh_.points()[c]};

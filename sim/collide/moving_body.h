@@ -10,24 +10,10 @@
 #include "sim/body/body.h"
 #include "sim/collide/collider.h"
 #include "sim/collide/surface_bvh.h"
+#include "sim/collide/tangent_plane.h"
 #include "sim/collide/thin_parts.h"
 
 namespace selvedge::sim {
-
-// A tangent plane of a surface that moves. The body is on the side that the normal points away from.
-struct MovingPlane {
-    Vec3f point = Vec3f::Zero();   // on the surface, at the start of the step, m
-    Vec3f motion = Vec3f::Zero();  // of that point until the end of the step, m
-    Vec3f normal = Vec3f::Zero();  // unit, at the start
-    Vec3f turn = Vec3f::Zero();    // change of the normal until the end
-};
-
-// That plane at one moment of the step, a share of it.
-struct PlaneNow {
-    Vec3f normal = Vec3f::Zero();
-    float height = 0;  // of a point above the plane, m
-};
-PlaneNow plane_now(const MovingPlane& plane, const Vec3f& x, float share);
 
 // A point that looks for the surface, and a triangle of it that is near, if one is known.
 struct SearchPoint {
@@ -59,7 +45,7 @@ class MovingBodyCollider final : public Collider {
     // Where the body is thin, on its way in the step.
     std::vector<ThinPart> thin_parts_in_step() const { return thin_parts_.between(bvh_.points(), bvh_.end_points()); }
     // The tangent plane at the point of the triangle that is nearest to p.
-    MovingPlane plane_at(std::uint32_t triangle, const Vec3f& p) const;
+    TangentPlane plane_at(std::uint32_t triangle, const Vec3f& p) const;
 
     // The points of the surface, at the start of the step, that are nearest to these; nullopt where none is within
     // `radius` (m). A triangle that is known only makes the search faster.

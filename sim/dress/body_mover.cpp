@@ -10,7 +10,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr double kArrived = 1e-4;     // m
+constexpr double kArrived = 1e-4;     // m, between two poses that count as one
 constexpr double kShortBlend = 0.25;  // s, back into a motion that was left by seeking
 
 constexpr double kSteepest = 1.5;  // slope of smoothstep(), by which a blend eases in and out
@@ -18,7 +18,7 @@ constexpr double kSteepest = 1.5;  // slope of smoothstep(), by which a blend ea
 }  // namespace
 
 double distance_between(const Body& body, const Pose& a, const Pose& b) {
-    constexpr double kHand = 0.15;  // m
+    constexpr double kHand = 0.15;  // m, the lever by which a turn counts as a way
     const std::vector<Eigen::Affine3d> from = bone_frames(body, a), to = bone_frames(body, b);
     double farthest = 0;
     for (std::size_t i = 0; i < from.size(); ++i) {

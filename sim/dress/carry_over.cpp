@@ -192,7 +192,7 @@ TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, G
 
 namespace {
 
-constexpr int kSamples = 8;     // per edge
+constexpr int kSamples = 8;     // points per edge that stand for it, also where it is curved
 constexpr double kNear = 1e-9;  // m: points closer than this are on the outline
 
 std::vector<Vec2d> samples_of(const Panel& panel) {
@@ -247,7 +247,7 @@ Vec2d OutlineMap::operator()(const Vec2d& u) const {
 
 namespace {
 
-constexpr float kCell = 0.03F;  // m
+constexpr float kCell = 0.03F;  // m, side of the cells in which leaves are looked up
 
 // Barycentric weights of the point in the triangle that is nearest to u (approximate when u is outside).
 Vec3f weights_at(const std::array<Vec2f, 3>& triangle, const Vec2f& u) {

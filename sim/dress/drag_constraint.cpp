@@ -9,6 +9,7 @@
 namespace selvedge::sim {
 namespace {
 
+// Chosen by experiment.
 constexpr float kFastest = 1.5F;  // m/s, maximum speed of the dragged vertex
 constexpr float kApproach = 12;   // 1/s: it slows down near the goal
 constexpr float kGives = 0.02F;   // strain of adjacent edges at which the drag begins to slow down ...

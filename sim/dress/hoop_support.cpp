@@ -10,12 +10,11 @@
 #include <queue>
 #include <utility>
 
+#include "sim/core/gravity.h"
 #include "sim/core/math.h"
 
 namespace selvedge::sim {
 namespace {
-
-constexpr double kGravity = 9.81;  // m/s^2
 
 // Per vertex, m; infinite where the cloth is not connected with the edge. (Dijkstra 1959)
 std::vector<double> distances_from(const GarmentMesh& mesh, const Opening& edge) {

@@ -11,7 +11,7 @@
 namespace selvedge::sim {
 
 bool needs_other_pose(const Body& body, const Pose& pose) {
-    constexpr double kSame = 1e-6;  // rad
+    constexpr double kSame = 1e-6;  // rad, rounding
     for (std::size_t i = 0; i < body.bones.size(); ++i)
         if (pose.bones[i].rotation.angularDistance(body.bones[i].rest.rotation) > kSame) return true;
     return false;

@@ -24,7 +24,7 @@ Vec3f PinnedFollowers::place_of(const Follower& follower, const SurfaceBvh& surf
 // An adaptation may have given an id to another vertex, which is then elsewhere.
 std::span<const KinematicVertex> PinnedFollowers::follow(const Cloth& cloth, const SurfaceBvh& surface,
                                                          std::span<const Vec3f> end) {
-    constexpr float kElsewhere = 0.001F;  // m
+    constexpr float kElsewhere = 0.001F;  // m, from where the follower of that id would be
     places_.clear();
     followers_.resize(cloth.x.size());
     for (const VertexId v : cloth.mesh.leaf_vertices()) {

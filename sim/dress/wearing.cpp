@@ -279,7 +279,7 @@ struct PanelShift {
 // off by half of what it is shorter.
 PanelShift measure_shift(const WornGarment& garment, const std::vector<std::size_t>& vertices, const Heights& from,
                          const Heights& to) {
-    constexpr double kLeastCovered = 0.5;
+    constexpr double kLeastCovered = 0.5;  // of the heights
     Range placed, draped;
     PanelShift shift;
     for (const std::size_t v : vertices) {
@@ -349,7 +349,7 @@ std::string describe(const LoweredEdge& lowered, const GarmentMesh& mesh) {
 // least 1 cm longer than the body is round where it was placed, it says so: "too large above the chest by 14 cm: ...".
 DressFault fault_of_slip(const LoweredEdge& lowered, const GarmentMesh& mesh, double girth) {
     const std::string lies = describe(lowered, mesh) + ", below the " + lowered.holder();
-    constexpr double kLeast = 0.01;  // m
+    constexpr double kLeast = 0.01;  // m, by which an edge is too large
     const double excess = lowered.edge->length - girth;
     if (girth <= 0 || excess < kLeast) return {.kind = "displaced", .place = lies, .value = lowered.moved()};
     return {
@@ -363,7 +363,7 @@ DressFault fault_of_slip(const LoweredEdge& lowered, const GarmentMesh& mesh, do
 // can carry the garment anywhere between where the edge was placed and what should hold it.
 std::optional<DressFault> weakness_of(const LoweredEdge& lowered, const WornGarment& garment, const Cloth& cloth,
                                       const BodyPair& bodies) {
-    constexpr double kStep = 0.02;  // m
+    constexpr double kStep = 0.02;  // m, between heights at which the body is measured
     const std::vector<Fabric>& fabrics = cloth.material.fabrics;
     std::map<long, double> girths;  // at multiples of kStep, because sections are slow
     const auto level = [&](long i) {

@@ -181,7 +181,7 @@ TEST(MovingFaces, are_those_near_to_what_is_thin) {
     const std::vector<MovingFace>& faces = cloth.solver->contacts.moving.faces;
     ASSERT_FALSE(faces.empty());
     for (const MovingFace& face : faces)
-        for (const std::uint32_t v : face.vertices) EXPECT_LT(cloth.x[v].x(), 0.055F);
+        for (const std::uint32_t v : face.carrier.vertices) EXPECT_LT(cloth.x[v].x(), 0.055F);
 }
 
 // Two walls close to 3 mm: less than two contact offsets of 3 mm.

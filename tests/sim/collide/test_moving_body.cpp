@@ -127,7 +127,7 @@ TEST(MovingBody, a_tangent_plane_turns_and_travels_with_the_surface) {
     const Vec3f p(0.08F, 0.08F, 0.01F);
     const auto closest = moving.surface().closest(p, 1);
     ASSERT_TRUE(closest);
-    const MovingPlane plane = moving.plane_at(closest->triangle, p);
+    const TangentPlane plane = moving.plane_at(closest->triangle, p);
     EXPECT_LT((plane.point - closest->point).norm(), 1e-6F);
     const Vec3d at_end = turn * closest->point.cast<double>() + travel;
     EXPECT_LT((plane.point + plane.motion - at_end.cast<float>()).norm(), 1e-5F);
