@@ -386,6 +386,7 @@ void paste_panels(AppState& state) {
     const Vec3d move = free_move(document, &state.workspace.drape, command.panels);
     for (sim::Panel& panel : command.panels) {
         panel.mirror_of.clear();
+        panel.copy_of.clear();
         *panel.sheet_position += shift;
         panel.translation += move;
     }
