@@ -7,6 +7,7 @@
 
 #include "editor/document/set_fields.h"
 #include "editor/geometry/draft.h"
+#include "editor/geometry/edge_remap.h"
 #include "editor/geometry/outline_edit.h"
 #include "editor/geometry/panel_edit.h"
 #include "editor/geometry/seam_edit.h"
@@ -18,6 +19,7 @@
 #include "sim/pattern/limits.h"
 #include "sim/pattern/pattern.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/pattern/sources.h"
 #include "sim/tartan/match.h"
 #include "sim/tartan/offset_graph.h"
 #include "sim/tartan/tartan_file.h"
@@ -82,8 +84,12 @@ Selection only(const std::string& panel) {
 
 Outcome run(sim::Pattern& pattern, const PutOver& command) {
     const std::size_t before = pattern.panels.size();
-    as_geometry_error([&] { put_over(pattern, sim::parse_pattern(command.text, command.file).pattern); });
     Outcome outcome{.selection = Selection{}};
+    as_geometry_error([&] {
+        sim::Pattern outer = sim::parse_pattern(command.text, command.file).pattern;
+        outcome.notes = end_broken_links(outer);
+        put_over(pattern, std::move(outer));
+    });
     for (std::size_t p = before; p < pattern.panels.size(); ++p)
         outcome.selection->panels.insert(pattern.panels[p].name);
     return outcome;
@@ -260,10 +266,7 @@ Outcome run(sim::Pattern& pattern, const SymmetricCopy& command) {
 }
 
 Outcome run(sim::Pattern& pattern, const UnlinkPanel& command) {
-    panel_of(pattern, command.panel).mirror_of.clear();
-    for (sim::Panel& other : pattern.panels) {
-        if (other.mirror_of == command.panel) other.mirror_of.clear();
-    }
+    unlink(pattern, find_panel(pattern, command.panel));
     return {};
 }
 

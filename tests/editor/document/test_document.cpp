@@ -317,8 +317,8 @@ TEST(Document, undo_keeps_all_that_the_command_did_not_change) {
     source.pattern.allowance = 0.01;
     source.pattern.size = "40";
     source.pattern.underlays = {{.file = "front.jpg"}};
-    const sim::Pattern before = source.pattern;
     Document document(std::move(source));
+    const sim::Pattern before = document.pattern();
     document.run(SetTartan{.tartan = "black_watch"});
     document.undo();
     EXPECT_EQ(document.pattern(), before);
