@@ -257,7 +257,8 @@ Outcome run(sim::Pattern& pattern, const RenamePanel& command) {
 
 Outcome run(sim::Pattern& pattern, const DuplicatePanels& command) {
     return select_new(pattern, duplicate_panels(pattern, find_panels(pattern, command.panels),
-                                                {.on_sheet = command.shift, .in_world = command.move}));
+                                                {.on_sheet = command.shift, .in_world = command.move},
+                                                command.is_linked ? CopyLink::Linked : CopyLink::None));
 }
 
 Outcome run(sim::Pattern& pattern, const SymmetricCopy& command) {

@@ -125,12 +125,28 @@ Changed changed_by(const sim::Pattern& before, const std::vector<Command>& comma
     return changed;
 }
 
+// Of mirror images that a file places otherwise than their sources do.
+std::vector<std::string> moved_images(const sim::Pattern& in_file, const sim::Pattern& evaluated) {
+    constexpr double kMoved = 1e-4;  // m
+    std::vector<std::string> notes;
+    for (std::size_t i = 0; i < in_file.panels.size(); ++i) {
+        const sim::Panel& was = in_file.panels[i];
+        const sim::Panel& now = evaluated.panels[i];
+        const bool has_moved = std::ranges::any_of(
+            now.vertices, [&](const Vec2d& u) { return (was.place(u) - now.place(u)).norm() > kMoved; });
+        if (has_moved) notes.push_back("'" + now.name + "' was moved to where the mirror image of its source stands");
+    }
+    return notes;
+}
+
 }  // namespace
 
 Document::Document(sim::PatternDocument source) : source_(std::move(source)) {
     notes_ = end_broken_links(source_.pattern);
     sources_ = sources_of(source_.pattern);
-    source_.pattern = evaluate(sources_);
+    sim::Pattern evaluated = evaluate(sources_);
+    std::ranges::move(moved_images(source_.pattern, evaluated), std::back_inserter(notes_));
+    source_.pattern = std::move(evaluated);
 }
 
 void Document::select(Selection selection) {

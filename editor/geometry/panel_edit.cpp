@@ -143,13 +143,16 @@ void remove_panels(sim::Pattern& pattern, const std::vector<int>& panels) {
     edit_pattern(pattern, [&](sim::Pattern& draft) { drop_panels(draft, panels); });
 }
 
-std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>& panels, const CopyShift& shift) {
+std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>& panels, const CopyShift& shift,
+                                  CopyLink link) {
     const std::vector<Vec2d> positions = sheet_positions(pattern);
     std::vector<sim::Panel> copies;
     for (const int panel : panels) {
-        sim::Panel& copy = copies.emplace_back(panel_of(std::as_const(pattern), panel));
+        const sim::Panel& own = panel_of(std::as_const(pattern), panel);
+        sim::Panel& copy = copies.emplace_back(own);
+        if (link == CopyLink::Linked) give_keys(copy);
         copy.mirror_of.clear();
-        copy.copy_of.clear();
+        copy.copy_of = link == CopyLink::Linked ? own.name : "";
         copy.sheet_position = positions[as_size(panel)] + shift.on_sheet;
         copy.translation += shift.in_world;
     }

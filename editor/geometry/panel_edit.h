@@ -40,9 +40,12 @@ struct CopyShift {
     Vec3d in_world = Vec3d::Zero();
 };
 
-// Adds copies with the seams among the panels. Returns their indices, in the order of `panels`. The copies have no
-// mirror links.
-std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>& panels, const CopyShift& shift);
+enum class CopyLink { None, Linked };
+
+// Adds copies with the seams among the panels. Returns their indices, in the order of `panels`. Linked: update_links
+// (linked_panels.h) keeps them copies from then on.
+std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>& panels, const CopyShift& shift,
+                                  CopyLink link = CopyLink::None);
 
 // Adds the panels' mirror images for the other side of the body: outlines are mirrored, 3D placements reflected (x to
 // -x), and on the sheet they are mirrored within their common bounding box, then moved by `shift`. Vertices keep their

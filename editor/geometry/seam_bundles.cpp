@@ -178,36 +178,53 @@ bool SeamBundles::split_partial() {
     return false;
 }
 
-// A seam with one edge on one side and several on the other.
+// A seam whose sides are divided at different places is divided at all of them.
 bool SeamBundles::even_one() {
     for (SeamBundle& bundle : bundles_) {
-        if (has_ended(bundle) || bundle.first.pieces.size() == bundle.second.pieces.size()) continue;
+        if (has_ended(bundle)) continue;
         BundleSide& first = bundle.first;
         BundleSide& second = bundle.second;
-        const bool is_first_longer = first.pieces.size() > second.pieces.size();
-        BundleSide& one = is_first_longer ? second : first;
-        const BundleSide& longer = is_first_longer ? first : second;
-        if (one.pieces.size() > 1 || (bundle.wants_join && !join(BundleSide(longer)))) {
-            end(bundle);
-        } else if (!bundle.wants_join) {
-            divide(one, longer, bundle.seam.is_reversed);
+        if (bundle.wants_join && first.pieces.size() != second.pieces.size()) {
+            const BundleSide longer = first.pieces.size() > second.pieces.size() ? first : second;
+            if (!join(longer)) end(bundle);
+            return true;
         }
+        if (first.pieces.size() + second.pieces.size() == 2) continue;
+        if (divide(first, second, bundle.seam.is_reversed) || divide(second, first, bundle.seam.is_reversed))
+            return true;
+        if (first.pieces.size() == second.pieces.size()) continue;
+        end(bundle);
         return true;
     }
     return false;
 }
 
-void SeamBundles::divide(BundleSide& one, const BundleSide& longer, bool is_reversed) {
-    std::vector<EdgePiece> pieces = longer.pieces;
-    if (is_reversed) std::ranges::reverse(pieces);
-    std::vector<double> fractions;
-    double whole = 0, reached = 0;
-    for (const EdgePiece& piece : pieces) whole += length_of(longer.panel, piece);
-    for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
-        reached += length_of(longer.panel, pieces[i]);
-        fractions.push_back(reached / whole);
+// Where the pieces of a side meet, as fractions of its length, and its length, m.
+std::pair<std::vector<double>, double> SeamBundles::joints_of(const BundleSide& side) const {
+    std::vector<double> joints;
+    double length = 0;
+    for (const EdgePiece& piece : side.pieces) joints.push_back(length += length_of(side.panel, piece));
+    for (double& joint : joints) joint /= length;
+    joints.pop_back();
+    return {joints, length};
+}
+
+// Divides a side at one place where only the other is divided. False: there is none.
+bool SeamBundles::divide(const BundleSide& side, const BundleSide& other, bool is_reversed) {
+    constexpr double kSamePlace = 1e-4;  // m, as joints of runs that are sewn
+    const auto [own, length] = joints_of(side);
+    const auto [others, other_length] = joints_of(other);
+    for (const double joint : others) {
+        const double at = is_reversed ? 1 - joint : joint;
+        const double shorter = std::min(length, other_length);
+        const auto is_there = [&](double t) { return std::abs(t - at) * shorter < kSamePlace; };
+        if (is_there(0) || is_there(1) || std::ranges::any_of(own, is_there)) continue;
+        const auto piece = static_cast<std::size_t>(std::ranges::upper_bound(own, at) - own.begin());
+        const double from = piece == 0 ? 0 : own[piece - 1], to = piece == own.size() ? 1 : own[piece];
+        split(side.panel, sim::EdgeKey(side.pieces[piece].key), {(at - from) / (to - from)});
+        return true;
     }
-    split(one.panel, sim::EdgeKey(one.pieces.front().key), fractions);
+    return false;
 }
 
 void SeamBundles::split(int panel, const sim::EdgeKey& key, std::vector<double> fractions) {

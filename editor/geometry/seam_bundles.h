@@ -45,7 +45,8 @@ class SeamBundles {
     bool even_one();
     bool has_run(const BundleSide& side) const;
     void end(SeamBundle& bundle);
-    void divide(BundleSide& one, const BundleSide& longer, bool is_reversed);
+    std::pair<std::vector<double>, double> joints_of(const BundleSide& side) const;
+    bool divide(const BundleSide& side, const BundleSide& other, bool is_reversed);
     void split(int panel, const sim::EdgeKey& key, std::vector<double> fractions);
     bool join(const BundleSide& run);
     // Replaces pieces of edges of the panel's family: `become` has, for a whole edge, the pieces in the direction of

@@ -67,9 +67,11 @@ class FieldRows {
         const FieldRows inner(context_, name_of(field) + ".");
         EditPhase phase = EditPhase::None;
         sim::visit_fields(part, [&](const auto& one, auto& value) {
-            if (one.row.label.empty()) return;
-            const EditPhase now = inner.draw(one, value);
-            if (now != EditPhase::None) phase = now;
+            if constexpr (requires { inner.draw(one, value); }) {
+                if (one.row.label.empty()) return;
+                const EditPhase now = inner.draw(one, value);
+                if (now != EditPhase::None) phase = now;
+            }
         });
         return phase;
     }

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,6 +23,15 @@ const sim::Panel& panel_named(const Document& document, const std::string& name)
         if (panel.name == name) return panel;
     }
     throw std::runtime_error("no panel " + name);
+}
+
+TEST(Document, of_a_shipped_file_has_its_text) {
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() + "/patterns")) {
+        if (entry.path().extension() != ".json") continue;
+        Document document(sim::load_pattern(entry.path()));
+        EXPECT_TRUE(document.take_notes().empty()) << entry.path();
+        EXPECT_EQ(document.text(entry.path().string()), write_json(sim::read_json(entry.path()))) << entry.path();
+    }
 }
 
 TEST(Document, a_command_is_undone_and_redone_byte_for_byte) {
