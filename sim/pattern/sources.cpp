@@ -300,7 +300,7 @@ std::vector<int> darts_of(const Pattern& pattern, int panel) {
 
 namespace {
 
-constexpr double kRounding = 1e-6;  // m or rad: files have nine decimals, of centimetres and degrees
+constexpr double kRounding = 1e-4;  // m or rad: numbers of a file may be rounded to what is cut
 
 bool is_near(double one, double other) {
     return std::abs(one - other) <= kRounding;
