@@ -79,8 +79,11 @@ void add_thread_options(Command& command, GarmentOptions& options) {
 namespace {
 
 // Throws InputError for what `selvedge check` reports too. What is wrong with body and seams shows when they are made.
-sim::Pattern load_dressable(const std::filesystem::path& file, const GarmentOptions& options) {
-    sim::Pattern pattern = sim::load_pattern(file).pattern;
+sim::Pattern load_dressable(const std::filesystem::path& file, const GarmentOptions& options,
+                            std::vector<std::string>& notes) {
+    const sim::PatternDocument document = sim::load_pattern(file);
+    if (const auto newer = newer_format(document.json)) notes.push_back(file.string() + ": " + *newer);
+    const sim::Pattern& pattern = document.pattern;
     const sim::DressCheck check{
         .has_fabrics = options.fabric.empty(), .makes_body_and_mesh = false, .edge_length = options.dress.edge_length};
     if (pattern.panels.empty())
@@ -105,9 +108,9 @@ sim::Pattern worn_together(sim::Pattern pattern, std::span<const sim::Pattern> o
 }
 
 sim::Pattern load_garments(const GarmentOptions& options, std::vector<std::string>& notes) {
-    sim::Pattern pattern = load_dressable(options.garment, options);
+    sim::Pattern pattern = load_dressable(options.garment, options, notes);
     std::vector<sim::Pattern> over;
-    for (const std::filesystem::path& file : options.over) over.push_back(load_dressable(file, options));
+    for (const std::filesystem::path& file : options.over) over.push_back(load_dressable(file, options, notes));
     return worn_together(std::move(pattern), over, options.garment.string(), notes);
 }
 

@@ -8,6 +8,7 @@
 #include "sim/core/json.h"
 #include "sim/dress/dress_check.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/pattern/sources.h"
 #include "sim/tartan/tartan_file.h"
 
 namespace selvedge::app {
@@ -70,7 +71,11 @@ void add_faults_of_dressing(const sim::Pattern& pattern, const std::string& file
 
 std::vector<sim::Fault> faults_of_file(const std::filesystem::path& path) {
     std::vector<sim::Fault> faults = sim::check_pattern_file(path);
-    if (!has_error(faults)) add_faults_of_dressing(sim::load_pattern(path).pattern, path.string(), faults);
+    if (has_error(faults)) return faults;
+    sim::Pattern pattern = sim::load_pattern(path).pattern;
+    add_faults_of_dressing(pattern, path.string(), faults);
+    for (const std::string& problem : end_broken_links(pattern))
+        faults.push_back({sim::Severity::Warning, path.string(), "pattern.panels", problem});
     return faults;
 }
 

@@ -357,7 +357,10 @@ sim::Panel panel_of_record(const RecordReader& reader) {
         panel = origin.first->content.pattern.panels.at(origin.second);
     }
     if (reader.text("name").empty()) throw sim::InputError("", path(reader.place, "name"), "is empty");
+    const std::vector<sim::OutlineEdge> edges = panel.edges;
     read_fields(reader, &panel, panel);
+    if (panel.edges.size() != edges.size()) panel.last_key = 0;
+    for (std::size_t e = 0; panel.last_key > 0 && e < edges.size(); ++e) panel.edges[e].key = edges[e].key;
     return panel;
 }
 

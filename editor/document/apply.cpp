@@ -9,6 +9,7 @@
 
 #include "editor/document/set_fields.h"
 #include "editor/geometry/draft.h"
+#include "editor/geometry/edge_remap.h"
 #include "editor/geometry/outline_edit.h"
 #include "editor/geometry/panel_edit.h"
 #include "editor/geometry/seam_edit.h"
@@ -22,6 +23,7 @@
 #include "sim/pattern/pattern.h"
 #include "sim/pattern/pattern_fields.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/pattern/sources.h"
 #include "sim/tartan/match.h"
 #include "sim/tartan/offset_graph.h"
 #include "sim/tartan/tartan_file.h"
@@ -86,8 +88,12 @@ Selection only(const std::string& panel) {
 
 Outcome run(sim::Pattern& pattern, const PutOver& command) {
     const std::size_t before = pattern.panels.size();
-    as_geometry_error([&] { put_over(pattern, sim::parse_pattern(command.text, command.file).pattern); });
     Outcome outcome{.selection = Selection{}};
+    as_geometry_error([&] {
+        sim::Pattern outer = sim::parse_pattern(command.text, command.file).pattern;
+        outcome.notes = end_broken_links(outer);
+        put_over(pattern, std::move(outer));
+    });
     for (std::size_t p = before; p < pattern.panels.size(); ++p)
         outcome.selection->panels.insert(pattern.panels[p].name);
     return outcome;
@@ -252,7 +258,8 @@ Outcome run(sim::Pattern& pattern, const RenamePanel& command) {
 
 Outcome run(sim::Pattern& pattern, const DuplicatePanels& command) {
     return select_new(pattern, duplicate_panels(pattern, find_panels(pattern, command.panels),
-                                                {.on_sheet = command.shift, .in_world = command.move}));
+                                                {.on_sheet = command.shift, .in_world = command.move},
+                                                command.is_linked ? CopyLink::Linked : CopyLink::None));
 }
 
 Outcome run(sim::Pattern& pattern, const SymmetricCopy& command) {
@@ -261,10 +268,7 @@ Outcome run(sim::Pattern& pattern, const SymmetricCopy& command) {
 }
 
 Outcome run(sim::Pattern& pattern, const UnlinkPanel& command) {
-    panel_of(pattern, command.panel).mirror_of.clear();
-    for (sim::Panel& other : pattern.panels) {
-        if (other.mirror_of == command.panel) other.mirror_of.clear();
-    }
+    unlink(pattern, find_panel(pattern, command.panel));
     return {};
 }
 

@@ -3,6 +3,7 @@
 // journal can be replayed.
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "editor/document/command.h"
 #include "editor/document/selection.h"
@@ -18,10 +19,10 @@ struct PanelRename {
 struct Outcome {
     std::optional<Selection> selection = {};  // new selection; none: unchanged
     std::optional<PanelRename> rename = {};
+    std::vector<std::string> notes = {};  // what it did besides, for the user
 };
 
-// Throws GeometryError; the pattern may then be partly changed. Does not update linked mirror images (update_mirrors
-// does).
+// Throws GeometryError; the pattern may then be partly changed. Does not update linked panels (update_links does).
 Outcome apply(sim::Pattern& pattern, const Command& command);
 
 }  // namespace selvedge::editor

@@ -201,18 +201,21 @@ struct RenamePanel {
     }
 };
 
-// Copies panels with the seams among them. `shift` is on the sheet, `move` in world space, m.
+// Copies panels with the seams among them. `shift` is on the sheet, `move` in world space, m. is_linked: what is
+// changed on one is changed on both, but for where they lie.
 struct DuplicatePanels {
     static constexpr const char* name = "duplicate_panels";
     std::vector<std::string> panels{};
     Vec2d shift = Vec2d::Zero();
     Vec3d move = Vec3d::Zero();
+    bool is_linked = false;
 
     template <class Visitor>
     void fields(Visitor&& visit) {
         visit("panels", panels);
         visit("shift", shift);
         visit("move", move);
+        visit("is_linked", is_linked);
     }
 };
 
@@ -231,7 +234,7 @@ struct SymmetricCopy {
     }
 };
 
-// Ends the mirror link between the panel and its images.
+// Ends the links of the panel: to the one that it is derived from, and of those that are derived from it.
 struct UnlinkPanel {
     static constexpr const char* name = "unlink_panel";
     std::string panel{};

@@ -9,6 +9,7 @@
 #include "editor/document/journal.h"
 #include "editor/document/selection.h"
 #include "editor/geometry/draft.h"
+#include "editor/geometry/linked_panels.h"
 #include "editor/geometry/panel_edit.h"
 #include "sim/core/assert.h"
 #include "sim/pattern/field_moves.h"
@@ -19,6 +20,7 @@ namespace selvedge::editor {
 namespace {
 
 struct Changed {
+    sim::Sources sources = {};
     sim::Pattern pattern;
     Outcome outcome = {};
 };
@@ -40,37 +42,41 @@ void keep_sheet_positions(sim::Pattern& pattern, const sim::Pattern& before) {
     }
 }
 
-// The other panel of the link. Empty: the panel has none.
+// The other panel of the link, with what it is to the panel. Empty: the panel has none.
 std::string linked_to(const sim::Pattern& pattern, const sim::Panel& panel) {
-    if (!panel.mirror_of.empty()) return panel.mirror_of;
-    const auto image = std::ranges::find(pattern.panels, panel.name, &sim::Panel::mirror_of);
-    return image == pattern.panels.end() ? "" : image->name;
+    const auto text = [](sim::Derivation kind, const std::string& name) {
+        return (kind == sim::Derivation::Mirror ? "its mirror image '" : "its copy '") + name + "'";
+    };
+    if (const auto link = sim::link_of(panel)) return text(link->kind, link->source);
+    for (const sim::Panel& other : pattern.panels) {
+        const auto link = sim::link_of(other);
+        if (link && link->source == panel.name) return text(link->kind, other.name);
+    }
+    return "";
 }
 
-std::vector<sim::Seam> darts_of(const sim::Pattern& pattern, int panel) {
+std::vector<sim::Seam> dart_seams(const sim::Pattern& pattern, int panel) {
     std::vector<sim::Seam> darts;
-    std::ranges::copy_if(pattern.seams, std::back_inserter(darts), [&](const sim::Seam& seam) {
-        return seam.first.panel == panel && seam.second.panel == panel;
-    });
+    for (const int dart : sim::darts_of(pattern, panel)) darts.push_back(pattern.seams[as_size(dart)]);
     return darts;
 }
 
-// Updates linked mirror images. Throws if a locked panel would follow; `changed` is then partly changed. A command that
-// is about all panels, such as a move of the garment, may change locked ones.
+// Updates linked panels. Throws if a locked panel would follow; `changed` is then partly changed. A command that is
+// about all panels, such as a move of the garment, may change locked ones.
 void follow_links(sim::Pattern& changed, const sim::Pattern& before, const std::set<std::string>& locked) {
-    if (locked.empty()) return update_mirrors(changed, before);
+    if (locked.empty()) return update_links(changed, before);
     const sim::Pattern applied = changed;
-    update_mirrors(changed, before);
+    update_links(changed, before);
     for (std::size_t i = 0; i < applied.panels.size(); ++i) {
         const sim::Panel& panel = applied.panels[i];
         const int index = static_cast<int>(i);
         if (!locked.contains(panel.name)) continue;
-        const bool follows = !(changed.panels[i] == panel) || darts_of(changed, index) != darts_of(applied, index);
+        const bool follows = !(changed.panels[i] == panel) || dart_seams(changed, index) != dart_seams(applied, index);
         const auto was = std::ranges::find(before.panels, panel.name, &sim::Panel::name);
         if (!follows || was == before.panels.end() || !(*was == panel)) continue;
-        throw GeometryError("'" + panel.name + "' is locked and linked to its mirror image '" +
-                                linked_to(applied, panel) + "': unlock or unlink it first",
-                            {{.panel = panel.name}});
+        throw GeometryError(
+            "'" + panel.name + "' is locked and linked to " + linked_to(applied, panel) + ": unlock or unlink it first",
+            {{.panel = panel.name}});
     }
 }
 
@@ -89,10 +95,17 @@ void require_limits(const sim::Pattern& changed, const sim::Pattern& before) {
 
 Changed changed_by(const sim::Pattern& before, const Command& command, const PanelStates& states) {
     Changed changed{.pattern = before};
-    changed.outcome = apply(changed.pattern, command);
-    follow_links(changed.pattern, before, states.locked);
-    keep_sheet_positions(changed.pattern, before);
-    require_limits(changed.pattern, before);
+    sim::Pattern& pattern = changed.pattern;
+    changed.outcome = apply(pattern, command);
+    std::optional<Selection>& selection = changed.outcome.selection;
+    const sim::Pattern applied = pattern;
+    follow_links(pattern, before, states.locked);
+    std::ranges::move(end_broken_links(pattern), std::back_inserter(changed.outcome.notes));
+    keep_sheet_positions(pattern, before);
+    require_limits(pattern, before);
+    changed.sources = sources_of(pattern);
+    pattern = evaluate(changed.sources);
+    if (selection) selection = carried(std::move(*selection), applied, pattern);
     return changed;
 }
 
@@ -103,15 +116,38 @@ Changed changed_by(const sim::Pattern& before, const std::vector<Command>& comma
         Changed next = changed_by(changed.pattern, commands[i], states);
         if (changed.outcome.rename || next.outcome.rename)
             throw GeometryError("A panel is renamed by a command that stands alone");
-        if (!next.outcome.selection) next.outcome.selection = std::move(changed.outcome.selection);
+        if (!next.outcome.selection && changed.outcome.selection)
+            next.outcome.selection = carried(std::move(*changed.outcome.selection), changed.pattern, next.pattern);
+        std::ranges::move(next.outcome.notes, std::back_inserter(changed.outcome.notes));
+        next.outcome.notes = std::move(changed.outcome.notes);
         changed = std::move(next);
     }
     return changed;
 }
 
+// Of mirror images that a file places otherwise than their sources do.
+std::vector<std::string> moved_images(const sim::Pattern& in_file, const sim::Pattern& evaluated) {
+    constexpr double kMoved = 1e-4;  // m
+    std::vector<std::string> notes;
+    for (std::size_t i = 0; i < in_file.panels.size(); ++i) {
+        const sim::Panel& was = in_file.panels[i];
+        const sim::Panel& now = evaluated.panels[i];
+        const bool has_moved = std::ranges::any_of(
+            now.vertices, [&](const Vec2d& u) { return (was.place(u) - now.place(u)).norm() > kMoved; });
+        if (has_moved) notes.push_back("'" + now.name + "' was moved to where the mirror image of its source stands");
+    }
+    return notes;
+}
+
 }  // namespace
 
-Document::Document(sim::PatternDocument source) : source_(std::move(source)) {}
+Document::Document(sim::PatternDocument source) : source_(std::move(source)) {
+    notes_ = end_broken_links(source_.pattern);
+    sources_ = sources_of(source_.pattern);
+    sim::Pattern evaluated = evaluate(sources_);
+    std::ranges::move(moved_images(source_.pattern, evaluated), std::back_inserter(notes_));
+    source_.pattern = std::move(evaluated);
+}
 
 void Document::select(Selection selection) {
     selection_ = clean_selection(std::move(selection), source_.pattern);
@@ -125,31 +161,35 @@ void Document::set_panel_states(PanelStates states) {
 void Document::run_together(const std::vector<Command>& commands) {
     rollback();
     Changed changed = changed_by(source_.pattern, commands, panel_states_);
-    HistoryEntry entry{.label = label_of(commands.front()),
-                       .patch = difference(source_.pattern, changed.pattern),
-                       .before = selection_};
+    HistoryEntry entry{
+        .label = label_of(commands.front()), .patch = difference(sources_, changed.sources), .before = selection_};
     if (const auto& rename = changed.outcome.rename) {
         FileNames names = renamed(file_names_, rename->from, rename->to);
         entry.file_names.emplace(std::exchange(file_names_, names), std::move(names));
         entry.rename = rename;
         panel_states_ = renamed(std::move(panel_states_), rename->from, rename->to);
     }
-    show(std::move(changed.pattern), changed.outcome.selection.value_or(selection_));
+    const Selection selected =
+        changed.outcome.selection ? *changed.outcome.selection : carried(selection_, source_.pattern, changed.pattern);
+    std::ranges::move(changed.outcome.notes, std::back_inserter(notes_));
+    show(std::move(changed.sources), std::move(changed.pattern), selected);
     note(journal_line(commands));
     remember(std::move(entry));
 }
 
 void Document::preview(const Command& command) {
-    const sim::Pattern& before = is_previewing_ ? before_preview_ : source_.pattern;
+    const sim::Pattern before = is_previewing_ ? evaluate(before_preview_) : source_.pattern;
     Changed changed = changed_by(before, command, panel_states_);
     SELVEDGE_ASSERT(!changed.outcome.rename);  // a drag never renames
     if (!is_previewing_) {
-        before_preview_ = source_.pattern;
+        before_preview_ = sources_;
         selected_before_ = selection_;
         is_previewing_ = true;
     }
     previewed_ = label_of(command);
-    show(std::move(changed.pattern), changed.outcome.selection.value_or(selected_before_));
+    const Selection selected =
+        changed.outcome.selection ? *changed.outcome.selection : carried(selected_before_, before, changed.pattern);
+    show(std::move(changed.sources), std::move(changed.pattern), selected);
     note(journal_preview(command));
 }
 
@@ -157,13 +197,14 @@ void Document::commit() {
     if (!is_previewing_) return;
     is_previewing_ = false;
     note(journal_action(JournalAction::Commit));
-    remember({.label = previewed_, .patch = difference(before_preview_, source_.pattern), .before = selected_before_});
+    remember({.label = previewed_, .patch = difference(before_preview_, sources_), .before = selected_before_});
 }
 
 void Document::rollback() {
     if (!is_previewing_) return;
     is_previewing_ = false;
-    show(std::move(before_preview_), selected_before_);
+    sim::Pattern pattern = evaluate(before_preview_);
+    show(std::move(before_preview_), std::move(pattern), selected_before_);
     note(journal_action(JournalAction::Rollback));
 }
 
@@ -181,11 +222,12 @@ void Document::undo() {
     rollback();
     if (!can_undo()) return;
     const HistoryEntry& entry = history_[--position_];
-    sim::Pattern pattern = source_.pattern;
-    selvedge::editor::undo(pattern, entry.patch);
+    sim::Sources sources = std::move(sources_);
+    selvedge::editor::undo(sources, entry.patch);
     if (entry.file_names) file_names_ = entry.file_names->first;
     if (entry.rename) panel_states_ = renamed(std::move(panel_states_), entry.rename->to, entry.rename->from);
-    show(std::move(pattern), entry.before);
+    sim::Pattern pattern = evaluate(sources);
+    show(std::move(sources), std::move(pattern), entry.before);
     note(journal_action(JournalAction::Undo));
 }
 
@@ -193,11 +235,12 @@ void Document::redo() {
     rollback();
     if (!can_redo()) return;
     const HistoryEntry& entry = history_[position_++];
-    sim::Pattern pattern = source_.pattern;
-    apply(pattern, entry.patch);
+    sim::Sources sources = std::move(sources_);
+    apply(sources, entry.patch);
     if (entry.file_names) file_names_ = entry.file_names->second;
     if (entry.rename) panel_states_ = renamed(std::move(panel_states_), entry.rename->from, entry.rename->to);
-    show(std::move(pattern), entry.after);
+    sim::Pattern pattern = evaluate(sources);
+    show(std::move(sources), std::move(pattern), entry.after);
     note(journal_action(JournalAction::Redo));
 }
 
@@ -220,7 +263,8 @@ void Document::mark_saved() {
     saved_position_ = position_;
 }
 
-void Document::show(sim::Pattern pattern, const Selection& selected) {
+void Document::show(sim::Sources sources, sim::Pattern pattern, const Selection& selected) {
+    sources_ = std::move(sources);
     source_.pattern = std::move(pattern);
     panel_states_ = clean_states(std::move(panel_states_), source_.pattern);
     select(selected);

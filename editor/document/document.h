@@ -1,6 +1,7 @@
 #pragma once
-// The edited document: the pattern, the selection, hidden and locked panels, and the undo history. Views read it; every
-// change of the pattern is a command. Also maps renamed panels to their names in the source file.
+// The edited document: the sources of the pattern, which the pattern is evaluated from, the selection, hidden and
+// locked panels, and the undo history. Views read it; every change of the pattern is a command. Also maps renamed
+// panels to their names in the source file.
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -14,8 +15,10 @@
 #include "editor/document/command.h"
 #include "editor/document/journal.h"
 #include "editor/document/selection.h"
+#include "editor/document/sources_patch.h"
 #include "sim/core/json.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/pattern/sources.h"
 
 namespace selvedge::editor {
 
@@ -33,7 +36,7 @@ sim::Json with_present_names(sim::Json specification, const FileNames& names);
 
 struct HistoryEntry {
     std::string label;
-    PatternPatch patch;
+    SourcesPatch patch;
     std::optional<std::pair<FileNames, FileNames>> file_names = {};  // before, after; only for a rename
     std::optional<PanelRename> rename = {};
     Selection before;  // selection before the command
@@ -47,7 +50,8 @@ class Document {
 
     explicit Document(sim::PatternDocument source = {});
 
-    const sim::Pattern& pattern() const { return source_.pattern; }
+    const sim::Sources& sources() const { return sources_; }
+    const sim::Pattern& pattern() const { return source_.pattern; }  // evaluate(sources())
     const Selection& selection() const { return selection_; }
 
     // Increases with every change of the pattern, including undo, redo and previews.
@@ -64,6 +68,12 @@ class Document {
     const PanelStates& panel_states() const { return panel_states_; }
     void set_panel_states(PanelStates states);
     Selection changeable() const { return pickable(selection_, panel_states_, pattern()); }
+
+    // What a command, or opening the file, did besides what it is for, such as the end of a link. Each is told once.
+    std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
+
+    // Why the document must not be saved: a newer program wrote its file. None: it may.
+    std::optional<std::string> read_only_reason() const { return newer_format(source_.json); }
 
     // Applies a command, adds it to the history and selects what it made. Throws GeometryError, with nothing changed,
     // if the command is not possible, or if a locked panel would follow its linked mirror image.
@@ -106,10 +116,12 @@ class Document {
 
  private:
     void note(const sim::Json& line) const;
-    void show(sim::Pattern pattern, const Selection& selected);
+    void show(sim::Sources sources, sim::Pattern pattern, const Selection& selected);
     void remember(HistoryEntry entry);
 
-    sim::PatternDocument source_;
+    sim::Sources sources_;
+    sim::PatternDocument source_;  // its pattern is what sources_ give
+    std::vector<std::string> notes_;
     FileNames file_names_;
     std::string hints_;
     Selection selection_;
@@ -119,7 +131,7 @@ class Document {
     std::optional<std::size_t> saved_position_ = 0;  // none: undo and redo cannot reach the saved state
     std::uint64_t revision_ = 0;
     bool is_previewing_ = false;
-    sim::Pattern before_preview_;
+    sim::Sources before_preview_;
     Selection selected_before_;
     std::string previewed_;  // label of the previewed command
     Journal journal_;

@@ -1,6 +1,6 @@
 #pragma once
 // The journal of a document: one line of JSON per change, from which the document can be recovered after a crash. The
-// caller stores the lines. Also PatternPatch, the difference of two pattern states for undo.
+// caller stores the lines.
 //
 //   {"selvedge_journal": 1, "file": "shirt.json", "text": "..."}    first line: the opened file and its text; with
 //   "unsaved": true if that text is in no file, as after a recovery
@@ -15,13 +15,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "editor/document/command.h"
 #include "sim/core/json.h"
 #include "sim/pattern/fabric.h"
-#include "sim/pattern/pattern.h"
 
 namespace selvedge::editor {
 
@@ -56,25 +54,5 @@ struct Recovery {
 
 // None: the first line is missing or invalid.
 std::optional<Recovery> recover(std::string_view journal);
-
-// The difference between two states of a pattern, for the undo history. Its size grows with the size of the change.
-
-struct PatternPatch {
-    // The range of panels that differ, from index first_panel on. The panels before and after the range are equal in
-    // both states.
-    std::size_t first_panel = 0;
-    std::vector<sim::Panel> panels_before;
-    std::vector<sim::Panel> panels_after;
-    std::optional<std::pair<std::vector<sim::Seam>, std::vector<sim::Seam>>> seams;  // before, after
-    std::optional<std::pair<sim::Pattern, sim::Pattern>> rest;  // before, after; without panels and seams
-
-    bool is_empty() const { return panels_before.empty() && panels_after.empty() && !seams && !rest; }
-};
-
-PatternPatch difference(const sim::Pattern& before, const sim::Pattern& after);
-
-// Pre: the pattern equals the patch's `before` state for apply, its `after` state for undo.
-void apply(sim::Pattern& pattern, const PatternPatch& patch);
-void undo(sim::Pattern& pattern, const PatternPatch& patch);
 
 }  // namespace selvedge::editor

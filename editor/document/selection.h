@@ -63,6 +63,9 @@ struct Hover {
 
 Selection clean_selection(Selection selection, const sim::Pattern& pattern);
 
+// The selection of one state of a pattern in the next one: what is still there, by the keys of edges and by places.
+Selection carried(Selection selection, const sim::Pattern& before, const sim::Pattern& after);
+
 // The selection without the panels, parts of panels and seams of panels that cannot be picked.
 Selection pickable(Selection selection, const PanelStates& states, const sim::Pattern& pattern);
 

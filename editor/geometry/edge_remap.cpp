@@ -218,8 +218,11 @@ void drop_panels(sim::Pattern& pattern, const std::vector<int>& panels) {
 void unlink(sim::Pattern& pattern, int panel) {
     sim::Panel& own = pattern.panels[as_size(panel)];
     own.mirror_of.clear();
+    own.copy_of.clear();
     for (sim::Panel& other : pattern.panels) {
-        if (other.mirror_of == own.name) other.mirror_of.clear();
+        for (std::string* source : {&other.mirror_of, &other.copy_of}) {
+            if (*source == own.name) source->clear();
+        }
     }
 }
 

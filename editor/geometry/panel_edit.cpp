@@ -9,6 +9,7 @@
 #include "editor/geometry/edge_remap.h"
 #include "editor/geometry/outline_edit.h"
 #include "editor/geometry/sewing.h"
+#include "sim/pattern/edge_keys.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/free_room.h"
 #include "sim/pattern/outline.h"
@@ -46,7 +47,9 @@ void rename_panel(sim::Pattern& pattern, int panel, const std::string& name) {
     if (name.empty()) throw GeometryError("A panel needs a name.", {{own.name, -1, -1}});
     if (is_taken(pattern, name)) throw GeometryError("There is a panel " + name + " already.", {{name, -1, -1}});
     for (sim::Panel& other : pattern.panels) {
-        if (other.mirror_of == own.name) other.mirror_of = name;
+        for (std::string* source : {&other.mirror_of, &other.copy_of}) {
+            if (*source == own.name) *source = name;
+        }
     }
     own.name = name;
 }
@@ -140,12 +143,16 @@ void remove_panels(sim::Pattern& pattern, const std::vector<int>& panels) {
     edit_pattern(pattern, [&](sim::Pattern& draft) { drop_panels(draft, panels); });
 }
 
-std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>& panels, const CopyShift& shift) {
+std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>& panels, const CopyShift& shift,
+                                  CopyLink link) {
     const std::vector<Vec2d> positions = sheet_positions(pattern);
     std::vector<sim::Panel> copies;
     for (const int panel : panels) {
-        sim::Panel& copy = copies.emplace_back(panel_of(std::as_const(pattern), panel));
+        const sim::Panel& own = panel_of(std::as_const(pattern), panel);
+        sim::Panel& copy = copies.emplace_back(own);
+        if (link == CopyLink::Linked) give_keys(copy);
         copy.mirror_of.clear();
+        copy.copy_of = link == CopyLink::Linked ? own.name : "";
         copy.sheet_position = positions[as_size(panel)] + shift.on_sheet;
         copy.translation += shift.in_world;
     }
@@ -279,7 +286,7 @@ class PanelCutter {
             const bool is_last = k + 1 == cut_edges();
             const int end = is_last ? to_ : static_cast<int>(kept.vertices.size());
             if (!is_last) kept.vertices.push_back(path_[as_size(k + 1)]);
-            cut_.push_back({.start = start, .end = end});
+            cut_.push_back({.start = start, .end = end, .key = sim::new_key(kept)});
             start = end;
         }
     }

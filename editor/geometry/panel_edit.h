@@ -40,26 +40,23 @@ struct CopyShift {
     Vec3d in_world = Vec3d::Zero();
 };
 
-// Adds copies with the seams among the panels. Returns their indices, in the order of `panels`. The copies have no
-// mirror links.
-std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>& panels, const CopyShift& shift);
+enum class CopyLink { None, Linked };
+
+// Adds copies with the seams among the panels. Returns their indices, in the order of `panels`. Linked: update_links
+// (linked_panels.h) keeps them copies from then on.
+std::vector<int> duplicate_panels(sim::Pattern& pattern, const std::vector<int>& panels, const CopyShift& shift,
+                                  CopyLink link = CopyLink::None);
 
 // Adds the panels' mirror images for the other side of the body: outlines are mirrored, 3D placements reflected (x to
 // -x), and on the sheet they are mirrored within their common bounding box, then moved by `shift`. Vertices keep their
 // indices; edge e of n is the image of edge (n - e) % n, reversed. left_sleeve becomes right_sleeve. `is_linked`:
-// update_mirrors keeps them mirror images from then on; throws if a panel is itself linked to another.
+// update_links (linked_panels.h) keeps them mirror images from then on; throws if a panel is itself linked to another.
 //
 // Seams come along, without their names: darts, seams among the panels, and seams to a panel that has a linked mirror
 // image, or that stands in the middle of the body and has an edge that mirrors the sewn one, such as the armholes of a
 // front. An edge that is sewn already keeps its seam. Returns the indices of the copies, in the order of `panels`.
 std::vector<int> symmetric_copies(sim::Pattern& pattern, const std::vector<int>& panels, bool is_linked,
                                   const Vec2d& shift);
-
-// Propagates an edit (the difference to `before`) to linked mirror images; only names and sheet positions may differ.
-// The source is the edited panel; if both were edited, the one whose number of edges changed more, else the original
-// (not the image). Seams of the updated panel stay: where the source's edges were split or joined, its edges and the
-// edges sewn to them are split or joined too. Parts of its outline that do not correspond any more lose their seams.
-void update_mirrors(sim::Pattern& pattern, const sim::Pattern& before);
 
 // Cuts the panel along a path that runs inside it. The ends of the path are moved to the nearest points of the outline.
 // The panel keeps the part on the left of the path; the part on the right becomes a new panel. `is_sewn`: a seam joins

@@ -5,6 +5,7 @@
 #include "editor/geometry/draft.h"
 #include "editor/geometry/edge_remap.h"
 #include "editor/geometry/panel_edit.h"
+#include "sim/pattern/edge_keys.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/field_moves.h"
 #include "sim/pattern/outline.h"
@@ -136,6 +137,7 @@ class Merger {
             place = other_.edges[as_size(e)];
             place.start = vertex(place.start);
             place.end = vertex(place.end);
+            place.key = sim::new_key(joined);
         }
         joined.vertices.insert(joined.vertices.end(), other_.vertices.begin(), other_.vertices.end());
         for (const int pin : other_.pins) {
@@ -224,8 +226,8 @@ int open_wedge(sim::Pattern& draft, const sim::SeamSide& mouth, double depth) {
     const Vec2d along = (to - from).normalized();
     const int apex = static_cast<int>(panel.vertices.size());
     panel.vertices.push_back((from + to) / 2 + depth * Vec2d(-along.y(), along.x()));
-    const sim::OutlineEdge second{.start = apex, .end = edge.end};
-    edge = {.start = edge.start, .end = apex};
+    const sim::OutlineEdge second{.start = apex, .end = edge.end, .key = sim::new_key(panel)};
+    edge = {.start = edge.start, .end = apex, .key = edge.key};
     panel.edges.insert(panel.edges.begin() + mouth.edge + 1, second);
     std::erase_if(panel.notches, [&](const sim::Notch& notch) { return notch.edge == mouth.edge; });
     for (sim::Notch& notch : panel.notches) notch.edge += notch.edge > mouth.edge ? 1 : 0;

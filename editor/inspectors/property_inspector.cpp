@@ -19,6 +19,7 @@
 #include "sim/pattern/garments.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern.h"
+#include "sim/pattern/sources.h"
 
 namespace selvedge::editor {
 namespace {
@@ -169,29 +170,31 @@ void draw_cloth(InspectorContext& context, const sim::Panel& panel) {
     field_rows(context, {.part = FieldOwner::Panel, .panel = panel.name}, panel, standing);
 }
 
-std::string mirror_of(const sim::Pattern& pattern, const sim::Panel& panel) {
-    if (!panel.mirror_of.empty()) return panel.mirror_of;
+// A panel that it is linked to.
+std::optional<sim::Link> link_with(const sim::Pattern& pattern, const sim::Panel& panel) {
+    if (const auto link = sim::link_of(panel)) return link;
     for (const sim::Panel& other : pattern.panels) {
-        if (other.mirror_of == panel.name) return other.name;
+        const auto link = sim::link_of(other);
+        if (link && link->source == panel.name) return sim::Link{link->kind, other.name};
     }
-    return "";
+    return {};
 }
 
 void draw_links(InspectorContext& context, const sim::Panel& panel) {
     const std::string name = panel.name;
-    const std::string mirror = mirror_of(context.pattern(), panel);
+    const std::optional<sim::Link> link = link_with(context.pattern(), panel);
     if (!panel.pins.empty()) {
         fact(context, "Pins", std::to_string(panel.pins.size()) + (panel.pins.size() == 1 ? " point" : " points"),
              "Points of the outline that stay where they are placed.");
     }
-    if (!mirror.empty())
-        fact(context, "Mirror of", mirror, "Both are kept alike: what is done to one is done to both.");
+    if (link)
+        fact(context, link->kind == sim::Derivation::Mirror ? "Mirror of" : "Copy of", link->source,
+             "Both are kept alike: what is done to one is done to both.");
     ButtonRow row(context);
     const bool has_pins = !panel.pins.empty();
-    if (!mirror.empty() &&
-        row.button({.name = "panel.unlink",
-                    .title = "Unlink",
-                    .tip = with_key(context, "It and its mirror image go their own ways", "panel.unlink")})) {
+    if (link && row.button({.name = "panel.unlink",
+                            .title = "Unlink",
+                            .tip = with_key(context, "Both go their own ways", "panel.unlink")})) {
         context.workspace.run(UnlinkPanel{name});
     } else if (has_pins && row.button({.name = "panel.unpin", .title = "Unpin", .tip = "No point of it is held."})) {
         context.workspace.run(SetPins{.panel = name});

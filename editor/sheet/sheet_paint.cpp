@@ -15,6 +15,7 @@
 #include "editor/tools/sewing_tools.h"
 #include "editor/tools/sheet_pick.h"
 #include "render/scene/colour.h"
+#include "sim/pattern/sources.h"
 
 namespace selvedge::editor {
 namespace {
@@ -84,9 +85,10 @@ void draw_name(const SheetLook& look, const PanelShape& shape, const PanelName& 
     const bool is_selected = look.selection.panels.contains(shape.panel.name);
     pen.text(shape.on_sheet(name.middle), name.shown, is_selected ? pen.colours.accent : pen.colours.ink, {0, 0},
              name.size);
-    if (shape.panel.mirror_of.empty()) return;
+    const auto link = sim::link_of(shape.panel);
+    if (!link) return;
     const Vec2d size_px = shape.box.sizes() * pen.camera.scale / double(pen.ui);
-    const std::string mirrored = "mirrors " + shape.panel.mirror_of;
+    const std::string mirrored = (link->kind == sim::Derivation::Mirror ? "mirrors " : "copy of ") + link->source;
     const double below = double(ImGui::CalcTextSize(mirrored.c_str()).x) / double(pen.ui) + 40;
     const double small = std::min(0.85, size_px.x() / below);
     if (small < kSmallestName || size_px.y() < 80) return;

@@ -13,6 +13,7 @@
 #include "editor/ui/app_state.h"
 #include "editor/ui/files.h"
 #include "sim/core/assert.h"
+#include "sim/pattern/sources.h"
 
 namespace selvedge::editor {
 namespace {
@@ -386,17 +387,19 @@ void paste_panels(AppState& state) {
     const Vec3d move = free_move(document, &state.workspace.drape, command.panels);
     for (sim::Panel& panel : command.panels) {
         panel.mirror_of.clear();
+        panel.copy_of.clear();
         *panel.sheet_position += shift;
         panel.translation += move;
     }
     state.workspace.run(command);
 }
 
-void duplicate_selected(AppState& state) {
+void duplicate_selected(AppState& state, bool is_linked) {
     const Document& document = *state.workspace.document;
     const std::vector<sim::Panel> panels = selected_panels(state).panels;
     DuplicatePanels command{.shift = free_shift(document.pattern(), panels),
-                            .move = free_move(document, &state.workspace.drape, panels)};
+                            .move = free_move(document, &state.workspace.drape, panels),
+                            .is_linked = is_linked};
     for (const sim::Panel& panel : panels) command.panels.push_back(panel.name);
     state.workspace.run(command);
 }
@@ -418,8 +421,9 @@ void mirror_panels(AppState& state, const Vec2d& axis) {
 
 bool is_linked(const AppState& state) {
     for (const sim::Panel& panel : state.workspace.document->pattern().panels) {
-        if (selected(state).panels.contains(panel.name) && !panel.mirror_of.empty()) return true;
-        if (!panel.mirror_of.empty() && selected(state).panels.contains(panel.mirror_of)) return true;
+        const auto link = sim::link_of(panel);
+        const std::set<std::string>& chosen = selected(state).panels;
+        if (link && (chosen.contains(panel.name) || chosen.contains(link->source))) return true;
     }
     return false;
 }
@@ -442,42 +446,34 @@ void add_clipboard(std::vector<Action>& actions) {
                        .menu = "Edit",
                        .title = "Duplicate panels",
                        .chords = {{key_of('D'), {.ctrl = true}}},
-                       .run = duplicate_selected,
+                       .run = [](AppState& state) { duplicate_selected(state, false); },
                        .can = has_panels});
 }
 
 void add_panels(std::vector<Action>& actions) {
-    actions.push_back({.id = "panel.symmetric_copy",
-                       .menu = "Panel",
-                       .title = "Symmetric copy, linked",
-                       .tip = "For the body's other side, with seams: what is changed on one is changed on both",
-                       .run =
-                           [](AppState& state) {
-                               const std::set<std::string>& panels = selected(state).panels;
-                               const std::vector<std::string> names(panels.begin(), panels.end());
-                               state.workspace.run(SymmetricCopy{names, true, beside_selected(state)});
-                           },
-                       .can = has_panels});
+    const auto add = [&](const char* id, const char* title, const char* tip, std::function<void(AppState&)> run) {
+        actions.push_back({.id = id, .menu = "Panel", .title = title, .tip = tip, .run = run, .can = has_panels});
+    };
+    add("panel.symmetric_copy", "Symmetric copy, linked",
+        "For the body's other side, with seams: what is changed on one is changed on both", [](AppState& state) {
+            const std::set<std::string>& panels = selected(state).panels;
+            const std::vector<std::string> names(panels.begin(), panels.end());
+            state.workspace.run(SymmetricCopy{names, true, beside_selected(state)});
+        });
+    add("panel.linked_copy", "Linked copy", "Placed on its own: what is changed on one is changed on both",
+        [](AppState& state) { duplicate_selected(state, true); });
     actions.push_back({.id = "panel.unlink",
                        .menu = "Panel",
-                       .title = "Unlink from its mirror image",
+                       .title = "Unlink from its mirror image or copy",
                        .run =
                            [](AppState& state) {
                                for_each_panel(state,
                                               [](const std::string& name) -> Command { return UnlinkPanel{name}; });
                            },
                        .can = is_linked});
-    actions.push_back({.id = "panel.mirror_across",
-                       .menu = "Panel",
-                       .title = "Mirror left to right",
-                       .begins_group = true,
-                       .run = [](AppState& state) { mirror_panels(state, Vec2d(0, 1)); },
-                       .can = has_panels});
-    actions.push_back({.id = "panel.mirror_upright",
-                       .menu = "Panel",
-                       .title = "Mirror top to bottom",
-                       .run = [](AppState& state) { mirror_panels(state, Vec2d(1, 0)); },
-                       .can = has_panels});
+    add("panel.mirror_across", "Mirror left to right", "", [](AppState& state) { mirror_panels(state, Vec2d(0, 1)); });
+    actions.back().begins_group = true;
+    add("panel.mirror_upright", "Mirror top to bottom", "", [](AppState& state) { mirror_panels(state, Vec2d(1, 0)); });
     actions.push_back(
         {.id = "panel.unfold",
          .menu = "Panel",

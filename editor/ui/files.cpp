@@ -51,6 +51,9 @@ void show_document(AppState& state, sim::PatternDocument source, const std::stri
     state.shows_start_page = false;
     ++state.documents_opened;
     begin_journal(state);
+    if (const auto newer = state.workspace.document->read_only_reason())
+        state.workspace.messages.warn("'" + document_name(state) + "' cannot be saved: " + *newer);
+    state.workspace.tell_notes();
 }
 
 // Runs `go_on` at once if there are no unsaved changes.
@@ -104,6 +107,8 @@ void require_readable(const std::string& text, const std::string& file) {
 
 void write_document(AppState& state, const std::string& file) {
     Document& document = *state.workspace.document;
+    if (const auto newer = document.read_only_reason())
+        throw sim::InputError(state.workspace.file, "", "not saved: " + *newer);
     document.commit();
     refuse_inputs(state, file, files_of(state));
     const std::string text = document.text(file);

@@ -28,11 +28,16 @@ bool Workspace::run_together(const std::vector<Command>& commands) {
     if (commands.empty()) return true;
     try {
         document->run_together(commands);
+        tell_notes();
         return true;
     } catch (const GeometryError& error) {
         messages.error(error);
         return false;
     }
+}
+
+void Workspace::tell_notes() {
+    for (const std::string& text : document->take_notes()) messages.warn(text);
 }
 
 bool Workspace::preview(const Command& command) {

@@ -255,6 +255,9 @@ struct Workspace {
     bool run(const Command& command) { return run_together({command}); }
     bool run_together(const std::vector<Command>& commands);  // as one step of the history; none: no effect
     bool preview(const Command& command);
+
+    // Shows what the document did besides (Document::take_notes).
+    void tell_notes();
 };
 
 // The joint that the user has chosen; null: none, or the present body does not have it.

@@ -179,6 +179,8 @@ class Panel:
     """m; it starts bent round a cylinder of this radius, with the axis parallel to its y; 0: it starts flat."""
     mirror_of: str = ""
     """The panel whose mirror image it is kept; empty: of none."""
+    copy_of: str = ""
+    """The panel of which it is kept a copy, placed on its own; empty: of none."""
     label: str = ""
     """GarmentCode's part of the body, or anything."""
     sheet_position: Points | None = None

@@ -1,6 +1,7 @@
 #include "sim/dress/carry_over.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -10,6 +11,8 @@
 #include "sim/cloth/contact.h"
 #include "sim/collide/collider.h"
 #include "sim/core/assert.h"
+#include "sim/core/math.h"
+#include "sim/dress/outline_match.h"
 #include "sim/mesh/sew.h"
 #include "sim/pattern/field_moves.h"
 #include "sim/pattern/garments.h"
@@ -18,22 +21,99 @@
 namespace selvedge::sim {
 namespace {
 
-bool has_same_joins(const Pattern& a, const Pattern& b) {
-    return std::ranges::equal(a.seams, b.seams, [](const Seam& s, const Seam& t) {
-        return s.first == t.first && s.second == t.second && s.is_reversed == t.is_reversed;
-    });
-}
-
-// One panel may have another name, because the user may have renamed it.
+// One panel may have another name, because the user may have renamed it. Outlines correspond by the keys of their
+// edges.
 bool has_same_panels(const Pattern& a, const Pattern& b) {
     if (a.panels.size() != b.panels.size()) return false;
     int renamed = 0;
     for (std::size_t p = 0; p < a.panels.size(); ++p) {
-        if (a.panels[p].edges.size() != b.panels[p].edges.size()) return false;
         if (a.panels[p].is_mirrored != b.panels[p].is_mirrored) return false;
+        if (OutlineMatch(a.panels[p], b.panels[p]).is_empty()) return false;
         if (a.panels[p].name != b.panels[p].name) ++renamed;
     }
     return renamed <= 1;
+}
+
+std::vector<OutlineMatch> outline_matches(const Pattern& before, const Pattern& after) {
+    std::vector<OutlineMatch> matches;
+    for (std::size_t p = 0; p < before.panels.size(); ++p) matches.emplace_back(before.panels[p], after.panels[p]);
+    return matches;
+}
+
+constexpr double kSameShare = 1e-5;  // of a stretch's length, closer places of seams are one
+
+// A part of a seam: pieces of stretches that it joins, the lower one first.
+struct Join {
+    std::array<StretchPiece, 2> sides;
+    std::array<int, 2> panels{};
+    bool is_reversed = true;
+
+    // Whether `next` goes on where this one ends, at the same ratio of lengths.
+    bool goes_on_with(const Join& next) const {
+        const auto is_same = [](double one, double other) { return std::abs(one - other) < kSameShare; };
+        const StretchPiece &one = sides[0], &other = sides[1], &next_one = next.sides[0], &next_other = next.sides[1];
+        return panels == next.panels && is_reversed == next.is_reversed && one.stretch == next_one.stretch &&
+               other.stretch == next_other.stretch && is_same(one.to, next_one.from) &&
+               (is_reversed ? is_same(other.from, next_other.to) : is_same(other.to, next_other.from)) &&
+               is_same((one.to - one.from) * (next_other.to - next_other.from),
+                       (other.to - other.from) * (next_one.to - next_one.from));
+    }
+
+    void take(const Join& next) {
+        sides[0].to = next.sides[0].to;
+        if (is_reversed) sides[1].from = next.sides[1].from;
+        if (!is_reversed) sides[1].to = next.sides[1].to;
+    }
+
+    auto order() const { return std::tuple(panels, sides[0].stretch, sides[0].from); }
+};
+
+enum class OutlineState { Before, After };
+
+// What the seams join, as parts of stretches that both states have: the same for a seam as for the parts of it.
+std::vector<Join> joins_of(const Pattern& pattern, const std::vector<OutlineMatch>& matches, OutlineState state) {
+    std::vector<Join> joins;
+    for (const Seam& seam : pattern.seams) {
+        Join join{.sides = {}, .panels = {seam.first.panel, seam.second.panel}, .is_reversed = seam.is_reversed};
+        const auto piece = [&](const SeamSide& side) {
+            const OutlineMatch& match = matches[as_size(side.panel)];
+            return state == OutlineState::Before ? match.piece_before(side.edge) : match.piece_after(side.edge);
+        };
+        join.sides = {piece(seam.first), piece(seam.second)};
+        const auto place = [&](std::size_t i) {
+            return std::tuple(join.panels[i], join.sides[i].stretch, join.sides[i].from);
+        };
+        if (place(1) < place(0)) {
+            std::swap(join.sides[0], join.sides[1]);
+            std::swap(join.panels[0], join.panels[1]);
+        }
+        joins.push_back(join);
+    }
+    std::ranges::sort(joins, {}, &Join::order);
+    std::vector<Join> merged;
+    for (const Join& join : joins) {
+        if (!merged.empty() && merged.back().goes_on_with(join)) {
+            merged.back().take(join);
+        } else {
+            merged.push_back(join);
+        }
+    }
+    return merged;
+}
+
+// Pre: has_same_panels().
+bool has_same_joins(const Pattern& a, const Pattern& b) {
+    const std::vector<OutlineMatch> matches = outline_matches(a, b);
+    const auto is_same_piece = [](const StretchPiece& one, const StretchPiece& other) {
+        return one.stretch == other.stretch && std::abs(one.from - other.from) < kSameShare &&
+               std::abs(one.to - other.to) < kSameShare;
+    };
+    return std::ranges::equal(joins_of(a, matches, OutlineState::Before), joins_of(b, matches, OutlineState::After),
+                              [&](const Join& one, const Join& other) {
+                                  return one.panels == other.panels && one.is_reversed == other.is_reversed &&
+                                         is_same_piece(one.sides[0], other.sides[0]) &&
+                                         is_same_piece(one.sides[1], other.sides[1]);
+                              });
 }
 
 bool is_worn_in_same_order(const Pattern& a, const Pattern& b) {
@@ -53,6 +133,28 @@ const Panel* find_panel(const Pattern& pattern, const std::string& name) {
     return found == pattern.panels.end() ? nullptr : &*found;
 }
 
+// The seams that lie where open ones lay.
+std::vector<OpenSeam> open_seams_after(const DrapeState& drape, const Pattern& after) {
+    const std::vector<OutlineMatch> matches = outline_matches(drape.pattern, after);
+    std::vector<OpenSeam> found;
+    for (std::size_t i = 0; i < after.seams.size(); ++i) {
+        const SeamSide& side = after.seams[i].first;
+        const StretchPiece piece = matches[as_size(side.panel)].piece_after(side.edge);
+        const double middle = (piece.from + piece.to) / 2;
+        const auto lies_on = [&](const SeamSide& was) {
+            const StretchPiece old = matches[as_size(was.panel)].piece_before(was.edge);
+            return was.panel == side.panel && old.stretch == piece.stretch && old.from < middle && middle < old.to;
+        };
+        for (const OpenSeam& open : drape.open_seams) {
+            const Seam& was = drape.pattern.seams[as_size(open.seam)];
+            if (!lies_on(was.first) && !lies_on(was.second)) continue;
+            found.push_back({static_cast<int>(i), open.gap});
+            break;
+        }
+    }
+    return found;
+}
+
 std::string count_of(std::size_t before, std::size_t after, const std::string& one) {
     const bool is_more = after > before;
     const std::size_t many = is_more ? after - before : before - after;
@@ -60,7 +162,7 @@ std::string count_of(std::size_t before, std::size_t after, const std::string& o
 }
 
 // Moves each unsewn vertex to its position in the drape and merges the seams, except those that were open.
-void sew_in_place(GarmentMesh& mesh, const DrapeState& drape, const DrapedPanels& draped,
+void sew_in_place(GarmentMesh& mesh, const std::vector<OpenSeam>& open, const DrapedPanels& draped,
                   const std::vector<OutlineMap>& maps) {
     std::vector<bool> is_known(mesh.x.size(), false);
     for (const GarmentTriangle& triangle : mesh.triangles) {
@@ -74,7 +176,7 @@ void sew_in_place(GarmentMesh& mesh, const DrapeState& drape, const DrapedPanels
         }
     }
     std::erase_if(mesh.links, [&](const SeamLink& link) {
-        return std::ranges::binary_search(drape.open_seams, link.seam, {}, &OpenSeam::seam);
+        return std::ranges::binary_search(open, link.seam, {}, &OpenSeam::seam);
     });
     merge_seams(mesh);
 }
@@ -120,7 +222,11 @@ PatternChange compare(const Pattern& before, const Pattern& after) {
     const auto has_same_mesh = [](const Panel& one, const Panel& other) {
         return has_same_outline(one, other) && one.pins == other.pins;
     };
-    if (before.edge_length != after.edge_length || !std::ranges::equal(before.panels, after.panels, has_same_mesh)) {
+    const auto is_same_seam = [](const Seam& one, const Seam& other) {
+        return one.first == other.first && one.second == other.second;
+    };
+    if (before.edge_length != after.edge_length || !std::ranges::equal(before.panels, after.panels, has_same_mesh) ||
+        !std::ranges::equal(before.seams, after.seams, is_same_seam)) {
         return PatternChange::Outlines;
     }
     const auto cloth = [](const Panel& panel) {
@@ -152,20 +258,23 @@ std::string restart_reason(const Pattern& before, const Pattern& after) {
     for (const Panel& panel : after.panels) {
         const Panel* was = find_panel(before, panel.name);
         if (was == nullptr) return "'" + panel.name + "' has come" + whole;
-        if (was->edges.size() != panel.edges.size()) {
-            return "'" + panel.name + "' has " + count_of(was->edges.size(), panel.edges.size(), "edge") +
-                   ": sewn anew from where it is placed";
-        }
-        if (was->is_mirrored != panel.is_mirrored) return "'" + panel.name + "' was turned over" + whole;
+        if (was->is_mirrored != panel.is_mirrored || is_turned_over(*was, panel))
+            return "'" + panel.name + "' was turned over" + whole;
+        if (!OutlineMatch(*was, panel).is_empty()) continue;
+        const std::string what = was->edges.size() == panel.edges.size()
+                                     ? "another outline"
+                                     : count_of(was->edges.size(), panel.edges.size(), "edge");
+        return "'" + panel.name + "' has " + what + ": sewn anew from where it is placed";
     }
     for (const Panel& panel : before.panels) {
         if (find_panel(after, panel.name) == nullptr) return "'" + panel.name + "' is gone" + whole;
     }
-    if (before.seams.size() != after.seams.size())
+    if (!has_same_panels(before, after)) return "the panels have another order" + whole;
+    if (!has_same_joins(before, after)) {
+        if (before.seams.size() == after.seams.size()) return "seams join other edges" + whole;
         return "there is " + count_of(before.seams.size(), after.seams.size(), "seam") + whole;
-    if (!has_same_joins(before, after)) return "seams join other edges" + whole;
-    if (has_same_panels(before, after)) return "garments are worn in another order" + whole;
-    return "the panels have another order" + whole;
+    }
+    return "garments are worn in another order" + whole;
 }
 
 TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, GarmentMesh mesh,
@@ -174,7 +283,8 @@ TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, G
     const DrapedPanels draped(drape.cloth);
     std::vector<OutlineMap> maps;
     for (std::size_t p = 0; p < after.panels.size(); ++p) maps.emplace_back(after.panels[p], drape.pattern.panels[p]);
-    sew_in_place(mesh, drape, draped, maps);
+    std::vector<OpenSeam> open = open_seams_after(drape, after);
+    sew_in_place(mesh, open, draped, maps);
     Cloth cloth = make_cloth(mesh, fabrics, {.max_level = deepest_level});
     refresh_contacts(cloth);
     update_normals(cloth);
@@ -187,21 +297,13 @@ TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, G
         place_vertices(cloth, draped, maps, body);
     }
     forget_contacts(cloth);
-    return {.cloth = std::move(cloth), .mesh = std::move(mesh)};
+    return {.cloth = std::move(cloth), .mesh = std::move(mesh), .open = std::move(open)};
 }
 
 namespace {
 
-constexpr int kSamples = 8;     // points per edge that stand for it, also where it is curved
+constexpr int kSamples = 8;     // per edge, or part of one between two corners of either outline
 constexpr double kNear = 1e-9;  // m: points closer than this are on the outline
-
-std::vector<Vec2d> samples_of(const Panel& panel) {
-    std::vector<Vec2d> points;
-    for (const OutlineEdge& edge : panel.edges) {
-        for (int i = 0; i < kSamples; ++i) points.push_back(outline_point(panel, edge, double(i) / kSamples));
-    }
-    return points;
-}
 
 // tan of half the angle from a to b. Infinite where they are opposite, that is, u is on the segment between them.
 double half_tangent(const Vec2d& a, const Vec2d& b) {
@@ -212,10 +314,13 @@ double half_tangent(const Vec2d& a, const Vec2d& b) {
 }  // namespace
 
 OutlineMap::OutlineMap(const Panel& from, const Panel& to) : is_identity_(has_same_outline(from, to)) {
-    SELVEDGE_ASSERT(from.edges.size() == to.edges.size());
     if (is_identity_) return;
-    from_ = samples_of(from);
-    to_ = samples_of(to);
+    const OutlineMatch match(from, to);
+    SELVEDGE_ASSERT(!match.is_empty());
+    for (const auto& [here, there] : match.points(from, to, kSamples)) {
+        from_.push_back(here);
+        to_.push_back(there);
+    }
 }
 
 Vec2d OutlineMap::operator()(const Vec2d& u) const {

@@ -59,8 +59,8 @@ enum class PatternChange {
     None,      // nothing that the drape shows: the placement of panels, names other than panels'
     Setts,     // the sett's offset on a panel, or one panel's name
     Fabrics,   // fabric or grain direction
-    Outlines,  // outline geometry, pins or mesh resolution
-    Kind       // panels, edges or seams were added or removed, or garments are worn in another order: restart_reason
+    Outlines,  // outline geometry, also points of it or the order of its edges; pins or mesh resolution
+    Kind       // other panels or outlines; seams that join other places; another order of garments: restart_reason
 };
 PatternChange compare(const Pattern& before, const Pattern& after);
 
@@ -68,7 +68,7 @@ PatternChange compare(const Pattern& before, const Pattern& after);
 // otherwise 0. The panels and seams of the others follow those of `before`, as after put_over().
 std::size_t count_worn_under(const Pattern& before, Pattern after);
 
-// For example "'front' has one edge more: sewn anew from where it is placed". Pre: compare() returns Kind.
+// For example "there is one seam more: sewn anew from where the panels are placed". Pre: compare() returns Kind.
 std::string restart_reason(const Pattern& before, const Pattern& after);
 
 struct DrapeState {
@@ -79,7 +79,8 @@ struct DrapeState {
 
 struct TransferredDrape {
     Cloth cloth;
-    GarmentMesh mesh;  // level 0, sewn
+    GarmentMesh mesh;            // level 0, sewn
+    std::vector<OpenSeam> open;  // seams that stay open, ascending
 };
 
 // Gives `mesh`, the unsewn mesh of `after`, the shape of the current drape: sewn, refined by the criteria, at rest.
@@ -89,12 +90,12 @@ TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, G
                                 const std::vector<Fabric>& fabrics, const Collider& body,
                                 const AdaptClothOptions& adapting, int deepest_level);
 
-// Maps points of a panel to corresponding points of another panel with the same edges. A point on the outline keeps its
-// edge and its fraction of that edge's length; interior points follow by mean value coordinates. (Floater 2003; Hormann
-// and Floater 2006)
+// Maps points of a panel to corresponding points of another state of it. A point on the outline keeps its stretch, in
+// most cases an edge (OutlineMatch), and its fraction of that stretch's length; interior points follow by mean value
+// coordinates. (Floater 2003; Hormann and Floater 2006)
 class OutlineMap {
  public:
-    // Pre: both panels have the same number of edges, all of non-zero length.
+    // Pre: the outlines match, or are the same; all edges are of non-zero length.
     OutlineMap(const Panel& from, const Panel& to);
 
     // The identity for equal panels. Points outside a concave outline may be mapped to a poor position near it.

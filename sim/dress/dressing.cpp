@@ -421,7 +421,7 @@ void Dressing::change_outlines(const Pattern& pattern) {
           .pattern = pattern,
           .meshing = meshing(),
           .mesh = std::move(over.mesh),
-          .open = std::move(drape_->open),
+          .open = std::move(over.open),
           .run = {}},
          kShortRelax);
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/core/math.h"
+#include "sim/pattern/edge_keys.h"
 #include "sim/pattern/field_moves.h"
 #include "sim/pattern/outline.h"
 
@@ -181,11 +182,13 @@ SplitCurve split_curve(const Panel& panel, const OutlineEdge& edge, double t, in
     }
     out.before.end = vertex;
     out.after.start = vertex;
+    out.after.key = {};
     return out;
 }
 
 void split_edge(Panel& panel, int edge, double t) {
-    const SplitCurve split = split_curve(panel, panel.edges[as_size(edge)], t, static_cast<int>(panel.vertices.size()));
+    SplitCurve split = split_curve(panel, panel.edges[as_size(edge)], t, static_cast<int>(panel.vertices.size()));
+    split.after.key = new_key(panel);
     panel.vertices.push_back(split.point);
     panel.edges[as_size(edge)] = split.before;
     panel.edges.insert(panel.edges.begin() + edge + 1, split.after);
@@ -348,6 +351,8 @@ Panel unfolded(const Panel& half, int fold) {
         OutlineEdge other = reversed_edge(mapped_curve(half, half.edges[as_size(e)], map));
         other.start = image[as_size(other.start)];
         other.end = image[as_size(other.end)];
+        const EdgeKey key{other.key.number, EdgeRole::Image};
+        if (has_keys(half)) other.key = find_edge(half, key) ? new_key(panel) : key;
         panel.edges[as_size(unfolded_index(e, fold, count))] = half.edges[as_size(e)];
         panel.edges[as_size(unfolded_image(e, fold, count))] = other;
     }

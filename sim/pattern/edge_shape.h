@@ -14,7 +14,7 @@ struct SplitCurve {
 };
 
 // Splits the edge at the fraction t of its length without changing its shape: Beziers by de Casteljau, arcs stay arcs.
-// `vertex` is the index that the new point will have.
+// `vertex` is the index that the new point will have. The second part has no key.
 SplitCurve split_curve(const Panel& panel, const OutlineEdge& edge, double t, int vertex);
 
 // Splits an edge of the panel. The new vertex is its last; the second part is edge + 1, and notches stay in place.
@@ -68,7 +68,8 @@ inline int mirrored_edge(int e, int count) {
 
 // The whole of a panel that was cut on the fold: the half joined to its mirror image over a straight edge. Edges before
 // the fold keep their indices; then come the images of all edges, in reverse order from the edge before the fold on;
-// then the edges after the fold.
+// then the edges after the fold. Images have the keys of their edges, as EdgeRole::Image,
+// or new ones where the half has images itself.
 Panel unfolded(const Panel& half, int fold);
 
 // Where edge e of a half of `count` edges and its image are in the whole. Pre: e != fold.

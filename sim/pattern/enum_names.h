@@ -27,6 +27,9 @@ constexpr EnumNames<LineUse, 2> names_of(LineUse) {
 constexpr EnumNames<AllowanceCorner, 3> names_of(AllowanceCorner) {
     return {{"mitred", "squared", "mirrored"}};
 }
+constexpr EnumNames<EdgeRole, 2> names_of(EdgeRole) {
+    return {{"drawn", "image"}};
+}
 
 constexpr EnumNames<DesignKind, 4> names_of(DesignKind) {
     return {{"tartan", "colour", "picture", "test"}};

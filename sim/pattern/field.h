@@ -57,9 +57,23 @@ enum class Descent {
     Kept,      // both have it; of two that are joined, the first's
     Gathered,  // of panels that are joined, those of both; of a panel that is cut, each where it lies
     Own,       // names: a copy has the default
+    Key,       // what a part is known by: of the parts that one becomes, the first has it, and of those that become
+               // one, the first's stays; a copy has it too
     Place,     // where a part lies: it follows its panel; a part that is made anew has its own
     Shape,     // of an outline and of what is sewn: set by sim/pattern/edge_shape.h and the editor's geometry
 };
+
+// Where a panel lies. A linked copy has its own placement and layer, and any derived panel its own place on the cloth.
+enum class Placing {
+    None,
+    OnBody,   // how it starts round the body
+    Side,     // the same, but a linked copy has its source's
+    Layer,    // in which order panels lie on each other
+    OnCloth,  // from which part of the cloth it is cut
+};
+constexpr bool is_placement(Placing placing) {
+    return placing == Placing::OnBody || placing == Placing::Side;
+}
 
 // A row of the inspector (editor/inspectors/field_rows.h).
 struct FieldRow {
@@ -85,7 +99,7 @@ struct Field<kMember, kForm> {
     Range range = {};
     Descent descent = Descent::Kept;
     bool is_in_python = true;
-    bool is_placement = false;     // of a panel: how it starts round the body
+    Placing placing = Placing::None;
     std::string_view record = {};  // its word in SVG and DXF; empty: what is drawn says it, or nothing does
     FieldRow row = {};
 };

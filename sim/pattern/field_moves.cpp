@@ -24,14 +24,14 @@ bool has_same_outline(const Panel& one, const Panel& other) {
 bool has_same_placement(const Panel& one, const Panel& other) {
     bool is_same = true;
     visit_fields(one, [&](const auto& field, const auto& value) {
-        if (field.is_placement) is_same = is_same && value == other.*field.member;
+        if (is_placement(field.placing)) is_same = is_same && value == other.*field.member;
     });
     return is_same;
 }
 
 void take_placement(Panel& panel, const Panel& from) {
     visit_fields(panel, [&](const auto& field, auto& value) {
-        if (field.is_placement) value = from.*field.member;
+        if (is_placement(field.placing)) value = from.*field.member;
     });
 }
 

@@ -158,7 +158,7 @@ bool have_same_shapes(const std::vector<OutlineEdge>& edges, const std::vector<O
 // Whether both are meshed and drawn alike: the same vertices, and edges of the same shape.
 bool has_same_outline(const Panel& one, const Panel& other);
 
-// Whether both start in the same way round the body (Field::is_placement).
+// Whether both start in the same way round the body (is_placement).
 bool has_same_placement(const Panel& one, const Panel& other);
 
 // Gives the panel the other one's placement.

@@ -52,7 +52,9 @@ void name_panels(Pattern& outer, const Pattern& pattern) {
         panel.name = renamed[was] = unique_name(was, without_separators(panel.garment), taken);
     }
     for (Panel& panel : outer.panels) {
-        if (const auto found = renamed.find(panel.mirror_of); found != renamed.end()) panel.mirror_of = found->second;
+        for (std::string* source : {&panel.mirror_of, &panel.copy_of}) {
+            if (const auto found = renamed.find(*source); found != renamed.end()) *source = found->second;
+        }
     }
 }
 
@@ -186,7 +188,9 @@ bool take_off(Pattern& pattern, std::string_view garment) {
     }
     std::erase_if(pattern.seams, [](const Seam& seam) { return seam.first.panel < 0 || seam.second.panel < 0; });
     for (Panel& panel : stay) {
-        if (std::ranges::find(stay, panel.mirror_of, &Panel::name) == stay.end()) panel.mirror_of.clear();
+        for (std::string* source : {&panel.mirror_of, &panel.copy_of}) {
+            if (std::ranges::find(stay, *source, &Panel::name) == stay.end()) source->clear();
+        }
     }
     pattern.panels = std::move(stay);
     return true;

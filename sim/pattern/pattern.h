@@ -41,6 +41,19 @@ struct Topstitch {
     bool operator==(const Topstitch&) const = default;
 };
 
+// Drawn: the edge was drawn. Image: it is the mirror image of an edge of the half that was unfolded.
+enum class EdgeRole { Drawn, Image };
+
+// What an outline edge is known by from one state of a pattern to the next, whatever its index is there. The first part
+// of an edge that is split keeps the key, and the second gets a new one; of edges that are joined, the first one's
+// stays. A panel that is copied or mirrored has the keys of its source. Functions: sim/pattern/edge_keys.h.
+struct EdgeKey {
+    int number = 0;  // from 1 on, given once in a panel; 0: not given yet
+    EdgeRole role = EdgeRole::Drawn;
+
+    auto operator<=>(const EdgeKey&) const = default;
+};
+
 // One edge of an outline, from vertex `start` to vertex `end` of its panel.
 struct OutlineEdge {
     int start = 0;
@@ -54,6 +67,7 @@ struct OutlineEdge {
     std::optional<double> allowance = {};  // m, between this edge and the cut line; none: the panel's
     AllowanceCorner allowance_corner = AllowanceCorner::Mitred;
     std::optional<Topstitch> topstitch = {};
+    EdgeKey key = {};
 
     bool operator==(const OutlineEdge&) const = default;
 };
@@ -117,6 +131,8 @@ struct Panel {
                              // the axis parallel to the panel's y, behind x = 0 on the fabric's wrong side
     std::optional<WrapCone> wrap_cone = {};     // the panel starts bent to this cone; none: flat, or to the cylinder
     std::string mirror_of = {};                 // this panel is kept a mirror image of that panel; empty: of none
+    std::string copy_of = {};                   // it is kept a copy of that panel, placed on its own; empty: of none
+    int last_key = 0;                           // the last number that its edges were given as a key; 0: none has one
     std::string label = {};                     // GarmentCode's part of the body: "body", "leg", "arm"; or anything
     std::optional<SurfaceDesign> surface = {};  // what it shows; none: its fabric's or the pattern's
     std::optional<Vec2d> sheet_position = {};   // m, of the panel's origin on the 2D sheet; none: automatic layout
@@ -180,6 +196,7 @@ inline constexpr double kSmallestPixel = 1e-6, kLargestPixel = 1;  // m, of Unde
 inline constexpr std::size_t kMostInterlinings = 16;               // of a panel
 inline constexpr int kHighestLayer = 1000;                         // of Panel::layer; the lowest is -kHighestLayer
 inline constexpr int kMostPieces = 1000;                           // of Panel::pieces
+inline constexpr int kMostKeys = 1'000'000'000;                    // of EdgeKey::number
 inline constexpr int kMostNotchesTogether = 9;                     // of Notch::count
 inline constexpr double kWidestAllowance = 0.5;                    // m
 inline constexpr double kSmallestSett = 0.001, kLargestSett = 5;   // m, accepted range of Pattern::sett_size

@@ -37,6 +37,11 @@ inline constexpr std::tuple kTopstitchFields{
 
 inline constexpr FieldRow kTopstitchRow{"Topstitch", "Rows of stitches beside the line."};
 
+inline constexpr std::tuple kKeyFields{
+    Field<&EdgeKey::number, FileForm::ByHand>{.name = "number", .range = {0, kMostKeys}},
+    Field<&EdgeKey::role, FileForm::ByHand>{.name = "role"},
+};
+
 inline constexpr std::tuple kEdgeFields{
     Field<&OutlineEdge::start, FileForm::ByHand>{
         .name = "start", .measure = Measure::VertexIndex, .descent = Descent::Shape},
@@ -61,6 +66,7 @@ inline constexpr std::tuple kEdgeFields{
                 "Mitred: both cut lines go on to where they meet. Squared: at a right angle to the edge. Mirrored: "
                 "turned up, the allowance covers the panel, as at a hem."}},
     Field<&OutlineEdge::topstitch>{.name = "topstitch", .record = "topstitch", .row = kTopstitchRow},
+    Field<&OutlineEdge::key, FileForm::ByHand>{.name = "key", .descent = Descent::Key, .is_in_python = false},
 };
 
 inline constexpr std::tuple kLineFields{
@@ -111,22 +117,23 @@ inline constexpr std::tuple kPanelFields{
     Field<&Panel::vertices, FileForm::ByHand>{.name = "vertices", .measure = Measure::Point, .descent = Descent::Shape},
     Field<&Panel::edges, FileForm::ByHand>{.name = "edges", .descent = Descent::Shape},
     Field<&Panel::translation, FileForm::ByHand>{
-        .name = "translation", .measure = Measure::Length, .is_placement = true},
-    Field<&Panel::rotation, FileForm::ByHand>{.name = "rotation", .is_placement = true},
-    Field<&Panel::is_mirrored, FileForm::None>{.name = "is_mirrored", .is_placement = true},
+        .name = "translation", .measure = Measure::Length, .placing = Placing::OnBody},
+    Field<&Panel::rotation, FileForm::ByHand>{.name = "rotation", .placing = Placing::OnBody},
+    Field<&Panel::is_mirrored, FileForm::None>{.name = "is_mirrored", .placing = Placing::Side},
     Field<&Panel::label, FileForm::ByHand>{.name = "label"},
     Field<&Panel::grain_angle>{
         .name = "grain_angle",
         .key = "grainline",
         .measure = Measure::Direction,
         .row = {"Grain", "From the panel's upward direction to the warp, counter-clockwise. 45: cut on the bias."}},
-    Field<&Panel::sett_offset>{.name = "sett_offset", .measure = Measure::ClothShift},
+    Field<&Panel::sett_offset>{.name = "sett_offset", .measure = Measure::ClothShift, .placing = Placing::OnCloth},
     Field<&Panel::fabric>{.name = "fabric", .measure = Measure::Fabric},
     Field<&Panel::interlinings, FileForm::ByHand>{.name = "interlinings", .measure = Measure::Fabric},
     Field<&Panel::surface, FileForm::ByHand>{.name = "surface", .is_in_python = false},
     Field<&Panel::layer>{
         .name = "layer",
         .range = {-kHighestLayer, kHighestLayer, "a layer is a whole number from -1000 to 1000"},
+        .placing = Placing::Layer,
         .row = {"Layer", "Higher layers lie further out."},
     },
     Field<&Panel::garment>{.name = "garment"},
@@ -136,9 +143,15 @@ inline constexpr std::tuple kPanelFields{
     Field<&Panel::wrap_radius>{.name = "wrap_radius",
                                .measure = Measure::Length,
                                .range = {0, kMaxCoordinate, "wrap_radius must not be negative"},
-                               .is_placement = true},
-    Field<&Panel::wrap_cone, FileForm::ByHand>{.name = "wrap_cone", .is_in_python = false, .is_placement = true},
+                               .placing = Placing::OnBody},
+    Field<&Panel::wrap_cone, FileForm::ByHand>{.name = "wrap_cone", .is_in_python = false, .placing = Placing::OnBody},
     Field<&Panel::mirror_of, FileForm::ByHand>{.name = "mirror_of", .descent = Descent::Own},
+    Field<&Panel::copy_of, FileForm::ByHand>{.name = "copy_of", .descent = Descent::Own},
+    Field<&Panel::last_key, FileForm::ByHand>{.name = "last_key",
+                                              .key = "edge_keys",
+                                              .range = {0, kMostKeys},
+                                              .descent = Descent::Key,
+                                              .is_in_python = false},
     Field<&Panel::sheet_position>{.name = "sheet_position", .measure = Measure::Length, .descent = Descent::Own},
     Field<&Panel::allowance>{.name = "allowance",
                              .measure = Measure::Length,
@@ -210,6 +223,9 @@ constexpr const auto& fields(const Thread*) {
 constexpr const auto& fields(const Topstitch*) {
     return kTopstitchFields;
 }
+constexpr const auto& fields(const EdgeKey*) {
+    return kKeyFields;
+}
 constexpr const auto& fields(const OutlineEdge*) {
     return kEdgeFields;
 }
@@ -253,9 +269,13 @@ inline auto members(const Topstitch& part) {
     const auto& [a, b, c, d] = part;
     return counted(a, b, c, d);
 }
+inline auto members(const EdgeKey& part) {
+    const auto& [a, b] = part;
+    return counted(a, b);
+}
 inline auto members(const OutlineEdge& part) {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k] = part;
-    return counted(a, b, c, d, e, f, g, h, i, j, k);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = part;
+    return counted(a, b, c, d, e, f, g, h, i, j, k, l);
 }
 inline auto members(const InternalLine& part) {
     const auto& [a, b, c, d] = part;
@@ -282,8 +302,8 @@ inline auto members(const SeamSide& part) {
     return counted(a, b);
 }
 inline auto members(const Panel& part) {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y] = part;
-    return counted(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, a2] = part;
+    return counted(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, a2);
 }
 inline auto members(const Seam& part) {
     const auto& [a, b, c, d, e, f, g] = part;
@@ -301,9 +321,10 @@ inline auto members(const Pattern& part) {
 template <class Part>
 inline constexpr bool describes_all = decltype(members(std::declval<const Part&>()))::size() ==
                                       std::tuple_size_v<std::remove_cvref_t<decltype(fields_of<Part>())>>;
-static_assert(describes_all<Thread> && describes_all<Topstitch> && describes_all<OutlineEdge> &&
-              describes_all<InternalLine> && describes_all<Notch> && describes_all<WrapCone> &&
-              describes_all<SurfaceDesign> && describes_all<Underlay> && describes_all<MatchedSett> &&
-              describes_all<SeamSide> && describes_all<Panel> && describes_all<Seam> && describes_all<Pattern>);
+static_assert(describes_all<Thread> && describes_all<Topstitch> && describes_all<EdgeKey> &&
+              describes_all<OutlineEdge> && describes_all<InternalLine> && describes_all<Notch> &&
+              describes_all<WrapCone> && describes_all<SurfaceDesign> && describes_all<Underlay> &&
+              describes_all<MatchedSett> && describes_all<SeamSide> && describes_all<Panel> && describes_all<Seam> &&
+              describes_all<Pattern>);
 
 }  // namespace selvedge::sim

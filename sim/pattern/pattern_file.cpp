@@ -11,12 +11,14 @@
 #include "sim/core/file.h"
 #include "sim/core/json.h"
 #include "sim/core/math.h"
+#include "sim/pattern/edge_keys.h"
 #include "sim/pattern/enum_names.h"
 #include "sim/pattern/field_write.h"
 #include "sim/pattern/named_file.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_fields.h"
 #include "sim/pattern/pattern_read.h"
+#include "sim/pattern/sources.h"
 
 namespace selvedge::sim {
 namespace {
@@ -78,11 +80,20 @@ std::vector<Fault> check_pattern_text(std::string_view text, const std::string& 
     return check(file, [&] { return parse_json(text, file); });
 }
 
+std::optional<std::string> newer_format(const Json& root) {
+    const Json* own = root.find("selvedge");
+    const Json* format = own ? own->find("format") : nullptr;
+    if (!format || !format->is_number() || !(format->number() > kGarmentFormat)) return {};
+    return "written by a newer program, in format " + format->number_text() + "; this one knows formats up to " +
+           std::to_string(kGarmentFormat) + " and would lose what is new in it";
+}
+
 std::string write_pattern(const PatternDocument& document, const std::filesystem::path& file) {
     return write_json(pattern_as_json(document.pattern, document.json, file));
 }
 
 void save_pattern(const PatternDocument& document, const std::filesystem::path& path) {
+    if (const auto newer = newer_format(document.json)) throw InputError(path.string(), "selvedge.format", *newer);
     write_file_atomically(path, write_pattern(document, path));
 }
 
@@ -384,6 +395,28 @@ class Writer {
         if (panel.mirror_of.empty()) return own.erase("mirror_of");
         own["mirror_of"] = Json(panel.mirror_of);
     }
+    void write_by_hand(const ByHand<&Panel::copy_of>&, Json& own, const Panel& panel) const {
+        if (panel.copy_of.empty()) return own.erase("copy_of");
+        own["copy_of"] = Json(panel.copy_of);
+    }
+
+    // The keys of derived panels are those of their sources, and plain ones are the edges' numbers.
+    void write_by_hand(const ByHand<&Panel::last_key>&, Json& own, const Panel& panel) const {
+        if (link_of(panel) || !has_keys(panel) || has_plain_keys(panel)) return own.erase("edge_keys");
+        Json& keys = own["edge_keys"];
+        if (!keys.is_object()) keys = Json::object();
+        set_number(keys["last"], panel.last_key);
+        Json& list = keys["keys"];
+        if (!list.is_array()) list = Json::array();
+        list.elements().resize(panel.edges.size());
+        for (std::size_t e = 0; e < panel.edges.size(); ++e) {
+            const EdgeKey& key = panel.edges[e].key;
+            const bool is_drawn = key.role == EdgeRole::Drawn;
+            if (list.elements()[e].is_object() == is_drawn) list.elements()[e] = is_drawn ? Json() : Json::object();
+            set_number(is_drawn ? list.elements()[e] : list.elements()[e][std::string(name_of_value(key.role))],
+                       key.number);
+        }
+    }
 
     void write_seams(Json& json) {
         if (!json.is_array()) json = Json::array();
@@ -426,6 +459,7 @@ class Writer {
         static const Pattern usual;
         const FieldWriter values(units_, false, file_);
         write_additions(root_, [&](Json& own) {
+            write_format(own);
             visit_fields(pattern_, [&]<class SomeField>(const SomeField& field, const auto& value) {
                 if constexpr (SomeField::is_key) {
                     values.write_field(own, field, value, usual.*SomeField::member);
@@ -434,6 +468,17 @@ class Writer {
                 }
             });
         });
+    }
+
+    // Older programs would misread links to copies, and keys of edges whose outline they change.
+    void write_format(Json& own) const {
+        const bool is_needed = std::ranges::any_of(pattern_.panels, [](const Panel& panel) {
+            return !panel.copy_of.empty() || (!link_of(panel) && has_keys(panel) && !has_plain_keys(panel));
+        });
+        if (newer_format(root_)) return;
+        Json* found = own.find("format");
+        if (is_needed) own["format"] = Json(kGarmentFormat);
+        if (!is_needed && found && found->is_number() && found->number() == kGarmentFormat) own.erase("format");
     }
 
     void write_by_hand(const ByHand<&Pattern::surface>&, Json& own, const Pattern& pattern) const {

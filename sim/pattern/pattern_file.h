@@ -2,6 +2,7 @@
 // Loads, checks and saves garment files: GarmentCode specifications with additions under the key `selvedge`. Saving
 // preserves everything in the file that did not change.  (patterns/FORMAT.md)
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,13 @@ struct PatternDocument {
     Json json;  // null for a pattern that was not read from a file
 };
 
+// The number of the format that is written where a file uses what an older program would misread. The first one has no
+// number in the file.
+inline constexpr int kGarmentFormat = 2;
+
+// Why the file is not written anew: a newer program wrote it. None: this program knows the format.
+std::optional<std::string> newer_format(const Json& root);
+
 // Throws InputError for the first fault that is an error. Warnings are ignored; check_pattern_file() lists them. A
 // garment that was only begun may have no panels.
 PatternDocument load_pattern(const std::filesystem::path& path);
@@ -32,7 +40,7 @@ std::vector<Fault> check_pattern_text(std::string_view text, const std::string& 
 // will be stored; a body in its folder is named relative to it.
 std::string write_pattern(const PatternDocument& document, const std::filesystem::path& file = {});
 
-// Replaces the file atomically. Throws InputError if it cannot be written.
+// Replaces the file atomically. Throws InputError if it cannot be written, or if newer_format() has a reason.
 void save_pattern(const PatternDocument& document, const std::filesystem::path& path);
 
 // The pattern as a GarmentCode specification: a copy of `base` in which everything that differs from the pattern is

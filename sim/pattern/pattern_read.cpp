@@ -13,6 +13,7 @@
 #include "sim/pattern/limits.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_fields.h"
+#include "sim/pattern/pattern_file.h"
 
 namespace selvedge::sim {
 namespace {
@@ -35,6 +36,12 @@ class Reader : private FaultReader {
     }
 
  private:
+    struct Mirror {
+        Node node;
+        std::string panel;
+        std::string of;
+    };
+
     void read_root() {
         read_properties();
         const Node pattern = root_.member("pattern");
@@ -154,6 +161,47 @@ class Reader : private FaultReader {
         panel.mirror_of = name.value_or("");
     }
 
+    void read_by_hand(const ByHand<&Panel::copy_of>&, const Node& node, Panel& panel) {
+        const auto name = text(node);
+        if (name) copies_.push_back({node, panel.name, *name});
+        if (!panel.mirror_of.empty()) error(node, "a panel has mirror_of or copy_of, not both");
+        panel.copy_of = name.value_or("");
+    }
+
+    // Ignores the keys if another program changed the outline without them.
+    void read_by_hand(const ByHand<&Panel::last_key>&, const Node& node, Panel& panel) {
+        if (!expect(node, Json::Kind::Object)) return;
+        const Node keys = node.member("keys"), last = node.member("last");
+        if (!keys || !last) return error(node, std::string("no key '") + (keys ? "last" : "keys") + "'");
+        if (!expect(keys, Json::Kind::Array)) return;
+        const auto most = whole_number(last, 1, kMostKeys);
+        std::vector<EdgeKey> read;
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            const auto key = read_key(keys.element(i), most.value_or(kMostKeys));
+            if (!key || !most) return;
+            read.push_back(*key);
+        }
+        const std::set<EdgeKey> different(read.begin(), read.end());
+        if (read.size() != panel.edges.size() || different.size() != read.size()) {
+            return warn(keys, std::to_string(different.size()) + " different keys for " +
+                                  std::to_string(panel.edges.size()) + " edges: the edges are numbered anew");
+        }
+        for (std::size_t e = 0; e < read.size(); ++e) panel.edges[e].key = read[e];
+        panel.last_key = *most;
+    }
+
+    // A number, or {ROLE: number}.
+    std::optional<EdgeKey> read_key(const Node& node, int most) {
+        if (!node.value->is_object()) {
+            const auto number = whole_number(node, 1, most);
+            return number ? std::optional(EdgeKey{*number}) : std::nullopt;
+        }
+        const Node image = node.member(name_of_value(EdgeRole::Image));
+        const auto number = image ? whole_number(image, 1, most) : std::nullopt;
+        if (!image) error(node, "no key 'image'");
+        return number ? std::optional(EdgeKey{*number, EdgeRole::Image}) : std::nullopt;
+    }
+
     // The panel named by mirror_of must exist, be another panel, and not be a mirror image itself.
     void check_mirrors() {
         for (const Mirror& mirror : mirrors_) {
@@ -166,6 +214,19 @@ class Reader : private FaultReader {
                        !other.mirror_of.empty()) {
                 error(mirror.node, "panel '" + mirror.of + "' is a mirror image itself, of '" + other.mirror_of + "'");
             }
+        }
+        for (const Mirror& copy : copies_) check_copy(copy);
+    }
+
+    // The panel that it leads to, over others, must exist and not be itself.
+    void check_copy(const Mirror& copy) {
+        std::set<std::string> passed{copy.panel};
+        for (std::string at = copy.of; !at.empty();) {
+            const auto found = panel_index_.find(at);
+            if (found == panel_index_.end()) return error(copy.node, "no panel '" + at + "'");
+            if (!passed.insert(at).second) return error(copy.node, "a panel is no copy of itself");
+            const Panel& panel = out_.pattern.panels[static_cast<std::size_t>(found->second)];
+            at = panel.mirror_of.empty() ? panel.copy_of : panel.mirror_of;
         }
     }
 
@@ -240,6 +301,9 @@ class Reader : private FaultReader {
 
     void read_additions(const Node& node) {
         if (!node || !expect(node, Json::Kind::Object)) return;
+        if (const Node format = node.member("format"); format && whole_number(format, 1, kMostKeys)) {
+            if (const auto newer = newer_format(*root_.value)) warn(format, *newer);
+        }
         Pattern& pattern = out_.pattern;
         const FieldReader values(*this);
         visit_fields(pattern, [&]<class SomeField>(const SomeField& field, auto& value) {
@@ -375,19 +439,13 @@ class Reader : private FaultReader {
         return nullptr;
     }
 
-    struct Mirror {
-        Node node;
-        std::string panel;
-        std::string of;
-    };
-
     Node root_;
     PatternReading out_;
     bool is_relative_ = true;
     std::map<std::string, int> panel_index_;
     std::map<SeamSide, std::string> sewn_;       // where in the file each edge is sewn
     std::map<SeamSide, std::size_t> seam_at_{};  // index into Pattern::seams
-    std::vector<Mirror> mirrors_;
+    std::vector<Mirror> mirrors_, copies_;
 };
 
 }  // namespace

@@ -19,7 +19,10 @@ void rename_panel_in_file(Json& specification, const std::string& from, const st
     if (!panels || !panels->is_object() || !panels->find(from) || panels->find(to)) return;
     for (Json::Member& panel : panels->members()) {
         if (panel.key == from) panel.key = to;
-        if (Json* own = panel.value.find("selvedge")) rename_text(own->find("mirror_of"), from, to);
+        Json* own = panel.value.find("selvedge");
+        for (const char* key : {"mirror_of", "copy_of"}) {
+            if (own) rename_text(own->find(key), from, to);
+        }
     }
     if (Json* order = garment->find("panel_order"); order && order->is_array()) {
         for (Json& name : order->elements()) rename_text(&name, from, to);

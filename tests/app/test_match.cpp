@@ -76,6 +76,19 @@ TEST(MatchCommand, side_seams_and_shoulders_of_what_ships_meet) {
     }
 }
 
+TEST(MatchCommand, leaves_a_file_of_a_newer_format_as_it_is) {
+    const Copy copy("skirt.json");
+    sim::Json newer = sim::read_json(copy.path());
+    newer["selvedge"]["format"] = sim::Json(sim::kGarmentFormat + 1);
+    const std::string text = write_json(newer);
+    sim::write_file_atomically(copy.path(), text);
+    const ProgramResult result = copy.match();
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("written by a newer program"), std::string::npos) << result.err;
+    EXPECT_EQ(write_json(sim::read_json(copy.path())), text);
+    EXPECT_EQ(run_selvedge("check '" + copy.path() + "'").exit_code, 0);
+}
+
 TEST(MatchCommand, changes_nothing_in_the_file_but_offsets_and_what_they_are_for) {
     const Copy copy("skirt.json");
     const sim::Json before = sim::read_json(copy.path());

@@ -102,7 +102,10 @@ Command RandomCommands::on_panel(const sim::Pattern& pattern, int kind) {
         case 0:
             return RenamePanel{.panel = panel, .to = "panel_" + std::to_string(pick(40))};
         case 1:
-            return DuplicatePanels{.panels = {panel, some_panel(pattern)}, .shift = some_shift(0.5)};
+            return DuplicatePanels{.panels = {panel, some_panel(pattern)},
+                                   .shift = some_shift(0.5),
+                                   .move = Vec3d(0.3, 0, 0),
+                                   .is_linked = pick(2) == 0};
         case 2:
             return SymmetricCopy{.panels = {panel}, .is_linked = pick(2) == 0, .shift = some_shift(0.5)};
         case 3:

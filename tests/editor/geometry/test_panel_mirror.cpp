@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "editor/geometry/linked_panels.h"
 #include "editor/geometry/outline_edit.h"
 #include "editor/geometry/panel_edit.h"
 #include "editor/geometry/seam_edit.h"
@@ -251,12 +252,12 @@ template <class Edit>
 sim::Pattern edited(const sim::Pattern& before, Edit edit) {
     sim::Pattern pattern = before;
     edit(pattern);
-    update_mirrors(pattern, before);
+    update_links(pattern, before);
     EXPECT_TRUE(can_be_saved(pattern));
     return pattern;
 }
 
-TEST(UpdateMirrors, whichever_side_was_edited_leads) {
+TEST(UpdateLinks, whichever_side_was_edited_leads) {
     for (const int side : {0, 1}) {
         const sim::Pattern before = sleeved();
         const sim::Pattern pattern = edited(before, [&](sim::Pattern& draft) {
@@ -274,7 +275,7 @@ TEST(UpdateMirrors, whichever_side_was_edited_leads) {
     }
 }
 
-TEST(UpdateMirrors, placement_grain_notches_and_lines_follow) {
+TEST(UpdateLinks, placement_grain_notches_and_lines_follow) {
     const sim::Pattern pattern = edited(sleeved(), [](sim::Pattern& draft) {
         sim::Panel& panel = draft.panels[1];
         panel.translation = {-0.5, 1.3, 0.1};
@@ -288,7 +289,7 @@ TEST(UpdateMirrors, placement_grain_notches_and_lines_follow) {
     EXPECT_TRUE(pattern.panels[0].internal_lines.empty());
 }
 
-TEST(UpdateMirrors, a_split_splits_the_image_and_what_it_is_sewn_to) {
+TEST(UpdateLinks, a_split_splits_the_image_and_what_it_is_sewn_to) {
     for (const int side : {0, 1}) {
         for (const int own_edge : {0, 2, 3, 4}) {
             const int edge = side == 0 ? own_edge : (5 - own_edge) % 5;
@@ -308,7 +309,7 @@ TEST(UpdateMirrors, a_split_splits_the_image_and_what_it_is_sewn_to) {
     }
 }
 
-TEST(UpdateMirrors, a_point_taken_out_is_taken_out_of_both) {
+TEST(UpdateLinks, a_point_taken_out_is_taken_out_of_both) {
     const sim::Pattern whole = sleeved();
     int vertex = 0;
     const sim::Pattern split = edited(whole, [&](sim::Pattern& draft) { vertex = split_edge(draft, {0, 2}, 0.25); });
@@ -322,7 +323,7 @@ TEST(UpdateMirrors, a_point_taken_out_is_taken_out_of_both) {
     EXPECT_EQ(pattern.seams[1], whole.seams[1]);
 }
 
-TEST(UpdateMirrors, a_dart_is_sewn_on_both) {
+TEST(UpdateLinks, a_dart_is_sewn_on_both) {
     const sim::Pattern pattern = edited(sleeved(), [](sim::Pattern& draft) {
         insert_dart(draft, {1, 4}, 0.5, 0.03, 0.1);
     });
@@ -333,7 +334,7 @@ TEST(UpdateMirrors, a_dart_is_sewn_on_both) {
     }
 }
 
-TEST(UpdateMirrors, halves_that_are_sewn_to_each_other_keep_their_seam) {
+TEST(UpdateLinks, halves_that_are_sewn_to_each_other_keep_their_seam) {
     sim::Pattern halves;
     halves.panels = {unit_square("left_front")};
     symmetric_copy(halves, 0, true, {0, 0});
@@ -355,7 +356,7 @@ TEST(UpdateMirrors, halves_that_are_sewn_to_each_other_keep_their_seam) {
 }
 
 // Sewn around a corner: a split of one panel splits the other at a different edge, which splits the first again.
-TEST(UpdateMirrors, ends_where_splits_would_go_on_for_ever) {
+TEST(UpdateLinks, ends_where_splits_would_go_on_for_ever) {
     sim::Pattern before;
     before.panels = {unit_square("left_front")};
     symmetric_copy(before, 0, true, {0, 0});
@@ -366,7 +367,7 @@ TEST(UpdateMirrors, ends_where_splits_would_go_on_for_ever) {
     split_edge(pattern, {0, 0}, 0.3);
     const sim::Pattern split = pattern;
     try {
-        update_mirrors(pattern, before);
+        update_links(pattern, before);
         EXPECT_TRUE(can_be_saved(pattern));
         EXPECT_LT(pattern.panels[0].edges.size(), 30U);
     } catch (const GeometryError&) {
@@ -374,21 +375,21 @@ TEST(UpdateMirrors, ends_where_splits_would_go_on_for_ever) {
     }
 }
 
-TEST(UpdateMirrors, panels_that_are_not_linked_stay) {
+TEST(UpdateLinks, panels_that_are_not_linked_stay) {
     sim::Pattern before = two_squares();
     sim::Pattern pattern = before;
     move_vertices(pattern, 0, {0}, {0.1, 0.1});
     const sim::Pattern moved = pattern;
-    update_mirrors(pattern, before);
+    update_links(pattern, before);
     EXPECT_TRUE(pattern == moved);
 }
 
-TEST(UpdateMirrors, cutting_an_image_ends_its_link) {
+TEST(UpdateLinks, cutting_an_image_ends_its_link) {
     sim::Pattern pattern = sleeved();
     const sim::Pattern before = pattern;
     cut_panel(pattern, 1, {{-0.15, -0.1}, {-0.15, 0.8}}, true);
     EXPECT_EQ(pattern.panels[1].mirror_of, "");
-    update_mirrors(pattern, before);
+    update_links(pattern, before);
     EXPECT_EQ(pattern.panels[0].edges.size(), 5U);
     EXPECT_TRUE(can_be_saved(pattern));
 }

@@ -110,7 +110,7 @@ TEST(PropertiesOfSeams, of_a_dart_are_copied_to_the_linked_panel_when_they_chang
     for (const std::size_t changed : {std::size_t(0), std::size_t(1)}) {
         const sim::Pattern before = pattern;
         pattern.seams[changed].is_eased = !pattern.seams[changed].is_eased;
-        update_mirrors(pattern, before);
+        update_links(pattern, before);
         ASSERT_EQ(pattern.seams.size(), 2U);
         EXPECT_EQ(pattern.seams[0].is_eased, changed == 0);
         EXPECT_EQ(pattern.seams[1].is_eased, changed == 0);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <random>
 
+#include "editor/geometry/linked_panels.h"
 #include "editor/geometry/outline_edit.h"
 #include "editor/geometry/panel_edit.h"
 #include "editor/geometry/seam_edit.h"
@@ -206,7 +207,7 @@ TEST_P(RandomDrafts, are_sound_or_refused) {
             ASSERT_TRUE(can_be_saved(pattern)) << what;
             const sim::Pattern unlinked = pattern;
             try {
-                update_mirrors(pattern, before);
+                update_links(pattern, before);
                 ASSERT_TRUE(can_be_saved(pattern)) << what << ", mirrored";
             } catch (const GeometryError& error) {
                 ASSERT_TRUE(pattern == unlinked) << what << ": " << error.what();

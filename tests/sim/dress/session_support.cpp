@@ -7,6 +7,7 @@
 #include "sim/core/math.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/mesh/garment_mesh.h"
+#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/place/fit.h"
@@ -48,12 +49,7 @@ void settle(Session& session) {
 
 void split_edge(Pattern& pattern, int panel, int edge) {
     Panel& one = pattern.panels[static_cast<std::size_t>(panel)];
-    const auto at = static_cast<std::size_t>(edge);
-    const auto vertex = static_cast<int>(one.vertices.size());
-    one.vertices.push_back(outline_point(one, one.edges[at], 0.5));
-    const OutlineEdge second{.start = vertex, .end = one.edges[at].end};
-    one.edges[at] = {.start = one.edges[at].start, .end = vertex};
-    one.edges.insert(one.edges.begin() + edge + 1, second);
+    selvedge::sim::split_edge(one, edge, 0.5);
     for (Seam& seam : pattern.seams) {
         for (SeamSide* side : {&seam.first, &seam.second}) {
             if (side->panel == panel && side->edge > edge) ++side->edge;

@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "sim/core/error.h"
+#include "sim/pattern/edge_keys.h"
+#include "sim/pattern/pattern_file.h"
+#include "sim/pattern/sources.h"
+#include "tests/sim/pattern/sample.h"
+#include "tests/support/checkout.h"
+
+namespace selvedge::sim {
+namespace {
+
+Pattern evaluated_sample() {
+    return evaluate(sources_of(parse_pattern(sample_text(), "f.json").pattern));
+}
+
+// With a mirror image and a copy of the front, the copy placed elsewhere, and a seam within each of them.
+Pattern linked_sample() {
+    Pattern pattern = evaluated_sample();
+    const Panel front = pattern.panels[0];
+    Panel image, copy;
+    image.name = "image";
+    image.mirror_of = "front";
+    copy.name = "copy";
+    copy.copy_of = "front";
+    copy.translation = {1, 2, 3};
+    copy.layer = 4;
+    pattern.panels.push_back(derived_panel(front, Derivation::Mirror, image));
+    pattern.panels.push_back(derived_panel(front, Derivation::Copy, copy));
+    pattern.seams.clear();
+    pattern.seams.push_back({.first = {2, 0}, .second = {2, 2}, .name = "of the image"});
+    pattern.seams.push_back({.first = {0, 0}, .second = {0, 2}, .is_eased = true});
+    pattern.seams[0].is_eased = true;
+    pattern.seams.push_back({.first = {3, 0}, .second = {3, 2}, .is_eased = true});
+    pattern.seams.push_back({.first = {2, 1}, .second = {1, 1}});
+    return pattern;
+}
+
+TEST(Sources, give_the_pattern_again) {
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() + "/patterns")) {
+        if (entry.path().extension() != ".json") continue;
+        const Pattern pattern = evaluate(sources_of(load_pattern(entry.path()).pattern));
+        EXPECT_EQ(evaluate(sources_of(pattern)), pattern) << entry.path();
+        EXPECT_EQ(sources_of(pattern), sources_of(evaluate(sources_of(pattern)))) << entry.path();
+    }
+    EXPECT_EQ(evaluate(sources_of(linked_sample())), linked_sample());
+}
+
+TEST(Sources, are_evaluated_in_milliseconds) {
+    using Clock = std::chrono::steady_clock;
+    double slowest = 0;  // ms, of the shipped patterns, each the quickest of some runs
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() + "/patterns")) {
+        if (entry.path().extension() != ".json") continue;
+        const Sources sources = sources_of(load_pattern(entry.path()).pattern);
+        double quickest = 1e9;
+        for (int run = 0; run < 20; ++run) {
+            const auto start = Clock::now();
+            evaluate(sources);
+            quickest = std::min(quickest, std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+        }
+        slowest = std::max(slowest, quickest);
+    }
+    EXPECT_LT(slowest, 10);
+    RecordProperty("slowest_ms", std::to_string(slowest));
+}
+
+TEST(Sources, of_derived_panels_hold_what_is_their_own) {
+    const Sources sources = sources_of(linked_sample());
+    const Panel& image = sources.panels[2];
+    const Panel& copy = sources.panels[3];
+    EXPECT_TRUE(image.edges.empty() && image.vertices.empty() && copy.edges.empty());
+    EXPECT_EQ(image.translation, Vec3d::Zero().eval());
+    EXPECT_EQ(copy.translation, Vec3d(1, 2, 3));
+    EXPECT_EQ(copy.layer, 4);
+    EXPECT_EQ(sources.seams[0].properties, (Seam{.first = {}, .second = {}, .name = "of the image"}))
+        << "the front's seam says the rest";
+    EXPECT_EQ(sources.seams[3].first, (SourceSide{"image", EdgeKey{4}}));
+}
+
+TEST(Sources, an_edit_of_a_source_reaches_what_is_derived_from_it) {
+    Sources sources = sources_of(linked_sample());
+    sources.panels[0].fabric = "silk";
+    sources.panels[0].vertices[0].x() += 0.01;
+    const Pattern pattern = evaluate(sources);
+    EXPECT_EQ(pattern.panels[2].fabric, "silk");
+    EXPECT_EQ(pattern.panels[2].vertices[0].x(), -pattern.panels[0].vertices[0].x());
+    EXPECT_EQ(pattern.panels[3].vertices, pattern.panels[0].vertices);
+    EXPECT_EQ(pattern.panels[3].translation, Vec3d(1, 2, 3));
+}
+
+std::string problem_of(const Sources& sources) {
+    try {
+        evaluate(sources);
+    } catch (const InputError& error) {
+        return error.problem();
+    }
+    return "";
+}
+
+TEST(Sources, cycles_and_missing_sources_are_named) {
+    Sources sources = sources_of(linked_sample());
+    sources.panels[0] = {};
+    sources.panels[0].name = "front";
+    sources.panels[0].copy_of = "copy";
+    EXPECT_EQ(problem_of(sources), "panel 'front' is derived from itself");
+    sources.panels[0].copy_of = "nobody";
+    EXPECT_EQ(problem_of(sources), "panel 'front' is derived from 'nobody', which is not there");
+    sources = sources_of(linked_sample());
+    sources.seams[3].second.edge.number = 77;
+    EXPECT_EQ(problem_of(sources), "a seam has edge 77 of panel 'back', which is not there");
+}
+
+TEST(Sources, links_of_panels_that_another_program_changed_end) {
+    const Pattern linked = linked_sample();
+    Pattern pattern = linked;
+    EXPECT_TRUE(end_broken_links(pattern).empty());
+    EXPECT_EQ(pattern, linked);
+    pattern.panels[2].vertices[1].y() += 0.002;
+    pattern.panels[3].fabric = "silk";
+    const Pattern changed = pattern;
+    EXPECT_EQ(end_broken_links(pattern),
+              (std::vector<std::string>{
+                  "'image' is not the mirror image of 'front' any more, so that they are not linked now",
+                  "'copy' is not the copy of 'front' any more, so that they are not linked now"}));
+    EXPECT_FALSE(link_of(pattern.panels[2]) || link_of(pattern.panels[3]));
+    EXPECT_EQ(pattern.panels[2].vertices, changed.panels[2].vertices);
+    EXPECT_EQ(pattern.panels[3].fabric, "silk");
+    EXPECT_EQ(evaluate(sources_of(pattern)), pattern);
+}
+
+TEST(Sources, a_link_ends_where_one_panel_has_a_seam_within_it_and_the_other_has_not) {
+    Pattern pattern = linked_sample();
+    pattern.seams.erase(pattern.seams.begin());
+    EXPECT_EQ(end_broken_links(pattern).size(), 1U);
+    EXPECT_EQ(evaluate(sources_of(pattern)).seams.size(), 3U);
+}
+
+TEST(Sources, linked_panels_come_back_from_a_file_as_they_were) {
+    const Pattern linked = linked_sample();
+    const std::string text = write_pattern({linked, {}});
+    EXPECT_NE(text.find("\"format\": 2"), std::string::npos);
+    Pattern again = parse_pattern(text, linked.name + ".json").pattern;
+    EXPECT_EQ(again.panels[3].copy_of, "front");
+    EXPECT_TRUE(end_broken_links(again).empty());
+    EXPECT_EQ(write_pattern({evaluate(sources_of(again)), {}}), text);
+}
+
+TEST(Sources, links_in_a_file_are_checked) {
+    const std::string text = write_pattern({linked_sample(), {}});
+    const std::string at = "f.json: pattern.panels.copy.selvedge.copy_of: ";
+    EXPECT_EQ(faults_of(replaced(text, R"("copy_of": "front")", R"("copy_of": "fornt")")).front(),
+              at + "no panel 'fornt'");
+    EXPECT_EQ(faults_of(replaced(text, R"("copy_of": "front")", R"("copy_of": "copy")")).front(),
+              at + "a panel is no copy of itself");
+    EXPECT_EQ(faults_of(replaced(text, R"("copy_of": "front")", R"("copy_of": "front", "mirror_of": "front")")).front(),
+              at + "a panel has mirror_of or copy_of, not both");
+}
+
+}  // namespace
+}  // namespace selvedge::sim
