@@ -9,7 +9,7 @@ DESCRIPTIONS = "sim/pattern/pattern_fields.h"
 STRUCTS = "sim/pattern/pattern.h"
 MANY = 3  # as many members that are copied one by one are a list of members
 
-# Made of two indices in one order everywhere, {panel, edge}: it is an address, and no property will be added to it.
+# Made of two words in one order everywhere, {panel, edge} and {number, role}: addresses, which get no properties.
 ADDRESSES = {"SeamSide", "EdgeKey"}
 # Tests draw outlines and seams as tables of indices: a seam as its two sides, {{0, 1}, {1, 3}}. Nothing else of it.
 IN_TESTS = {"Seam": re.compile(r"\{[^{}]*\},\s*\{[^{}]*\}$"), "OutlineEdge": re.compile(r"[^{},]+,[^{},]+$")}
