@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
 #include "sim/core/math.h"
 #include "sim/dress/sewing.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/pattern.h"
+#include "sim/simulation/simulation.h"
 
 namespace selvedge::sim {
 
@@ -78,7 +78,7 @@ struct DrapeState {
 };
 
 struct TransferredDrape {
-    Cloth cloth;
+    Simulation simulation;
     GarmentMesh mesh;  // level 0, sewn
 };
 
@@ -87,7 +87,7 @@ struct TransferredDrape {
 // return Kind. Throws InputError when the mesh cannot be sewn. deepest_level: the new cloth's.
 TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, GarmentMesh mesh,
                                 const std::vector<Fabric>& fabrics, const Collider& body,
-                                const AdaptClothOptions& adapting, int deepest_level);
+                                const SimulationOptions& options, int deepest_level);
 
 // Maps points of a panel to corresponding points of another panel with the same edges. A point on the outline keeps its
 // edge and its fraction of that edge's length; interior points follow by mean value coordinates. (Floater 2003; Hormann
