@@ -11,16 +11,17 @@
 namespace selvedge::sim {
 namespace {
 
-// The positions after one sub-step.
-std::vector<Vec4f> after_substep(Simulation simulation, const Collider& body, bool is_other_body) {
+// The positions after one sub-step of what the body holds, where it meets it or nothing.
+std::vector<Vec4f> after_substep(Simulation simulation, const Collider& met, const Collider& body) {
     Schedule schedule = hanging();
     schedule.substeps = 1;
+    schedule.held_by = &body;
     schedule.meets_itself = false;  // it would follow what the body does
-    if (is_other_body) {
+    if (&met != &body) {
         simulation.cloth().solver->contacts.faces.clear();
         forget_contacts(simulation.cloth());
     }
-    simulation.step(body, schedule);
+    simulation.step(met, schedule);
     return std::move(simulation.cloth().x);
 }
 
@@ -45,8 +46,8 @@ ContactPressure measure_contact_pressure(Simulation simulation, const Collider& 
     for (int i = 0; i < measuring.settling_steps; ++i) simulation.step(body, hanging());
     std::vector<Vec3d> sum(cloth.x.size(), Vec3d::Zero());
     for (int i = 0; i < measuring.measured_steps; ++i) {
-        const std::vector<Vec4f> with = after_substep(simulation, body, false);
-        const std::vector<Vec4f> without = after_substep(simulation, NoBody(), true);
+        const std::vector<Vec4f> with = after_substep(simulation, body, body);
+        const std::vector<Vec4f> without = after_substep(simulation, NoBody(), body);
         for (std::size_t v = 0; v < sum.size(); ++v) sum[v] += (with[v] - without[v]).head<3>().cast<double>();
         simulation.step(body, hanging());
     }

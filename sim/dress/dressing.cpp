@@ -137,7 +137,10 @@ void Dressing::sew() {
 
 void Dressing::begin_sewing(std::optional<WornGarments> worn) {
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
-    SewingOptions options{.simulation = simulation_options(options_), .interrupt = interrupt_, .store = store_};
+    SewingOptions options{.simulation = simulation_options(options_),
+                          .constraints = constraints(),
+                          .interrupt = interrupt_,
+                          .store = store_};
     GarmentSewing sewing(
         std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),
         [this](const GarmentMesh& next, const GarmentMesh& all) {
@@ -199,6 +202,7 @@ DrapeOptions drape_options(const DressOptions& options) {
 
 void Dressing::hang(Drape drape, double relax_time) {
     drape_ = std::move(drape);
+    drape_->simulation.set_constraints(constraints());
     drag_constraint_.forget_vertices();
     DrapeOptions options = drape_options(options_);
     options.relax_time = relax_time;

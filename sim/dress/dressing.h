@@ -57,6 +57,8 @@ class Dressing {
     // says. It must stay valid.
     void set_visibility(Visibility* visibility);
     void wake();  // a cloth at rest goes on
+    // Added to those of the pattern, for all garments that are sewn from now on.
+    void add_constraint(std::unique_ptr<ClothConstraint> constraint) { own_constraints_.add(std::move(constraint)); }
 
     DressingStage stage() const;
     double fraction() const;  // of Sew or of Fall, 0..1; 0 in Place and Relax
@@ -139,6 +141,7 @@ class Dressing {
     void update_drag();
     bool has_bad_number() const { return drape_ && drape_->run->result().bad_vertex; }
     std::vector<Fabric> fabrics() const;
+    const ClothConstraints& constraints() const { return own_constraints_; }
     int deepest_level() const { return options_.deepest_level.value_or(options_.max_level); }
 
     void set_body(std::shared_ptr<const Body> body, std::shared_ptr<const MeasuredBody> measured,
@@ -168,6 +171,7 @@ class Dressing {
     std::optional<GarmentSewing> sewing_;
     std::optional<Drape> drape_;
     DragConstraint drag_constraint_;
+    ClothConstraints own_constraints_;
     Visibility* visibility_ = nullptr;  // instead of what the options say
     double past_seconds_ = 0;           // s, simulated before the current drape
     std::vector<std::string> notes_;

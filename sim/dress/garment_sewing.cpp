@@ -135,6 +135,7 @@ bool GarmentSewing::advance(const BodyCollider& body) {
     wear();
     if (is_last() || done_.bad_vertex) return false;
     relaxing_.emplace(make_cloth(done_.sewn, fabrics_, {.max_level = 0}), options_.simulation);
+    relaxing_->set_constraints(options_.constraints);
     refresh_contacts(relaxing_->cloth(), relaxing_->contact({}));
     relaxed_ = 0;
     return true;

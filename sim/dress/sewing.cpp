@@ -56,6 +56,7 @@ SewingRun::SewingRun(GarmentMesh unsewn, const std::vector<Fabric>& fabrics, con
     SimulationOptions with_floor = options.simulation;
     with_floor.contact.floor = std::min(with_floor.contact.floor, lowest_height(cloth()));
     simulation_.set_options(with_floor);
+    simulation_.set_constraints(options.constraints);
     refresh_contacts(simulation_.cloth(), simulation_.contact({}));
     const std::vector<int> as_sewn = representatives_of_links(mesh_.x.size(), links_);
     simulation_.cloth().solver->self_contact->sewn.assign(as_sewn.begin(), as_sewn.end());

@@ -23,6 +23,7 @@ struct SewingOptions {
     float sewn_gap = 0.02F;
     float extra_pull_time = 1.5F;         // s of further pulling after the allowed gap has reached zero
     SimulationOptions simulation{};       // without self_contact panels pass through each other
+    ClothConstraints constraints{};       // of the cloth, besides the seams
     std::function<void()> interrupt{};    // called during long preparations: see DistanceField
     const ContentStore* store = nullptr;  // for their results: see BodyCollider
 };

@@ -38,7 +38,8 @@ Schedule finishing(int substeps) {
 }
 
 Schedule hanging() {
-    return {.damping = kHangDamping, .bias_rate = 0, .offset = kRestOffset};
+    // What presses hard on the body is given to it as it is, also where that moves it far.
+    return {.damping = kHangDamping, .bias_rate = 0, .longest_move = 1, .offset = kRestOffset};
 }
 
 Schedule moving(float air_damping) {

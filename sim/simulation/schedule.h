@@ -8,23 +8,27 @@
 
 namespace selvedge::sim {
 
+class Collider;
+
 // m, contact offset of sewn cloth where it touches the body. The offset of cloth that is sewn, 3 mm, would add 1.9 cm
 // to every girth.
 inline constexpr float kRestOffset = 0.0003F;
 
 struct Schedule {
     // Of its steps.
-    float gravity = 1;                                      // share of it
-    float damping = 0;                                      // 1/s, in addition to the fabrics'
-    float friction = 1;                                     // share of the friction with the body
-    float bias_rate = 1;                                    // share of the usual rates of the solver's biases
-    float thickness = 1;                                    // share of the cloth's, where it meets itself
-    int substeps = StepOptions{}.substeps;                  // per step
-    int limit_iterations = StepOptions{}.limit_iterations;  // over triangles beyond the fabric's strain limit
-    bool meets_itself = true;                               // where the options say so
-    bool may_rest = false;                                  // steps skip a cloth at rest (sim/cloth/resting.h)
+    float gravity = 1;                                        // share of it
+    float damping = 0;                                        // 1/s, in addition to the fabrics'
+    float friction = 1;                                       // share of the friction with the body
+    float bias_rate = 1;                                      // share of the usual rates of the solver's biases
+    float thickness = 1;                                      // share of the cloth's, where it meets itself
+    int substeps = StepOptions{}.substeps;                    // per step
+    int limit_iterations = StepOptions{}.limit_iterations;    // over triangles beyond the fabric's strain limit
+    float longest_move = StepOptions{}.max_move_per_substep;  // m, of a vertex in a sub-step
+    bool meets_itself = true;                                 // where the options say so
+    bool may_rest = false;                                    // steps skip a cloth at rest (sim/cloth/resting.h)
 
     // Where it meets the body and the floor.
+    const Collider* held_by = nullptr;  // the body that holds the cloth, for constraints; null: that of the step
     float offset = std::numeric_limits<float>::infinity();          // m, where it is less than the usual one
     float sample_spacing = std::numeric_limits<float>::infinity();  // m, the same
     float lowered_floor = 0;                                        // m, by which the floor is lower after a step

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "sim/cloth/resting.h"
 #include "sim/collide/collider.h"
 #include "sim/core/view_point.h"
 
@@ -38,7 +39,12 @@ Simulation::Simulation(Cloth cloth, const SimulationOptions& options) : cloth_(s
 }
 
 Simulation::Simulation(const Simulation& other)
-    : cloth_(other.cloth_), options_(other.options_), budget_(other.budget_), own_visibility_(other.own_visibility_) {}
+    : cloth_(other.cloth_),
+      options_(other.options_),
+      constraints_(other.constraints_),
+      made_for_(other.made_for_),
+      budget_(other.budget_),
+      own_visibility_(other.own_visibility_) {}
 
 Simulation& Simulation::operator=(const Simulation& other) {
     Simulation copy(other);
@@ -72,6 +78,7 @@ StepOptions Simulation::step_options(const Schedule& schedule) const {
                          .gravity = schedule.gravity > 0 ? Vec3f(schedule.gravity * options_.gravity) : Vec3f::Zero(),
                          .extra_damping = schedule.damping,
                          .limit_iterations = schedule.limit_iterations,
+                         .max_move_per_substep = schedule.longest_move,
                          .contact = contact(schedule),
                          .seams = schedule.seams,
                          .seam_gap = schedule.seam_gap,
@@ -98,13 +105,40 @@ AdaptClothOptions Simulation::adapt_options(const Schedule& schedule) {
     return adapting;
 }
 
+void Simulation::set_constraints(ClothConstraints constraints) {
+    constraints_ = std::move(constraints);
+    made_for_.reset();
+    reactivate(cloth_);
+}
+
+void Simulation::make_constraints() {
+    if (constraints_.empty() || made_for_ == cloth_.adaptations) return;
+    for (const auto& constraint : constraints_) constraint->make(cloth_);
+    made_for_ = cloth_.adaptations;
+}
+
 AdaptReport Simulation::adapt(const Collider& body, const Schedule& schedule) {
-    return adapt_cloth(cloth_, body, adapt_options(schedule), contact(schedule));
+    const bool are_made = made_for_ == cloth_.adaptations;
+    const AdaptReport report = adapt_cloth(cloth_, body, adapt_options(schedule), contact(schedule));
+    if (!are_made) return report;
+    for (const auto& constraint : constraints_)
+        if (report.changed()) constraint->change(cloth_);
+    made_for_ = cloth_.adaptations;
+    return report;
 }
 
 StepReport Simulation::step(const Collider& body, const Schedule& schedule) {
     StepOptions stepping = step_options(schedule);
     if (lead_) stepping.kinematic = lead_(cloth_, step_seconds(schedule));
+    if (constraints_.empty()) return sim::step(cloth_, body, stepping);
+    make_constraints();
+    for (const auto& constraint : constraints_) {
+        constraint->begin_step(cloth_, schedule.held_by != nullptr ? *schedule.held_by : body, stepping);
+        stepping.may_rest = stepping.may_rest && constraint->is_at_rest();
+    }
+    stepping.solve_more = [&](float* points, const float* before) {
+        for (const auto& constraint : constraints_) constraint->solve(points, before);
+    };
     return sim::step(cloth_, body, stepping);
 }
 

@@ -1,8 +1,10 @@
 #pragma once
-// The simulation of a garment: its cloth, and what is common to all its steps and adaptations. Sewing, draping, motion,
-// the measurement of pressure and the change of a pattern are schedules over it (sim/simulation/schedule.h).
+// The simulation of a garment: its cloth, its further constraints, and what is common to all its steps and adaptations.
+// Sewing, draping, motion, the measurement of pressure and the change of a pattern are schedules over it
+// (sim/simulation/schedule.h).
 //
 // StepOptions and AdaptClothOptions are made here only.
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -14,6 +16,7 @@
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/strain_projection.h"
+#include "sim/simulation/cloth_constraint.h"
 #include "sim/simulation/schedule.h"
 
 namespace selvedge::sim {
@@ -46,6 +49,9 @@ class Simulation {
     const SimulationOptions& options() const { return options_; }
     void set_options(const SimulationOptions& options);
 
+    // Instead of those that there were. Cloth at rest goes on.
+    void set_constraints(ClothConstraints constraints);
+
     // Hidden parts of the cloth are coarsened; null: as the options say. It must stay valid.
     void set_visibility(Visibility* visibility) { visibility_ = visibility; }
     // Vertices that no adaptation removes, such as those that the user has pinned.
@@ -68,9 +74,12 @@ class Simulation {
  private:
     StepOptions step_options(const Schedule& schedule) const;
     AdaptClothOptions adapt_options(const Schedule& schedule);
+    void make_constraints();
 
     Cloth cloth_;
     SimulationOptions options_;
+    ClothConstraints constraints_;
+    std::optional<std::uint32_t> made_for_;  // Cloth::adaptations that the constraints know; none: they are to be made
     std::optional<TriangleBudget> budget_;
     std::optional<Visibility> own_visibility_;  // for SimulationOptions::seen_from
     Visibility* visibility_ = nullptr;          // instead of the own one
