@@ -248,8 +248,8 @@ AdaptiveTriangle make_base_triangle(const GarmentTriangle& from) {
 }
 
 double side_length(std::span<const GarmentTriangle> base, const BaseSide& side) {
-    const std::array<Vec2d, 3>& u = base[side.triangle].u;
-    return (u[(side.corner + 1) % 3] - u[side.corner]).norm();
+    const GarmentTriangle& t = base[side.triangle];
+    return static_cast<double>(t.lines[side.corner].drawn_to) * (t.u[(side.corner + 1) % 3] - t.u[side.corner]).norm();
 }
 
 double edge_length(std::span<const GarmentTriangle> base, std::span<const BaseSide> edge, double seam_ease) {

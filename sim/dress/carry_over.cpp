@@ -118,7 +118,8 @@ PatternChange compare(const Pattern& before, const Pattern& after) {
     if (!has_same_panels(before, after) || !has_same_joins(before, after)) return PatternChange::Kind;
     if (!is_worn_in_same_order(before, after)) return PatternChange::Kind;
     const auto has_same_mesh = [](const Panel& one, const Panel& other) {
-        return has_same_outline(one, other) && one.pins == other.pins;
+        return has_same_outline(one, other) && one.pins == other.pins &&
+               std::ranges::equal(one.edges, other.edges, {}, &OutlineEdge::elastic, &OutlineEdge::elastic);
     };
     if (before.edge_length != after.edge_length || !std::ranges::equal(before.panels, after.panels, has_same_mesh)) {
         return PatternChange::Outlines;

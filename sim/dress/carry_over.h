@@ -59,7 +59,7 @@ enum class PatternChange {
     None,      // nothing that the drape shows: the placement of panels, names other than panels'
     Setts,     // the sett's offset on a panel, or one panel's name
     Fabrics,   // fabric or grain direction
-    Outlines,  // outline geometry, pins or mesh resolution
+    Outlines,  // outline geometry, elastics, pins or mesh resolution
     Kind       // panels, edges or seams were added or removed, or garments are worn in another order: restart_reason
 };
 PatternChange compare(const Pattern& before, const Pattern& after);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <utility>
 
 #include "sim/cloth/contact_surface.h"
@@ -13,6 +14,7 @@
 #include "sim/dress/carry_over.h"
 #include "sim/dress/limbs_aside.h"
 #include "sim/place/placement.h"
+#include "sim/simulation/elastic_bands.h"
 
 namespace selvedge::sim {
 namespace {
@@ -151,6 +153,13 @@ void Dressing::begin_sewing(std::optional<WornGarments> worn) {
     sewing_.emplace(std::move(sewing));
     std::ranges::copy(anchored_->notes, std::back_inserter(notes_));
     std::ranges::move(sewing_->take_notes(), std::back_inserter(notes_));
+}
+
+// What the pattern asks for, and what was added besides.
+ClothConstraints Dressing::constraints() const {
+    ClothConstraints all = own_constraints_;
+    if (has_elastics(pattern_)) all.add(std::make_unique<ElasticBands>(pattern_));
+    return all;
 }
 
 // Sews garments that were put over those that hang round them. Returns whether there are such.

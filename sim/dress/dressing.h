@@ -141,7 +141,7 @@ class Dressing {
     void update_drag();
     bool has_bad_number() const { return drape_ && drape_->run->result().bad_vertex; }
     std::vector<Fabric> fabrics() const;
-    const ClothConstraints& constraints() const { return own_constraints_; }
+    ClothConstraints constraints() const;
     int deepest_level() const { return options_.deepest_level.value_or(options_.max_level); }
 
     void set_body(std::shared_ptr<const Body> body, std::shared_ptr<const MeasuredBody> measured,

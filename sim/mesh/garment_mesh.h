@@ -25,7 +25,8 @@ struct MeshOptions {
 
 // The line of its panel on which a side of a triangle lies. Outline edges are lines; most sides lie on none.
 struct SideLine {
-    int edge = -1;  // index into Panel::edges; -1: none
+    int edge = -1;       // index into Panel::edges; -1: none
+    float drawn_to = 1;  // share of the side's length to which an elastic draws it; the cloth is gathered there
 
     bool is_none() const { return edge < 0; }
     bool operator==(const SideLine&) const = default;

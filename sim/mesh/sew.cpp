@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "sim/core/assert.h"
@@ -74,14 +75,16 @@ struct OutlineLines {
     std::vector<int> next;        // vertex, by vertex; -1: inside
     std::vector<SideLine> lines;  // by vertex
 
-    explicit OutlineLines(const PanelMesh& mesh) : next(mesh.u.size(), -1), lines(mesh.u.size()) {
+    OutlineLines(const Panel& panel, const PanelMesh& mesh) : next(mesh.u.size(), -1), lines(mesh.u.size()) {
         const std::size_t count = mesh.outline.size();
         for (std::size_t e = 0; e < mesh.runs.size(); ++e) {
+            const std::optional<Elastic>& elastic = panel.edges[e].elastic;
+            const float drawn_to = elastic ? static_cast<float>(elastic->share) : 1.0F;
             for (int i = 0; i < mesh.runs[e].segments; ++i) {
                 const auto at = static_cast<std::size_t>(mesh.runs[e].first + i) % count;
                 const auto vertex = static_cast<std::size_t>(mesh.outline[at]);
                 next[vertex] = mesh.outline[(at + 1) % count];
-                lines[vertex] = {.edge = static_cast<int>(e)};
+                lines[vertex] = {.edge = static_cast<int>(e), .drawn_to = drawn_to};
             }
         }
     }
@@ -94,7 +97,7 @@ struct OutlineLines {
 void add_panel(GarmentMesh& garment, const Panel& panel, const PanelMesh& mesh) {
     const auto first = static_cast<int>(garment.x.size());
     const auto index = static_cast<int>(garment.panel_names.size());
-    const OutlineLines outline(mesh);
+    const OutlineLines outline(panel, mesh);
     for (const Vec2d& u : mesh.u) garment.x.push_back(panel.place(u));
     for (const auto& corners : mesh.triangles) {
         GarmentTriangle triangle;

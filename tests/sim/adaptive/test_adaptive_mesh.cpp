@@ -85,6 +85,17 @@ TEST(Lines, are_those_of_the_base_edge_at_every_level_and_of_both_panels_at_a_se
     EXPECT_EQ(found.size(), expected);
 }
 
+TEST(Lines, of_an_edge_that_an_elastic_draws_together_have_its_rest_length) {
+    GarmentMesh base = with_lines(front_and_back(1, 1.0));
+    GarmentTriangle& drawn = base.triangles[0];
+    const auto k = static_cast<std::size_t>(
+        std::ranges::find_if(drawn.lines, [](const SideLine& line) { return !line.is_none(); }) - drawn.lines.begin());
+    drawn.lines[k].drawn_to = 0.5F;
+    const AdaptiveMesh mesh(base);
+    const EdgeId edge = mesh.triangle(TriangleId(0)).edges[k];
+    EXPECT_NEAR(mesh.rest_length(edge), 0.5 * (drawn.u[(k + 1) % 3] - drawn.u[k]).norm(), 1e-6);
+}
+
 TEST(Seam, with_gathers_takes_the_shorter_side) {
     const AdaptiveMesh mesh(front_and_back(2, 1.3));
     EXPECT_NEAR(mesh.rest_length(edge_between(mesh, VertexId(0), VertexId(4))), 0.2, 1e-6);
