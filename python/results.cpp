@@ -101,7 +101,7 @@ ResultPointer dress(const DocumentPointer& pattern, const std::optional<WearingB
     result->dressed = sim::dress(result->pattern, *result->body.body, result->garment.dress, progress_to(progress));
     std::vector<std::string>& all = result->dressed.report.notes;
     all.insert(all.begin(), notes.begin(), notes.end());
-    result->strain = measure_strain(*result->dressed.cloth);
+    result->strain = measure_strain(result->dressed.cloth());
     const py::gil_scoped_acquire acquire;
     call(progress, 1, "done");
     return result;
@@ -137,9 +137,9 @@ const sim::ContactPressure& contact_of(Result& result) {
         if (result.dressed.report.stopped_because == "bad number")
             throw sim::InputError("", "pressure", "a position is not finite");
         const sim::BodyCollider collider(*result.body.body);
-        sim::Cloth cloth = *result.dressed.cloth;
-        forget_contacts(cloth);
-        return measure_contact_pressure(std::move(cloth), collider, result.garment.dress);
+        sim::Simulation simulation = *result.dressed.simulation;
+        forget_contacts(simulation.cloth());
+        return measure_contact_pressure(std::move(simulation), collider);
     });
 }
 

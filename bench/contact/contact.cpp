@@ -167,23 +167,24 @@ struct GarmentTimes {
 // Drapes what has just been sewn, and goes on with it at rest.
 GarmentTimes run_garment(sim::Dressing& sewn, bool with, int rest_frames) {
     sim::Dressing::Drape drape = sewn.drape();
-    if (!with) drape.run->options().self_contact.reset();
+    sim::SimulationOptions common = drape.simulation.options();
+    if (!with) common.self_contact.reset();
+    drape.simulation.set_options(common);
     GarmentTimes times;
     const double start = thread_seconds();
-    while (drape.run->advance(drape.cloth, sewn.collider())) {
+    while (drape.run->advance(drape.simulation, sewn.collider())) {
     }
     times.drape = 1e3 * (thread_seconds() - start);
-    times.crossings = crossings_of(drape.cloth);
-    times.triangles = static_cast<int>(drape.cloth.mesh.leaf_triangles().size());
-    sim::DrapeOptions hanging{.max_seconds = std::numeric_limits<double>::infinity(),
-                              .rest_time = std::numeric_limits<double>::infinity(),
-                              .relax_time = 0};
-    if (with) hanging.self_contact.emplace();
-    sim::DrapeRun run(drape.cloth, hanging);
+    times.crossings = crossings_of(drape.simulation.cloth());
+    times.triangles = static_cast<int>(drape.simulation.cloth().mesh.leaf_triangles().size());
+    const sim::DrapeOptions hanging{.max_seconds = std::numeric_limits<double>::infinity(),
+                                    .rest_time = std::numeric_limits<double>::infinity(),
+                                    .relax_time = 0};
+    sim::DrapeRun run(drape.simulation, hanging);
     std::vector<double> frames;
     for (int i = 0; i < rest_frames; ++i) {
         const double frame_start = thread_seconds();
-        run.advance(drape.cloth, sewn.collider());
+        run.advance(drape.simulation, sewn.collider());
         frames.push_back(1e3 * (thread_seconds() - frame_start));
     }
     frames.erase(frames.begin(), frames.begin() + rest_frames / 2);  // until then the mesh still adapts

@@ -7,10 +7,8 @@
 #include "bench/tshirt/dressing.h"
 #include "bench/tshirt/tshirt.h"
 #include "sim/body/tented.h"
-#include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/contact.h"
 #include "sim/cloth/standoff.h"
-#include "sim/cloth/step.h"
 #include "sim/collide/body_collider.h"
 #include "sim/dress/animation.h"
 #include "sim/dress/dressing_pose.h"
@@ -23,32 +21,32 @@ namespace {
 
 constexpr double kFrame = 1.0 / 60;  // s
 
-sim::MotionOptions options_of(const MotionExperiment& experiment, float shortest_edge) {
-    sim::MotionOptions options = sim::motion_options(
+sim::SimulationOptions options_of(const MotionExperiment& experiment, float shortest_edge) {
+    return sim::simulation_options(
         {.shortest_edge = static_cast<double>(shortest_edge), .self_collision = experiment.self_contact});
-    options.substeps = experiment.substeps;
-    return options;
 }
 
 // Median CPU time of a frame on the body at rest, with the steps and adaptations of MotionRun. Gravity leans by 5
 // degrees and goes round, so that the cloth does not rest.
-double rest_ms(sim::Cloth cloth, const sim::Collider& body, const sim::MotionOptions& options) {
+double rest_ms(sim::Cloth cloth, const sim::Collider& body, sim::SimulationOptions common,
+               const sim::MotionOptions& options) {
     constexpr int kFrames = 60;
     const auto steps = static_cast<int>(std::lround(2 * kFrame / options.step_seconds));
     sim::forget_contacts(cloth);
     set_substep(cloth, static_cast<float>(options.step_seconds / options.substeps));
+    sim::Simulation simulation(std::move(cloth), common);
+    sim::Schedule schedule = sim::moving(options.air_damping);
+    schedule.substeps = options.substeps;
     std::vector<double> ms;
     for (int frame = 0; frame < kFrames; frame += 2) {
         const double seconds = time_once([&] {
-            adapt_cloth(cloth, body, options.adapt, options.contact);
-            update_standoffs(cloth, body, {.free = options.free_standoff});
-            for (int i = 0; i < steps; ++i)
-                step(cloth, body,
-                     {.substeps = options.substeps,
-                      .gravity = leaning_gravity(frame * kFrame + i * options.step_seconds),
-                      .extra_damping = options.air_damping,
-                      .contact = options.contact,
-                      .self_contact = options.self_contact});
+            simulation.adapt(body, schedule);
+            update_standoffs(simulation.cloth(), body, {.free = options.free_standoff});
+            for (int i = 0; i < steps; ++i) {
+                common.gravity = leaning_gravity(frame * kFrame + i * options.step_seconds);
+                simulation.set_options(common);
+                simulation.step(body, schedule);
+            }
         });
         ms.push_back(seconds * 1e3 / 2);
     }
@@ -65,25 +63,27 @@ MotionStatistics measure_motion(const MotionExperiment& experiment, const sim::P
     const sim::Body start = posed(body, timeline.pose(0));
     const DressedCloth dressed =
         dress_cloth(experiment.pattern, start, {.min_leaves = experiment.min_leaves}, progress);
-    const sim::MotionOptions options = options_of(experiment, dressed.shortest_edge);
+    const sim::SimulationOptions common = options_of(experiment, dressed.shortest_edge);
+    const sim::MotionOptions options{.substeps = experiment.substeps};
     MotionStatistics statistics;
     {
         const sim::BodyCollider at_rest(start);
-        statistics.rest_ms = rest_ms(dressed.cloth, at_rest, options);
+        statistics.rest_ms = rest_ms(dressed.cloth, at_rest, common, options);
     }
-    sim::Cloth cloth = dressed.cloth;
+    sim::Simulation simulation(dressed.cloth, common);
+    const sim::Cloth& cloth = simulation.cloth();
     double body_seconds = 0;
     const auto body_at = [&](double seconds, const sim::Region& region, std::vector<Vec3f>& x) {
         body_seconds += time_once([&] { timeline.positions(seconds, region, x); });
     };
-    sim::MotionRun run(cloth, start, body_at, options);
+    sim::MotionRun run(simulation, start, body_at, options);
     const double blend = timeline.seconds() - experiment.seconds;
-    run.advance_to(cloth, blend);
+    run.advance_to(simulation, blend);
     std::vector<double> motion_ms, body_ms, leaves;
     const int frames = static_cast<int>(std::lround(experiment.seconds / kFrame));
     for (int frame = 1; frame <= frames; ++frame) {
         body_seconds = 0;
-        motion_ms.push_back(1e3 * time_once([&] { run.advance_to(cloth, blend + frame * kFrame); }));
+        motion_ms.push_back(1e3 * time_once([&] { run.advance_to(simulation, blend + frame * kFrame); }));
         body_ms.push_back(1e3 * body_seconds);
         leaves.push_back(static_cast<double>(cloth.mesh.leaf_triangles().size()));
         statistics.quality.note(cloth, run.collider(), kFrame);

@@ -84,15 +84,14 @@ void make_mass_spring(ThesisDropScene& scene) {
 ThesisDropScene make_scene(const ThesisDropOptions& options) {
     ThesisDropScene scene{.cloth = make_drop_cloth(options), .object = make_drop_object(options.object)};
     const sim::DrapeOptions drape;
-    scene.stepping.contact = drape.contact;
-    scene.stepping.contact.offset = std::min(drape.rest_offset, drape.contact.offset);
+    const float usual_offset = scene.stepping.contact.offset;
+    scene.stepping.contact.offset = std::min(drape.rest_offset, usual_offset);
     scene.stepping.contact.floor = kNoFloor;
     if (options.falls_off) scene.stepping.contact.friction_scale = kSlipperyFriction;
-    scene.standoffs = {.free = std::min(sim::kMaxStandoff, drape.contact.offset - scene.stepping.contact.offset),
+    scene.standoffs = {.free = std::min(sim::kMaxStandoff, usual_offset - scene.stepping.contact.offset),
                        .lowering = drape.offset_speed * static_cast<float>(kFrameSeconds)};
     if (options.cloth == DropCloth::VerticesOnly) scene.stepping.contact.sample_spacing = kNoSamples;
     if (options.cloth == DropCloth::VerticesOnly) scene.stepping.contact.sampled_edge = kNoSamples;
-    scene.adapting = drape.adapt;
     scene.adapting.criteria = options.criteria;
     if (options.cloth == DropCloth::MassSpring) make_mass_spring(scene);
     refresh_contacts(scene.cloth, scene.stepping.contact);

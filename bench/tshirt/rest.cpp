@@ -25,7 +25,10 @@ sim::VertexId lowest_vertex(const sim::Cloth& cloth) {
 class HeldGarment {
  public:
     HeldGarment(const sim::Cloth& cloth, const sim::Collider& body, sim::VertexId hand, bool may_rest)
-        : cloth_(cloth), body_(body), kept_{hand}, led_{.vertex = hand.value}, run_(cloth_, options(may_rest)) {}
+        : simulation_(cloth), body_(body), led_{.vertex = hand.value}, run_(simulation_, options(may_rest)) {
+        simulation_.keep({&hand, 1});
+        simulation_.lead([this](const sim::Cloth& of, float seconds) { return kinematic_vertices(of, seconds); });
+    }
     HeldGarment(const HeldGarment&) = delete;
     HeldGarment& operator=(const HeldGarment&) = delete;
 
@@ -33,23 +36,18 @@ class HeldGarment {
     double advance(const Vec3f& to) {
         goal_ = to;
         const double start = thread_seconds();
-        run_.advance(cloth_, body_);
+        run_.advance(simulation_, body_);
         run_.clear_times();
         return thread_seconds() - start;
     }
-    const sim::Cloth& cloth() const { return cloth_; }
+    const sim::Cloth& cloth() const { return simulation_.cloth(); }
 
  private:
-    sim::DrapeOptions options(bool may_rest) {
-        sim::DrapeOptions options{.max_seconds = std::numeric_limits<double>::infinity(),
-                                  .rest_time = std::numeric_limits<double>::infinity(),
-                                  .relax_time = 0,
-                                  .may_rest = may_rest};
-        options.adapt.kept_vertices = kept_;
-        options.kinematic_vertices = [this](const sim::Cloth& cloth, float seconds) {
-            return kinematic_vertices(cloth, seconds);
-        };
-        return options;
+    static sim::DrapeOptions options(bool may_rest) {
+        return {.max_seconds = std::numeric_limits<double>::infinity(),
+                .rest_time = std::numeric_limits<double>::infinity(),
+                .relax_time = 0,
+                .may_rest = may_rest};
     }
 
     std::span<const sim::KinematicVertex> kinematic_vertices(const sim::Cloth& cloth, float seconds) {
@@ -59,9 +57,8 @@ class HeldGarment {
         return {&led_, 1};
     }
 
-    sim::Cloth cloth_;
+    sim::Simulation simulation_;
     const sim::Collider& body_;
-    std::vector<sim::VertexId> kept_;
     sim::KinematicVertex led_;
     Vec3f goal_ = Vec3f::Zero();
     sim::DrapeRun run_;

@@ -165,6 +165,27 @@ void draw_topstitch(const SheetLook& look, const PanelShape& shape, const std::v
     }
 }
 
+// A zigzag inside of an edge, and how long its elastic is at rest.
+void draw_elastic(const SheetLook& look, const PanelShape& shape, std::size_t index, const std::vector<Vec2d>& points) {
+    const SheetPen& pen = look.pen;
+    std::vector<ImVec2> line;
+    for (const Vec2d& point : points) line.push_back(pen.px(shape.on_sheet(point)));
+    const double length = px_length(line), step = static_cast<double>(pen.px(5));
+    if (line.size() < 2 || length < 4 * step) return;
+    std::vector<ImVec2> zigzag;
+    for (int i = 0; i * step <= length; ++i) {
+        const LinePoint on = place_on(line, i * step);
+        const float inward = pen.px(i % 2 == 0 ? 2 : 6);
+        zigzag.push_back({on.at.x + inward * on.along.y, on.at.y - inward * on.along.x});
+    }
+    pen.list.AddPolyline(zigzag.data(), static_cast<int>(zigzag.size()), packed(pen.colours.ink), 0, pen.px(1.3));
+    const EdgeShape& edge = shape.edges[index];
+    const Vec2d along = edge.tangent(0.5), inward(-along.y(), along.x());
+    const double rest = shape.panel.edges[index].elastic->share * length / pen.camera.scale;
+    pen.text(shape.on_sheet(edge.at(0.5) + inward * (18 * double(pen.ui) / pen.camera.scale)), "elastic " + in_cm(rest),
+             pen.colours.ink, {0, 0}, 0.8F);
+}
+
 void draw_pin(const SheetPen& pen, const Vec2d& at) {
     const ImVec2 foot = pen.px(at);
     const ImVec2 head{foot.x + pen.px(6), foot.y - pen.px(10)};
@@ -274,8 +295,9 @@ void draw_marks(const SheetLook& look, const PanelShape& shape, const PanelName&
     }
     const PanelFace& face = look.faces.face(shape, pen.camera.scale);
     for (std::size_t e = 0; e < shape.panel.edges.size() && e + 1 < face.edge_starts.size(); ++e) {
-        const auto& topstitch = shape.panel.edges[e].topstitch;
-        if (topstitch) draw_topstitch(look, shape, edge_points(face, e), topstitch);
+        const sim::OutlineEdge& edge = shape.panel.edges[e];
+        if (edge.topstitch) draw_topstitch(look, shape, edge_points(face, e), edge.topstitch);
+        if (edge.elastic) draw_elastic(look, shape, e, edge_points(face, e));
     }
     for (std::size_t i = 0; i < shape.panel.notches.size(); ++i) draw_notch(look, shape, i);
     if (look.shows.names) draw_name(look, shape, name);

@@ -17,6 +17,7 @@ from selvedge._dress import Session, dress, export, mannequin, render
 from selvedge._errors import InputError
 from selvedge._pattern import (
     Edge,
+    Elastic,
     Fault,
     InternalLine,
     Notch,
@@ -38,6 +39,7 @@ Result.export = export  # type: ignore[method-assign]
 __all__ = [
     "Body",
     "Edge",
+    "Elastic",
     "Fault",
     "Frame",
     "InputError",

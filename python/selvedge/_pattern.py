@@ -75,6 +75,16 @@ class Topstitch:
 
 
 @dataclasses.dataclass(eq=False, slots=True)
+class Elastic:
+    """A band that is sewn along an edge and draws it together."""
+
+    share: float = 0.7
+    """Its length at rest, as a share of the edge's, 0.2 to 1."""
+    stiffness: float = 30.0
+    """Its tension per unit of strain, N."""
+
+
+@dataclasses.dataclass(eq=False, slots=True)
 class Edge:
     """One edge of a panel's outline, from one vertex to the next.
 
@@ -103,6 +113,8 @@ class Edge:
     """How the allowance ends: 'mitred', 'squared' or 'mirrored'."""
     topstitch: Topstitch | None = None
     """Stitches beside it; None: none."""
+    elastic: Elastic | None = None
+    """What draws it together; None: nothing."""
 
 
 @dataclasses.dataclass(eq=False, slots=True)
@@ -299,7 +311,7 @@ def _pattern_of(document: _selvedge._Document) -> Pattern:
 _LISTS: dict[str, type] = {
     "panels": Panel, "seams": Seam, "edges": Edge, "notches": Notch, "internal_lines": InternalLine,
 }
-_PARTS: dict[str, type] = {"topstitch": Topstitch, "thread": Thread}
+_PARTS: dict[str, type] = {"topstitch": Topstitch, "thread": Thread, "elastic": Elastic}
 _RECORD_NAMES = {"_origin": "origin", "_document": "document"}
 
 

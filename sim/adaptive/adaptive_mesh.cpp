@@ -248,8 +248,8 @@ AdaptiveTriangle make_base_triangle(const GarmentTriangle& from) {
 }
 
 double side_length(std::span<const GarmentTriangle> base, const BaseSide& side) {
-    const std::array<Vec2d, 3>& u = base[side.triangle].u;
-    return (u[(side.corner + 1) % 3] - u[side.corner]).norm();
+    const GarmentTriangle& t = base[side.triangle];
+    return static_cast<double>(t.lines[side.corner].drawn_to) * (t.u[(side.corner + 1) % 3] - t.u[side.corner]).norm();
 }
 
 double edge_length(std::span<const GarmentTriangle> base, std::span<const BaseSide> edge, double seam_ease) {
@@ -271,6 +271,7 @@ AdaptiveMesh::AdaptiveMesh(std::size_t vertex_count, std::span<const GarmentTria
     SELVEDGE_ASSERT(options.max_level >= 0 && options.max_level <= kDeepestLevel);
     for (std::size_t i = 0; i < base_vertices_; ++i) vertices_.create({});
     for (const GarmentTriangle& triangle : triangles) triangles_.create(make_base_triangle(triangle));
+    for (const GarmentTriangle& triangle : triangles) base_lines_.push_back(triangle.lines);
     add_base_edges(triangles);
     add_base_fans();
     orient_base();
@@ -384,8 +385,7 @@ void AdaptiveMesh::add_base_edges(std::span<const GarmentTriangle> base) {
 
 using namespace configuration_tables;
 
-// One function per pair of configurations. The tables are evaluated at compile time; only straight-line code over the
-// elements that the two configurations do not share remains.
+// One function per pair of configurations, of which compilation leaves only code over what they do not share.
 struct AdaptiveMesh::Change {
     using Function = void (*)(AdaptiveMesh&, TriangleId);
     using Table = std::array<std::array<Function, kConfigurations>, kConfigurations>;

@@ -174,6 +174,9 @@ class AdaptiveMesh {
     // The leaf triangle on one side of an unsplit edge; none at a boundary. It may be one level deeper than the edge.
     TriangleId leaf_at(EdgeId e, int side) const;
 
+    // The line of its panel on which the external edge k of a base triangle lies. See sim/adaptive/panel_lines.h.
+    const SideLine& base_line(TriangleId t, std::size_t k) const { return base_lines_[t.value][k]; }
+
     // The side, 0 or 1, of the external edge k of a triangle on which the triangle lies: it is leaf_at() that side, or
     // sides[] that side.
     int side_of(TriangleId t, std::size_t k) const;
@@ -269,6 +272,7 @@ class AdaptiveMesh {
     void orient_base();
 
     AdaptiveMeshOptions options_;
+    std::vector<std::array<SideLine, 3>> base_lines_;  // by base triangle
     std::size_t base_vertices_ = 0;
     std::size_t base_edges_ = 0;
     std::size_t base_triangles_ = 0;

@@ -49,10 +49,9 @@ bool has_moved(const Cloth& cloth) {
 bool stays_at_rest(Cloth& cloth, const Collider& body, const StepOptions& options) {
     RestingState& resting = cloth.solver->resting;
     const bool is_elsewhere = has_other_surroundings(resting, body, options);
-    const bool may_rest = options.may_rest && !options.solve_more;
-    if (!may_rest || is_elsewhere || !options.seams.empty() || has_kinematic_target(cloth, options.kinematic))
+    if (!options.may_rest || is_elsewhere || !options.seams.empty() || has_kinematic_target(cloth, options.kinematic))
         reactivate(cloth);
-    if (!may_rest) return false;
+    if (!options.may_rest) return false;
     if (resting.still_seconds == 0 || has_moved(cloth)) {
         resting.anchors = cloth.x;
         resting.still_seconds = 0;

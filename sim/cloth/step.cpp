@@ -125,7 +125,7 @@ void Stepper::substep(int i) {
     solve_coarse_limits(is_last);
     solve_stretch(is_last);
     for (int iteration = 0; iteration < options.limit_iterations; ++iteration) limit_stretch();
-    if (options.solve_more) options.solve_more(points());
+    if (options.solve_more) options.solve_more(points(), before());
     store_corrections();
     if (is_last) update_bias();
     push_out_between_vertices(share);

@@ -49,9 +49,9 @@ struct StepOptions {
     float floor_rate = 0;                              // m per sub-step by which the floor rises to contact.floor
     std::span<const KinematicVertex> kinematic{};
     // Optional: solves constraints of the caller in each sub-step, as the last of stretch. points: by vertex, x, y, z
-    // (m) and the inverse mass (1/kg), then the dummy vertex. Such a cloth never rests. See
-    // docs/adding-a-constraint.md.
-    std::function<void(float* points)> solve_more{};
+    // (m) and the inverse mass (1/kg), then the dummy vertex; before: the same where the sub-step began. They are not
+    // asked whether the cloth may rest. Simulation calls those of ClothConstraint (sim/simulation/cloth_constraint.h).
+    std::function<void(float* points, const float* before)> solve_more{};
     bool may_rest = false;       // whether a cloth at rest is deactivated until something could move it (resting.h)
     StepTimes* times = nullptr;  // optional: the step is timed, and adds to it
 };

@@ -53,17 +53,6 @@ Body posed(const Body& body, const Pose& pose, const FleshSurface& surface) {
     return result;
 }
 
-MotionOptions motion_options(const DressOptions& options) {
-    const DrapeOptions draping = drape_options(options);
-    MotionOptions motion;
-    motion.gravity = draping.gravity;
-    motion.adapt = draping.adapt;
-    motion.contact.offset = draping.rest_offset;
-    motion.free_standoff = draping.contact.offset - draping.rest_offset;
-    motion.self_contact = draping.self_contact;
-    return motion;
-}
-
 Animation::Animation(const Pattern& pattern, std::shared_ptr<const Body> body, Pose start, Clip clip,
                      const AnimationOptions& options, const Progress& progress)
     : timeline_(std::make_shared<const Body>(tented(*body)), std::move(start), std::move(clip), options),
@@ -74,21 +63,19 @@ Animation::Animation(const Pattern& pattern, std::shared_ptr<const Body> body, P
     const Body met = posed(timeline_.body(), timeline_.pose(0), timeline_.surface());
     DressedGarment dressed = dress(pattern, met, options_.dress, progress);
     report_ = std::move(dressed.report);
-    cloth_ = std::move(dressed.cloth);
+    simulation_ = std::move(dressed.simulation);
     panel_names_ = dressed.mesh.panel_names;
     frame_count_ = 1 + static_cast<int>(std::lround(timeline_.seconds() * options_.frames_per_second));
-    MotionOptions moving = motion_options(options_.dress);
+    MotionOptions moving;
     const double frame_seconds = 1 / options_.frames_per_second;
     moving.step_seconds = frame_seconds / std::ceil(frame_seconds / moving.step_seconds - 1e-6);
     run_.emplace(
-        *cloth_, met,
+        *simulation_, met,
         [this](double seconds, const Region& region, std::vector<Vec3f>& x) {
             timeline_.positions(seconds, region, x);
         },
         moving);
-    run_->options().adapt.budget = set_budget(budget_, options_.dress.triangle_budget);
-    run_->options().adapt.visibility = set_visibility(visibility_, options_.dress.seen_from);
-    quality_.note(*cloth_, run_->collider(), 0);
+    quality_.note(cloth(), run_->collider(), 0);
 }
 
 double Animation::seconds() const {
@@ -105,10 +92,10 @@ bool Animation::advance() {
     for (int look = 1; look <= looks; ++look) {
         const double before = run_->seconds();
         const auto start = std::chrono::steady_clock::now();
-        run_->advance_to(*cloth_, seconds() - frame_seconds * (looks - look) / looks);
+        run_->advance_to(*simulation_, seconds() - frame_seconds * (looks - look) / looks);
         spent += std::chrono::steady_clock::now() - start;
-        if (look < looks) quality_.note_stretch(*cloth_, run_->seconds() - before);
-        if (look == looks) quality_.note(*cloth_, run_->collider(), run_->seconds() - before);
+        if (look < looks) quality_.note_stretch(cloth(), run_->seconds() - before);
+        if (look == looks) quality_.note(cloth(), run_->collider(), run_->seconds() - before);
     }
     frame_ms_.push_back(1e3 * std::chrono::duration<double>(spent).count());
     surface_.positions(shown_, timeline_.pose(seconds()), body_points_);

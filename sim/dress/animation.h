@@ -19,6 +19,7 @@
 #include "sim/dress/motion_run.h"
 #include "sim/dress/report.h"
 #include "sim/pattern/pattern.h"
+#include "sim/simulation/simulation.h"
 
 namespace selvedge::sim {
 
@@ -78,7 +79,7 @@ class Animation {
     // Goes on to the next frame. Returns false, and does nothing, at the end or if a coordinate is no longer finite.
     bool advance();
 
-    const Cloth& cloth() const { return *cloth_; }
+    const Cloth& cloth() const { return simulation_->cloth(); }
     const std::vector<std::string>& panel_names() const { return panel_names_; }
     const Body& body() const { return shown_; }                          // where it is in this frame
     std::span<const Vec3f> body_points() const { return body_points_; }  // of its surface, m
@@ -93,17 +94,12 @@ class Animation {
     Body shown_;
     std::vector<Vec3f> body_points_;
     DressReport report_;
-    std::optional<Cloth> cloth_;  // never empty
+    std::optional<Simulation> simulation_;  // never empty
     std::vector<std::string> panel_names_;
-    std::optional<TriangleBudget> budget_;
-    std::optional<Visibility> visibility_;
     std::optional<MotionRun> run_;
     MotionQuality quality_;
     std::vector<double> frame_ms_;
     int frame_count_ = 1, frame_ = 0;
 };
-
-// The options of a run in motion for a garment that was dressed with these.
-MotionOptions motion_options(const DressOptions& options);
 
 }  // namespace selvedge::sim

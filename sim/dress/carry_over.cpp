@@ -220,7 +220,8 @@ PatternChange compare(const Pattern& before, const Pattern& after) {
     if (!has_same_panels(before, after) || !has_same_joins(before, after)) return PatternChange::Kind;
     if (!is_worn_in_same_order(before, after)) return PatternChange::Kind;
     const auto has_same_mesh = [](const Panel& one, const Panel& other) {
-        return has_same_outline(one, other) && one.pins == other.pins;
+        return has_same_outline(one, other) && one.pins == other.pins &&
+               std::ranges::equal(one.edges, other.edges, {}, &OutlineEdge::elastic, &OutlineEdge::elastic);
     };
     const auto is_same_seam = [](const Seam& one, const Seam& other) {
         return one.first == other.first && one.second == other.second;
@@ -279,25 +280,23 @@ std::string restart_reason(const Pattern& before, const Pattern& after) {
 
 TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, GarmentMesh mesh,
                                 const std::vector<Fabric>& fabrics, const Collider& body,
-                                const AdaptClothOptions& adapting, int deepest_level) {
+                                const SimulationOptions& options, int deepest_level) {
     const DrapedPanels draped(drape.cloth);
     std::vector<OutlineMap> maps;
     for (std::size_t p = 0; p < after.panels.size(); ++p) maps.emplace_back(after.panels[p], drape.pattern.panels[p]);
     std::vector<OpenSeam> open = open_seams_after(drape, after);
     sew_in_place(mesh, open, draped, maps);
-    Cloth cloth = make_cloth(mesh, fabrics, {.max_level = deepest_level});
+    Simulation simulation(make_cloth(mesh, fabrics, {.max_level = deepest_level}), options);
+    Cloth& cloth = simulation.cloth();
     refresh_contacts(cloth);
     update_normals(cloth);
     place_vertices(cloth, draped, maps, body);
-    AdaptClothOptions refining = adapting;
-    refining.may_rejoin = false;
-    refining.kept_vertices = {};
-    for (int level = 0; level < std::min(adapting.max_level, deepest_level); ++level) {
-        adapt_cloth(cloth, body, refining);
+    for (int level = 0; level < std::min(options.adapt.max_level, deepest_level); ++level) {
+        simulation.adapt(body, carried_over());
         place_vertices(cloth, draped, maps, body);
     }
     forget_contacts(cloth);
-    return {.cloth = std::move(cloth), .mesh = std::move(mesh), .open = std::move(open)};
+    return {.simulation = std::move(simulation), .mesh = std::move(mesh), .open = std::move(open)};
 }
 
 namespace {

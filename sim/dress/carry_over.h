@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
 #include "sim/core/math.h"
 #include "sim/dress/sewing.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/pattern.h"
+#include "sim/simulation/simulation.h"
 
 namespace selvedge::sim {
 
@@ -59,7 +59,7 @@ enum class PatternChange {
     None,      // nothing that the drape shows: the placement of panels, names other than panels'
     Setts,     // the sett's offset on a panel, or one panel's name
     Fabrics,   // fabric or grain direction
-    Outlines,  // outline geometry, also points of it or the order of its edges; pins or mesh resolution
+    Outlines,  // outline geometry, also points of it or the order of its edges; elastics, pins or mesh resolution
     Kind       // other panels or outlines; seams that join other places; another order of garments: restart_reason
 };
 PatternChange compare(const Pattern& before, const Pattern& after);
@@ -78,7 +78,7 @@ struct DrapeState {
 };
 
 struct TransferredDrape {
-    Cloth cloth;
+    Simulation simulation;
     GarmentMesh mesh;            // level 0, sewn
     std::vector<OpenSeam> open;  // seams that stay open, ascending
 };
@@ -88,7 +88,7 @@ struct TransferredDrape {
 // return Kind. Throws InputError when the mesh cannot be sewn. deepest_level: the new cloth's.
 TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, GarmentMesh mesh,
                                 const std::vector<Fabric>& fabrics, const Collider& body,
-                                const AdaptClothOptions& adapting, int deepest_level);
+                                const SimulationOptions& options, int deepest_level);
 
 // Maps points of a panel to corresponding points of another state of it. A point on the outline keeps its stretch, in
 // most cases an edge (OutlineMatch), and its fraction of that stretch's length; interior points follow by mean value

@@ -3,36 +3,26 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include "sim/cloth/contact.h"
 #include "sim/cloth/solver_state.h"
-#include "sim/cloth/step.h"
-#include "sim/dress/drape.h"
 
 namespace selvedge::sim {
 namespace {
 
-constexpr float kDamping = 40;  // 1/s, as in the last phase of a drape
-
-// Steps of a cloth that hangs as a drape left it.
-StepOptions hanging_steps(const DrapeOptions& drape) {
-    StepOptions stepping{.gravity = drape.gravity, .extra_damping = kDamping, .contact = drape.contact};
-    stepping.contact.offset = std::min(drape.rest_offset, drape.contact.offset);
-    stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;
-    stepping.self_contact = drape.self_contact;
-    return stepping;
-}
-
-// The positions after one sub-step.
-std::vector<Vec4f> after_substep(Cloth cloth, const Collider& body, StepOptions stepping, bool is_other_body) {
-    stepping.substeps = 1;
-    stepping.self_contact.reset();  // it would follow what the body does
-    if (is_other_body) {
-        cloth.solver->contacts.faces.clear();
-        forget_contacts(cloth);
+// The positions after one sub-step of what the body holds, where it meets it or nothing.
+std::vector<Vec4f> after_substep(Simulation simulation, const Collider& met, const Collider& body) {
+    Schedule schedule = hanging();
+    schedule.substeps = 1;
+    schedule.held_by = &body;
+    schedule.meets_itself = false;  // it would follow what the body does
+    if (&met != &body) {
+        simulation.cloth().solver->contacts.faces.clear();
+        forget_contacts(simulation.cloth());
     }
-    step(cloth, body, stepping);
-    return cloth.x;
+    simulation.step(met, schedule);
+    return std::move(simulation.cloth().x);
 }
 
 // A third of the present area of the adjacent leaves, m^2, by vertex.
@@ -49,17 +39,17 @@ std::vector<float> present_areas(const Cloth& cloth) {
 
 }  // namespace
 
-ContactPressure measure_contact_pressure(Cloth cloth, const Collider& body, const DressOptions& options,
+ContactPressure measure_contact_pressure(Simulation simulation, const Collider& body,
                                          const ContactPressureOptions& measuring) {
-    const StepOptions stepping = hanging_steps(drape_options(options));
+    Cloth& cloth = simulation.cloth();
     reactivate(cloth);
-    for (int i = 0; i < measuring.settling_steps; ++i) step(cloth, body, stepping);
+    for (int i = 0; i < measuring.settling_steps; ++i) simulation.step(body, hanging());
     std::vector<Vec3d> sum(cloth.x.size(), Vec3d::Zero());
     for (int i = 0; i < measuring.measured_steps; ++i) {
-        const std::vector<Vec4f> with = after_substep(cloth, body, stepping, false);
-        const std::vector<Vec4f> without = after_substep(cloth, NoBody(), stepping, true);
+        const std::vector<Vec4f> with = after_substep(simulation, body, body);
+        const std::vector<Vec4f> without = after_substep(simulation, NoBody(), body);
         for (std::size_t v = 0; v < sum.size(); ++v) sum[v] += (with[v] - without[v]).head<3>().cast<double>();
-        step(cloth, body, stepping);
+        simulation.step(body, hanging());
     }
     ContactPressure measured;
     const std::vector<float> areas = present_areas(cloth);

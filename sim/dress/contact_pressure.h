@@ -7,10 +7,9 @@
 // the garment.
 #include <vector>
 
-#include "sim/cloth/cloth.h"
 #include "sim/collide/collider.h"
 #include "sim/core/math.h"
-#include "sim/dress/dressing.h"
+#include "sim/simulation/simulation.h"
 
 namespace selvedge::sim {
 
@@ -25,9 +24,9 @@ struct ContactPressure {
     std::vector<float> pressure;  // N/m^2: the part of the force along the body's normal, per area of cloth, >= 0
 };
 
-// options: with which the cloth was dressed. The floor's forces are left out, and what cloth presses on cloth counts
-// only where it reaches the body. Pre: the cloth's positions are finite, and it was draped on this body.
-ContactPressure measure_contact_pressure(Cloth cloth, const Collider& body, const DressOptions& options,
+// The floor's forces are left out, and what cloth presses on cloth counts only where it reaches the body.
+// Pre: the cloth's positions are finite, and it was draped on this body.
+ContactPressure measure_contact_pressure(Simulation simulation, const Collider& body,
                                          const ContactPressureOptions& measuring = {});
 
 }  // namespace selvedge::sim

@@ -2,21 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "sim/cloth/solver_state.h"
 #include "sim/cloth/standoff.h"
-#include "sim/cloth/strain_projection.h"
 #include "sim/core/assert.h"
 #include "sim/core/stopwatch.h"
 
 namespace selvedge::sim {
 namespace {
 
-constexpr float kFinishDamping = 100;  // 1/s, while residual stretch is removed
-constexpr float kFallDamping = 2;      // 1/s, air drag
-constexpr float kFloorSpeed = 0.2F;    // m/s: slow against falling cloth, so that it folds what it meets as a fall does
+constexpr float kFloorSpeed = 0.2F;  // m/s: slow against falling cloth, so that it folds what it meets as a fall does
 
 constexpr int kCalmInterval = 3;  // frames between adaptations of calm cloth, which moves 5 mm (rms) at most meanwhile
 
@@ -24,6 +20,16 @@ constexpr int kCalmInterval = 3;  // frames between adaptations of calm cloth, w
 int finishing_substeps(float shortest_edge) {
     constexpr float kOnce = 0.08F;  // m, edge length for which one would suffice
     return static_cast<int>(std::lround(std::clamp(kOnce / std::max(shortest_edge, 0.001F), 4.0F, 16.0F)));
+}
+
+// Projects onto the strain limits and out of the body, until an exact test finds no face inside it.
+void project_out(Simulation& simulation, const Collider& body, const Schedule& schedule) {
+    constexpr float kDepth = 0.0004F;  // m: less than the depth that a report counts, FaultLimits::depth
+    constexpr int kTests = 6;
+    simulation.cloth().solver->contacts.faces.clear();
+    simulation.project(body, schedule);
+    for (int test = 0; test < kTests && watch_faces_inside(simulation.cloth(), body, kDepth) > 0; ++test)
+        simulation.project(body, schedule);
 }
 
 }  // namespace
@@ -34,28 +40,32 @@ std::string DrapeResult::stopped_because() const {
     return settled ? "settled" : "time limit";
 }
 
-DrapeRun::DrapeRun(Cloth& cloth, const DrapeOptions& options) : options_(options), usual_substep_(cloth.substep) {
-    refresh_contacts(cloth, options_.contact);
-    free_standoffs(cloth, standoffs(0));
+DrapeRun::DrapeRun(Simulation& simulation, const DrapeOptions& options)
+    : options_(options), usual_substep_(simulation.cloth().substep) {
+    Cloth& cloth = simulation.cloth();
+    const ContactOptions contact = simulation.contact({});
+    refresh_contacts(cloth, contact);
+    free_standoffs(cloth, standoffs(simulation, 0));
     result_.bad_vertex = find_bad_vertex(cloth);
-    if (!result_.bad_vertex) lowered_floor_ = std::max(0.0F, options_.contact.floor - lowest_height(cloth));
-    change_phase(cloth);
+    if (!result_.bad_vertex) lowered_floor_ = std::max(0.0F, contact.floor - lowest_height(cloth));
+    change_phase(simulation);
 }
 
-bool DrapeRun::advance(Cloth& cloth, const Collider& body) {
+bool DrapeRun::advance(Simulation& simulation, const Collider& body) {
     if (phase_ == DrapePhase::Relax) {
-        relax_frame(cloth, body);
+        relax_frame(simulation, body);
     } else if (phase_ == DrapePhase::Fall) {
-        fall_frame(cloth, body);
+        fall_frame(simulation, body);
     } else {
-        finish_frame(cloth, body);
+        finish_frame(simulation, body);
     }
-    change_phase(cloth);
+    change_phase(simulation);
     return phase_ != DrapePhase::Done;
 }
 
-void DrapeRun::reactivate(Cloth& cloth) {
+void DrapeRun::reactivate(Simulation& simulation) {
     if (phase_ == DrapePhase::Relax || result_.bad_vertex) return;
+    Cloth& cloth = simulation.cloth();
     if (cloth.substep != usual_substep_) set_substep(cloth, usual_substep_);
     result_.settled = false;
     result_.given_up.reset();
@@ -63,10 +73,10 @@ void DrapeRun::reactivate(Cloth& cloth) {
     begin_fall();
 }
 
-void DrapeRun::give_up(Cloth& cloth, GiveUp why) {
+void DrapeRun::give_up(Simulation& simulation, GiveUp why) {
     SELVEDGE_ASSERT(phase_ == DrapePhase::Relax || phase_ == DrapePhase::Fall);
     result_.given_up = why;
-    end_fall(cloth);
+    end_fall(simulation);
 }
 
 bool DrapeRun::hangs() const {
@@ -82,77 +92,75 @@ void DrapeRun::clear_times() {
     result_.step_ms.clear();
 }
 
-void DrapeRun::change_phase(Cloth& cloth) {
-    if (result_.bad_vertex) return end(cloth);
+void DrapeRun::change_phase(Simulation& simulation) {
+    if (result_.bad_vertex) return end(simulation);
     if (phase_ == DrapePhase::Relax && relaxed_ >= std::min(options_.relax_time, options_.max_seconds)) begin_fall();
     const bool has_time = result_.simulated_seconds + options_.finish_time < options_.max_seconds - half_frame();
-    if (phase_ == DrapePhase::Fall && (!has_time || at_rest_ >= options_.rest_time)) end_fall(cloth);
-    if (phase_ == DrapePhase::Finish && !finishes()) end(cloth);
+    if (phase_ == DrapePhase::Fall && (!has_time || at_rest_ >= options_.rest_time)) end_fall(simulation);
+    if (phase_ == DrapePhase::Finish && !finishes()) end(simulation);
 }
 
 void DrapeRun::begin_fall() {
     phase_ = DrapePhase::Fall;
     phase_start_ = result_.simulated_seconds;
     at_rest_ = 0;
-    may_rejoin_ = options_.adapt.may_rejoin;
+    may_rejoin_ = true;
     learning_rate_scale_ = 1;
 }
 
-void DrapeRun::end_fall(Cloth& cloth) {
+void DrapeRun::end_fall(Simulation& simulation) {
     result_.settled = at_rest_ >= options_.rest_time;
     result_.fall_speed = result_.rms_speed;
     const bool has_time = options_.finish_time > 0 &&
                           result_.simulated_seconds + options_.finish_time <= options_.max_seconds + half_frame();
-    if (!has_time) return end(cloth);
+    if (!has_time) return end(simulation);
+    Cloth& cloth = simulation.cloth();
     phase_ = DrapePhase::Finish;
     phase_start_ = result_.simulated_seconds;
     excess_ = total_excess(cloth);
     lessens_ = true;  // as is to be seen
-    refresh_contacts(cloth, finishing_contact());
-    set_substep(cloth, usual_substep_ / static_cast<float>(finishing_substeps(options_.adapt.shortest_edge)));
+    refresh_contacts(cloth, simulation.contact(last(simulation)));
+    const int parts = finishing_substeps(simulation.options().adapt.shortest_edge);
+    set_substep(cloth, usual_substep_ / static_cast<float>(parts));
 }
 
-void DrapeRun::end(Cloth& cloth) {
+void DrapeRun::end(Simulation& simulation) {
     phase_ = DrapePhase::Done;
+    Cloth& cloth = simulation.cloth();
     if (cloth.substep != usual_substep_) set_substep(cloth, usual_substep_);
 }
 
-// Without gravity and friction, seam tension relaxes and cloth that crumpled during sewing slides flat.
-void DrapeRun::relax_frame(Cloth& cloth, const Collider& body) {
-    StepOptions stepping{.gravity = Vec3f::Zero(), .extra_damping = kRelaxDamping, .contact = falling_contact()};
-    AdaptClothOptions adapting = options_.adapt;
-    if (relaxed_ < options_.coarse_time) adapting.shortest_edge = std::numeric_limits<float>::max();
-    adapt_once(cloth, body, adapting);
-    update_contacts_between_frames(cloth, body, stepping);
-    stepping.contact.friction_scale = 0;
-    run_steps(cloth, body, stepping);
-    relaxed_ += frame_seconds(cloth, stepping);
+void DrapeRun::relax_frame(Simulation& simulation, const Collider& body) {
+    Schedule schedule = on_body(relaxing());
+    schedule.may_split = relaxed_ >= options_.coarse_time;
+    adapt_once(simulation, body, schedule);
+    update_contacts_between_frames(simulation, body, schedule);
+    run_steps(simulation, body, schedule);
+    relaxed_ += frame_seconds(simulation, schedule);
 }
 
 // The garment is lowered rather than dropped: the jerk of a wide skirt pulls its waistband down the hips and stretches
 // it, and friction keeps it there.
-void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
+void DrapeRun::fall_frame(Simulation& simulation, const Collider& body) {
     const float elapsed = static_cast<float>(result_.simulated_seconds - phase_start_);
-    StepOptions stepping{.gravity = options_.gravity, .contact = falling_contact(), .may_rest = options_.may_rest};
     const bool is_lowered = relaxed_ == 0 || lowered_ >= options_.lowering_time;
-    if (!is_lowered) stepping.gravity *= static_cast<float>(lowered_ / options_.lowering_time);
-    stepping.extra_damping = kFallDamping + options_.damping_growth * elapsed;
+    Schedule schedule = on_body(falling(is_lowered ? 1.0F : static_cast<float>(lowered_ / options_.lowering_time)));
+    schedule.may_rest = options_.may_rest;
+    schedule.damping += options_.damping_growth * elapsed;
     // The update rates of the biases decrease as the garment comes to rest; otherwise they would keep it moving.
-    stepping.stretch_bias_rate *= learning_rate_scale_;
-    stepping.shear_bias_rate *= learning_rate_scale_;
-    AdaptClothOptions adapting = options_.adapt;
-    adapting.may_rejoin = may_rejoin_;
-    if (!options_.may_rest || !is_at_rest(cloth)) {
-        if (may_rejoin_ || frames_ % kCalmInterval == 0) adapt_once(cloth, body, adapting);
-        update_contacts_between_frames(cloth, body, stepping);
+    schedule.bias_rate = learning_rate_scale_;
+    schedule.may_rejoin = may_rejoin_;
+    if (!options_.may_rest || !is_at_rest(simulation.cloth())) {
+        if (may_rejoin_ || frames_ % kCalmInterval == 0) adapt_once(simulation, body, schedule);
+        update_contacts_between_frames(simulation, body, schedule);
     }
     ++frames_;
-    run_steps(cloth, body, stepping);
+    run_steps(simulation, body, schedule);
     may_rejoin_ = result_.rms_speed >= options_.calm_speed;
     learning_rate_scale_ = std::min(1.0F, result_.rms_speed / options_.calm_speed);
     const bool rests = is_lowered && lowered_floor_ <= 0 && result_.rms_speed < options_.rest_speed;
-    at_rest_ = rests ? at_rest_ + rest_weight() * frame_seconds(cloth, stepping) : 0;
-    lowered_ += frame_seconds(cloth, stepping);
+    at_rest_ = rests ? at_rest_ + rest_weight() * frame_seconds(simulation, schedule) : 0;
+    lowered_ += frame_seconds(simulation, schedule);
     const double end = options_.max_seconds - options_.finish_time;
     fraction_ = std::max({fraction_, result_.simulated_seconds / end, at_rest_ / options_.rest_time});
 }
@@ -168,41 +176,28 @@ double DrapeRun::rest_weight() const {
 // one solver iteration per sub-step cannot move what many other constraints hold. Finer sub-steps leave 10 %. They go
 // on while they lessen what is beyond the fabric's strain limit; what is then beyond it is projected. The cloth is
 // stiffer in finer sub-steps, which sets it in motion: nobody waits for that to end.
-void DrapeRun::finish_frame(Cloth& cloth, const Collider& body) {
-    StepOptions stepping{.gravity = options_.gravity, .extra_damping = kFinishDamping, .contact = finishing_contact()};
-    stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // updates would set it in motion
-    stepping.substeps *= static_cast<int>(std::lround(usual_substep_ / cloth.substep));
-    update_contacts_between_frames(cloth, body, stepping);
+void DrapeRun::finish_frame(Simulation& simulation, const Collider& body) {
+    const Schedule schedule = last(simulation);
+    update_contacts_between_frames(simulation, body, schedule);
     const std::size_t usual_steps = result_.step_ms.size();
-    run_steps(cloth, body, stepping);
+    run_steps(simulation, body, schedule);
     result_.step_ms.resize(usual_steps);  // the statistics cover steps of usual length only
     constexpr double kWorthwhile = 0.1;   // of the excess: a frame that takes away less costs more than the projection
-    const double before = std::exchange(excess_, total_excess(cloth));
+    const double before = std::exchange(excess_, total_excess(simulation.cloth()));
     lessens_ = excess_ > 0 && before - excess_ > kWorthwhile * before;  // nothing left: another frame cannot lessen it
     if (finishes() || result_.bad_vertex) return;
-    stepping.self_contact = options_.self_contact;
-    project(cloth, body, stepping);
+    project_out(simulation, body, schedule);
 }
 
 double DrapeRun::half_frame() const {
-    return static_cast<double>(usual_substep_) * StepOptions{}.substeps * options_.steps_per_adaptation / 2;
-}
-
-// Projects onto the strain limits and out of the body, until an exact test finds no face inside it.
-void DrapeRun::project(Cloth& cloth, const Collider& body, const StepOptions& stepping) {
-    constexpr float kDepth = 0.0004F;  // m: less than the depth that a report counts, FaultLimits::depth
-    constexpr int kTests = 6;
-    cloth.solver->contacts.faces.clear();
-    project_strain(cloth, body, stepping);
-    for (int test = 0; test < kTests && watch_faces_inside(cloth, body, kDepth) > 0; ++test)
-        project_strain(cloth, body, stepping);
+    return static_cast<double>(usual_substep_) * Schedule{}.substeps * options_.steps_per_adaptation / 2;
 }
 
 // Call it between adaptations and steps.
-void DrapeRun::update_contacts_between_frames(Cloth& cloth, const Collider& body, const StepOptions& stepping) {
-    const double seconds = frame_seconds(cloth, stepping);
-    update_standoffs(cloth, body, standoffs(seconds));
-    watch_faces_near_thin_parts(cloth, body, static_cast<float>(seconds));
+void DrapeRun::update_contacts_between_frames(Simulation& simulation, const Collider& body, const Schedule& schedule) {
+    const double seconds = frame_seconds(simulation, schedule);
+    update_standoffs(simulation.cloth(), body, standoffs(simulation, seconds));
+    watch_faces_near_thin_parts(simulation.cloth(), body, static_cast<float>(seconds));
 }
 
 bool DrapeRun::finishes() const {
@@ -210,63 +205,61 @@ bool DrapeRun::finishes() const {
     return elapsed < 3 * options_.finish_time && lessens_;
 }
 
-void DrapeRun::adapt_once(Cloth& cloth, const Collider& body, const AdaptClothOptions& adapting) {
+void DrapeRun::adapt_once(Simulation& simulation, const Collider& body, const Schedule& schedule) {
     const auto start = Clock::now();
-    const AdaptReport adapted = adapt_cloth(cloth, body, adapting, falling_contact());
+    const AdaptReport adapted = simulation.adapt(body, schedule);
     result_.adaptation_ms.push_back(ms_since(start));
     result_.splits += adapted.splits;
     result_.rejoins += adapted.rejoins;
     result_.transitions += adapted.transitions;
 }
 
-void DrapeRun::run_steps(Cloth& cloth, const Collider& body, StepOptions stepping) {
+void DrapeRun::run_steps(Simulation& simulation, const Collider& body, Schedule schedule) {
+    const Cloth& cloth = simulation.cloth();
     const std::vector<Vec4f> before = cloth.x;
-    stepping.self_contact = options_.self_contact;
     for (int i = 0; i < options_.steps_per_adaptation; ++i) {
         const auto start = Clock::now();
-        if (options_.kinematic_vertices)
-            stepping.kinematic = options_.kinematic_vertices(cloth, step_seconds(cloth, stepping));
-        raise_floor(cloth, stepping);
-        step(cloth, body, stepping);
+        raise_floor(simulation, schedule);
+        simulation.step(body, schedule);
         result_.step_ms.push_back(ms_since(start));
-        result_.simulated_seconds += step_seconds(cloth, stepping);
+        result_.simulated_seconds += simulation.step_seconds(schedule);
     }
-    result_.rms_speed = rms_speed(cloth, before, frame_seconds(cloth, stepping));
+    result_.rms_speed = rms_speed(cloth, before, frame_seconds(simulation, schedule));
     result_.bad_vertex = find_bad_vertex(cloth);
 }
 
 // Hems that hang below the floor when the drape begins are taken along by it.
-void DrapeRun::raise_floor(const Cloth& cloth, StepOptions& stepping) {
-    const float rise = std::min(lowered_floor_, kFloorSpeed * step_seconds(cloth, stepping));
-    lowered_floor_ -= rise;
-    stepping.contact.floor = options_.contact.floor - lowered_floor_;
-    stepping.floor_rate = rise / static_cast<float>(stepping.substeps);
+void DrapeRun::raise_floor(const Simulation& simulation, Schedule& schedule) {
+    schedule.floor_rise = std::min(lowered_floor_, kFloorSpeed * simulation.step_seconds(schedule));
+    lowered_floor_ -= schedule.floor_rise;
+    schedule.lowered_floor = lowered_floor_;
 }
 
-ContactOptions DrapeRun::falling_contact() const {
-    ContactOptions contact = options_.contact;
-    contact.floor -= lowered_floor_;
-    contact.offset = std::min(options_.rest_offset, options_.contact.offset);
-    return contact;
+Schedule DrapeRun::on_body(Schedule schedule) const {
+    schedule.lowered_floor = lowered_floor_;
+    schedule.offset = options_.rest_offset;
+    return schedule;
 }
 
 // The mesh stays as it is in the final phase, so edges cannot be split where they dip into the body: they have samples
 // where the adaptation would put vertices.
-ContactOptions DrapeRun::finishing_contact() const {
-    ContactOptions contact = falling_contact();
-    contact.sample_spacing = std::min(contact.sample_spacing, options_.adapt.shortest_edge / 2);
-    return contact;
+Schedule DrapeRun::last(const Simulation& simulation) const {
+    const int parts = static_cast<int>(std::lround(usual_substep_ / simulation.cloth().substep));
+    Schedule schedule = on_body(finishing(Schedule{}.substeps * parts));
+    schedule.sample_spacing = simulation.options().adapt.shortest_edge / 2;
+    return schedule;
 }
 
 // Cloth that does not touch the body is kept off it as far as while it was sewn. Where it touches, it comes nearer:
 // else that distance would add 2 pi times its size to every girth of the body.
-StandoffOptions DrapeRun::standoffs(double seconds) const {
-    return {.free = std::min(kMaxStandoff, options_.contact.offset - falling_contact().offset),
+StandoffOptions DrapeRun::standoffs(const Simulation& simulation, double seconds) const {
+    const float near = simulation.contact(on_body({})).offset;
+    return {.free = std::min(kMaxStandoff, simulation.options().contact.offset - near),
             .lowering = options_.offset_speed * static_cast<float>(seconds)};
 }
 
-double DrapeRun::frame_seconds(const Cloth& cloth, const StepOptions& stepping) const {
-    return static_cast<double>(step_seconds(cloth, stepping)) * options_.steps_per_adaptation;
+double DrapeRun::frame_seconds(const Simulation& simulation, const Schedule& schedule) const {
+    return static_cast<double>(simulation.step_seconds(schedule)) * options_.steps_per_adaptation;
 }
 
 }  // namespace selvedge::sim

@@ -1,45 +1,33 @@
 #pragma once
 // Drapes a sewn garment: relaxes it, lets it fall and adapt under gravity until it is at rest, and removes residual
 // stretch.
-#include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/standoff.h"
-#include "sim/cloth/step.h"
 #include "sim/dress/dress_options.h"
+#include "sim/simulation/simulation.h"
 
 namespace selvedge::sim {
-
-inline constexpr float kRelaxDamping = 12;  // 1/s, of cloth whose seam tension relaxes
 
 struct DrapeOptions {
     double max_seconds = 12;  // of simulated time
     int steps_per_adaptation = 4;
-    float calm_speed = 0.05F;             // m/s, mass-weighted rms: below it edges do not rejoin
-    float damping_growth = 4;             // 1/s per simulated second of the fall, so that it comes to rest
-    float rest_speed = 0.01F;             // m/s, mass-weighted rms: below it the garment is at rest
-    double rest_time = 1.0;               // s for which it must stay at rest at just below that speed ...
-    double least_rest_time = 0.2;         // s ... and the slower, the shorter, down to this
-    double relax_time = 0.6;              // s without gravity and friction, at the start
-    double coarse_time = 0.2;             // s of relax_time at level 0
-    double lowering_time = 1;             // s after relax_time, if any, in which gravity grows to its full value
-    double finish_time = kFinishTime;     // s of max_seconds, kept for finer sub-steps at the end, to half a frame;
-                                          // they may take up to 3 x as long
-    Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
-    bool may_rest = false;                // whether steps skip a cloth at rest during the fall (sim/cloth/resting.h)
-    AdaptClothOptions adapt{};
-    ContactOptions contact{};
-    float rest_offset = 0.0003F;   // m, contact offset of cloth that touches the body; others keep that of `contact`
-    float offset_speed = 0.0054F;  // m/s at which cloth that touches comes nearer: within relax_time, about half of
-                                   // rest_speed
-    std::optional<SelfContactOptions> self_contact{};  // none: cloth passes through itself
-
-    // Optional; called before each step with its duration (s). Returns the vertices that the user drags.
-    std::function<std::span<const KinematicVertex>(const Cloth&, float)> kinematic_vertices = {};
+    float calm_speed = 0.05F;          // m/s, mass-weighted rms: below it edges do not rejoin
+    float damping_growth = 4;          // 1/s per simulated second of the fall, so that it comes to rest
+    float rest_speed = 0.01F;          // m/s, mass-weighted rms: below it the garment is at rest
+    double rest_time = 1.0;            // s for which it must stay at rest at just below that speed ...
+    double least_rest_time = 0.2;      // s ... and the slower, the shorter, down to this
+    double relax_time = 0.6;           // s without gravity and friction, at the start
+    double coarse_time = 0.2;          // s of relax_time at level 0
+    double lowering_time = 1;          // s after relax_time, if any, in which gravity grows to its full value
+    double finish_time = kFinishTime;  // s of max_seconds, kept for finer sub-steps at the end, to half a frame;
+                                       // they may take up to 3 x as long
+    bool may_rest = false;             // whether steps skip a cloth at rest during the fall (sim/cloth/resting.h)
+    float rest_offset = kRestOffset;   // m, contact offset of cloth that touches the body; others keep the usual one
+    float offset_speed = 0.0054F;      // m/s at which cloth that touches comes nearer: within relax_time, about half of
+                                       // rest_speed
 };
 
 // Why the rest of a garment that does not fit its body is not waited for.
@@ -73,20 +61,20 @@ enum class DrapePhase {
 };
 
 // A drape in progress. Each advance() computes one frame: one adaptation and its steps. All calls must pass the same
-// cloth.
+// simulation.
 class DrapeRun {
  public:
     // Recomputes the cloth's contact data. Pre: the cloth is sewn.
-    DrapeRun(Cloth& cloth, const DrapeOptions& options);
+    DrapeRun(Simulation& simulation, const DrapeOptions& options);
 
     // Returns false when the drape is done. Pre: phase() is not Done.
-    bool advance(Cloth& cloth, const Collider& body);
+    bool advance(Simulation& simulation, const Collider& body);
 
     // Restarts the fall from the current state. No effect in phase Relax or after a bad number.
-    void reactivate(Cloth& cloth);
+    void reactivate(Simulation& simulation);
 
     // Goes on to the end of the fall. Pre: phase() is Relax or Fall.
-    void give_up(Cloth& cloth, GiveUp why);
+    void give_up(Simulation& simulation, GiveUp why);
     bool falls() const { return phase_ == DrapePhase::Fall; }
     bool hangs() const;         // falls with its full weight
     bool hangs_calmly() const;  // and speeds are low: what the cloth shows now, it will show later
@@ -95,32 +83,31 @@ class DrapeRun {
     double fraction() const { return fraction_; }
     const DrapeResult& result() const { return result_; }
 
-    // May be changed between frames; pointers in it must stay valid as long as the run.
+    // May be changed between frames.
     DrapeOptions& options() { return options_; }
 
     // Clears the timings in the result, which would otherwise grow without limit in an endless drape.
     void clear_times();
 
  private:
-    void relax_frame(Cloth& cloth, const Collider& body);
-    void fall_frame(Cloth& cloth, const Collider& body);
-    void finish_frame(Cloth& cloth, const Collider& body);
-    void change_phase(Cloth& cloth);  // when the current phase is over
+    void relax_frame(Simulation& simulation, const Collider& body);
+    void fall_frame(Simulation& simulation, const Collider& body);
+    void finish_frame(Simulation& simulation, const Collider& body);
+    void change_phase(Simulation& simulation);  // when the current phase is over
     void begin_fall();
-    void end_fall(Cloth& cloth);
-    void end(Cloth& cloth);
+    void end_fall(Simulation& simulation);
+    void end(Simulation& simulation);
     bool finishes() const;
     double rest_weight() const;
     double half_frame() const;  // s
-    void project(Cloth& cloth, const Collider& body, const StepOptions& stepping);
-    void update_contacts_between_frames(Cloth& cloth, const Collider& body, const StepOptions& stepping);
-    void adapt_once(Cloth& cloth, const Collider& body, const AdaptClothOptions& adapting);
-    void raise_floor(const Cloth& cloth, StepOptions& stepping);
-    void run_steps(Cloth& cloth, const Collider& body, StepOptions stepping);
-    ContactOptions falling_contact() const;
-    ContactOptions finishing_contact() const;
-    StandoffOptions standoffs(double seconds) const;
-    double frame_seconds(const Cloth& cloth, const StepOptions& stepping) const;
+    Schedule on_body(Schedule schedule) const;
+    Schedule last(const Simulation& simulation) const;
+    void update_contacts_between_frames(Simulation& simulation, const Collider& body, const Schedule& schedule);
+    void adapt_once(Simulation& simulation, const Collider& body, const Schedule& schedule);
+    void raise_floor(const Simulation& simulation, Schedule& schedule);
+    void run_steps(Simulation& simulation, const Collider& body, Schedule schedule);
+    StandoffOptions standoffs(const Simulation& simulation, double seconds) const;
+    double frame_seconds(const Simulation& simulation, const Schedule& schedule) const;
 
     DrapeOptions options_;
     DrapeResult result_;

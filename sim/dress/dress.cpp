@@ -144,7 +144,7 @@ std::optional<WearingCheck> check_wearing(Dressing& dressing, const MeasuredBody
 void inspect(DressedGarment& dressed, Dressing& dressing, const std::optional<WearingCheck>& wearing,
              const BodyCollider& collider, const MeasuredBody& measured, const DrapeResult& result,
              const std::optional<TightLevel>& too_small) {
-    const Cloth& cloth = *dressed.cloth;
+    const Cloth& cloth = dressed.cloth();
     validate(cloth, collider, dressing.anchored(), dressing.open_seams(), result, dressed.report,
              {.may_cross_itself = !dressing.options().self_collision}, too_small);
     if (result.bad_vertex) return;
@@ -201,12 +201,13 @@ DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOp
     std::optional<WearingCheck> wearing = check_wearing(dressing, dressing.measured());
     std::optional<TightLevel> too_small = relax_and_fall(dressing, wearing, progress);
     selvedge::sim::report(progress, "draping", 1);
-    Cloth& cloth = dressed.cloth.emplace(dressing.take_cloth());
+    Simulation& simulation = dressed.simulation.emplace(dressing.take_simulation());
+    const Cloth& cloth = simulation.cloth();
     DrapeResult result = dressing.result();
     const BodyCollider* const own = result.bad_vertex ? nullptr : wearer.own_collider();
     const MeasuredBody as_given(body);
     if (own != nullptr) {
-        result = move_to_own_pose(cloth, body, wearer.pose(), *own, options, result.given_up, progress);
+        result = move_to_own_pose(simulation, body, wearer.pose(), *own, options, result.given_up, progress);
         too_small.reset();  // it was found in the other pose
         wearing = check_wearing(dressing, as_given);
         // What slipped may not slip in this pose. Then nothing excuses that it is not at rest.

@@ -17,14 +17,16 @@ namespace selvedge::sim {
 
 class ContentStore;
 
-// The draped garment: its leaf triangles, their refinement hierarchy, the cloth itself, how its panels were meshed, and
-// the report.
+// The draped garment: its leaf triangles, their refinement hierarchy, the simulation of its cloth, how its panels were
+// meshed, and the report.
 struct DressedGarment {
     DrawMesh mesh;
     TriangleHierarchy hierarchy;
-    std::optional<Cloth> cloth;  // never empty
+    std::optional<Simulation> simulation;  // never empty: of the cloth, which goes on on a body that moves
     MeshOptions meshing{};
     DressReport report;
+
+    const Cloth& cloth() const { return simulation->cloth(); }
 };
 
 // Throws InputError for a pattern that cannot be meshed, or an unknown fabric or body. Later problems are faults in the

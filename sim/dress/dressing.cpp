@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <utility>
 
 #include "sim/cloth/contact_surface.h"
@@ -14,6 +15,7 @@
 #include "sim/dress/limbs_aside.h"
 #include "sim/pattern/field_moves.h"
 #include "sim/place/placement.h"
+#include "sim/simulation/elastic_bands.h"
 
 namespace selvedge::sim {
 namespace {
@@ -67,7 +69,7 @@ double Dressing::fraction() const {
 
 const Cloth* Dressing::cloth() const {
     if (sewing_) return &sewing_->cloth();
-    return drape_ ? &drape_->cloth : nullptr;
+    return drape_ ? &drape_->simulation.cloth() : nullptr;
 }
 
 std::span<const SeamLink> Dressing::seam_links() const {
@@ -91,7 +93,7 @@ bool Dressing::advance() {
         case DressingStage::Relax:
         case DressingStage::Fall:
             update_drag();
-            drape_->run->advance(drape_->cloth, collider());
+            drape_->run->advance(drape_->simulation, collider());
             break;
         case DressingStage::Done:
             SELVEDGE_ASSERT(false);
@@ -135,8 +137,10 @@ void Dressing::sew() {
 
 void Dressing::begin_sewing(std::optional<WornGarments> worn) {
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
-    SewingOptions options{.gravity = drape_options(options_).gravity, .interrupt = interrupt_, .store = store_};
-    if (options_.self_collision) options.self_contact.emplace();
+    SewingOptions options{.simulation = simulation_options(options_),
+                          .constraints = constraints(),
+                          .interrupt = interrupt_,
+                          .store = store_};
     GarmentSewing sewing(
         std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),
         [this](const GarmentMesh& next, const GarmentMesh& all) {
@@ -149,6 +153,13 @@ void Dressing::begin_sewing(std::optional<WornGarments> worn) {
     std::ranges::move(sewing_->take_notes(), std::back_inserter(notes_));
 }
 
+// What the pattern asks for, and what was added besides.
+ClothConstraints Dressing::constraints() const {
+    ClothConstraints all = own_constraints_;
+    if (has_elastics(pattern_)) all.add(std::make_unique<ElasticBands>(pattern_));
+    return all;
+}
+
 // Sews garments that were put over those that hang round them. Returns whether there are such.
 bool Dressing::sew_over() {
     if (!drape_ || has_bad_number() || !options_.self_collision || drape_->meshing != meshing()) return false;
@@ -157,7 +168,7 @@ bool Dressing::sew_over() {
     const double seconds = simulated_seconds();
     SewingResult result{.sewn = drape_->mesh, .open = drape_->open, .simulated_seconds = seconds, .bad_vertex = {}};
     for (std::size_t v = 0; v < result.sewn.x.size(); ++v)
-        result.sewn.x[v] = drape_->cloth.x[v].head<3>().cast<double>();
+        result.sewn.x[v] = drape_->simulation.cloth().x[v].head<3>().cast<double>();
     begin_sewing(WornGarments{.count = count, .result = std::move(result)});
     past_seconds_ = seconds;
     return true;
@@ -169,7 +180,7 @@ void Dressing::end_sewing() {
     sewing_.reset();
     past_seconds_ = sewing.simulated_seconds;
     Cloth cloth = make_cloth(sewing.sewn, fabrics(), {.max_level = deepest_level()});
-    hang({.cloth = std::move(cloth),
+    hang({.simulation = Simulation(std::move(cloth), simulation_options(options_)),
           .pattern = anchored(),
           .meshing = meshing(),
           .mesh = std::move(sewing.sewn),
@@ -179,83 +190,66 @@ void Dressing::end_sewing() {
     change_cloth(anchored());  // setts may have been moved while it was sewn
 }
 
-TriangleBudget* set_budget(std::optional<TriangleBudget>& budget, std::optional<int> target) {
-    if (!target) {
-        budget.reset();
-        return nullptr;
-    }
-    const auto count = static_cast<std::size_t>(*target);
-    if (!budget) budget.emplace(BudgetOptions{.target = count});
-    budget->set_target(count);
-    return &*budget;
-}
-
-Visibility* set_visibility(std::optional<Visibility>& visibility, const std::optional<Vec3f>& seen_from) {
-    if (!seen_from) {
-        visibility.reset();
-        return nullptr;
-    }
-    const ViewPoint view{.eye = *seen_from, .is_orthographic = true};
-    // rad, half the field of view of a usual lens: by so much a camera sees farther round the rim of what fills its
-    // picture than the direction from its middle tells
-    constexpr float kHalfView = 0.21F;
-    constexpr BackFaceOptions kParallel{};
-    if (!visibility)
-        visibility.emplace(view, BackFaceOptions{.split_margin = kParallel.split_margin + kHalfView,
-                                                 .rejoin_margin = kParallel.rejoin_margin + kHalfView});
-    visibility->move_to(view);
-    return &*visibility;
+SimulationOptions simulation_options(const DressOptions& options) {
+    SimulationOptions common;
+    if (!options.has_gravity) common.gravity.setZero();
+    if (options.self_collision) common.self_contact.emplace();
+    common.adapt.criteria = options.criteria;
+    common.adapt.curvature = options.curvature;
+    common.adapt.shortest_edge = static_cast<float>(options.shortest_edge);
+    common.adapt.max_level = options.max_level;
+    common.triangle_budget = options.triangle_budget;
+    common.seen_from = options.seen_from;
+    return common;
 }
 
 DrapeOptions drape_options(const DressOptions& options) {
-    DrapeOptions draping{
-        .max_seconds = options.max_seconds, .finish_time = options.finish_time, .may_rest = options.may_rest};
-    if (!options.has_gravity) draping.gravity.setZero();
-    if (options.self_collision) draping.self_contact.emplace();
-    draping.adapt.criteria = options.criteria;
-    draping.adapt.curvature = options.curvature;
-    draping.adapt.shortest_edge = static_cast<float>(options.shortest_edge);
-    draping.adapt.max_level = options.max_level;
-    return draping;
+    return {.max_seconds = options.max_seconds, .finish_time = options.finish_time, .may_rest = options.may_rest};
 }
 
 void Dressing::hang(Drape drape, double relax_time) {
     drape_ = std::move(drape);
+    drape_->simulation.set_constraints(constraints());
     drag_constraint_.forget_vertices();
     DrapeOptions options = drape_options(options_);
     options.relax_time = relax_time;
     options.coarse_time = std::min(options.coarse_time, relax_time - DrapeOptions{}.coarse_time);
-    drape_->run.emplace(drape_->cloth, options);
+    drape_->run.emplace(drape_->simulation, options);
     apply_options();
 }
 
-// The run's options hold pointers to members of this object.
+// The simulation asks this object for the vertices that it drags.
 void Dressing::apply_options() {
-    TriangleBudget* const budget = set_budget(budget_, options_.triangle_budget);
-    Visibility* const own = sim::set_visibility(own_visibility_, options_.seen_from);
     if (!drape_) return;
     DrapeOptions& options = drape_->run->options();
     const double relax_time = options.relax_time, coarse_time = options.coarse_time;
     options = drape_options(options_);
     options.relax_time = relax_time;
     options.coarse_time = coarse_time;
-    options.adapt.budget = budget;
-    options.adapt.visibility = visibility_ ? visibility_ : own;
-    options.adapt.kept_vertices = drag_constraint_.held();
-    options.kinematic_vertices = [this](const Cloth& cloth, float seconds) {
+    Simulation& simulation = drape_->simulation;
+    simulation.set_options(simulation_options(options_));
+    simulation.set_visibility(visibility_);
+    simulation.keep(drag_constraint_.held());
+    simulation.lead([this](const Cloth& cloth, float seconds) {
         return drag_constraint_.kinematic_target(cloth, collider(), seconds);
-    };
+    });
 }
 
 void Dressing::update_drag() {
-    const bool is_other = drag_constraint_.update_held(drape_->cloth, drape_->mesh.pins);
+    Simulation& simulation = drape_->simulation;
+    const bool is_other = drag_constraint_.update_held(simulation.cloth(), drape_->mesh.pins);
     const bool goes_elsewhere = drag_constraint_.take_goal_change();
-    drape_->run->options().adapt.kept_vertices = drag_constraint_.held();
-    if (is_other || goes_elsewhere) drape_->run->reactivate(drape_->cloth);
+    simulation.keep(drag_constraint_.held());
+    if (is_other || goes_elsewhere) drape_->run->reactivate(simulation);
+}
+
+Simulation Dressing::take_simulation() {
+    drape_->simulation.release();
+    return std::move(drape_->simulation);
 }
 
 void Dressing::reactivate() {
-    if (drape_) drape_->run->reactivate(drape_->cloth);
+    if (drape_) drape_->run->reactivate(drape_->simulation);
 }
 
 // Body.
@@ -298,10 +292,10 @@ void Dressing::take_body() {
     if (!drape_) return place();
     if (has_bad_number()) return;
     if (!body_) return start_again("there is no body: the panels are back where they are placed");
-    forget_contacts(drape_->cloth);
+    forget_contacts(drape_->simulation.cloth());
     float deepest = 0;
-    for (const VertexId v : drape_->cloth.mesh.leaf_vertices())
-        deepest = std::max(deepest, -collider().contact(drape_->cloth.x[v.value].head<3>()).distance);
+    for (const VertexId v : drape_->simulation.cloth().mesh.leaf_vertices())
+        deepest = std::max(deepest, -collider().contact(drape_->simulation.cloth().x[v.value].head<3>()).distance);
     if (deepest > kDeepestMove) return start_again("the body is another: sewn anew from where the panels are placed");
     reactivate();
 }
@@ -382,7 +376,7 @@ void Dressing::take_pattern(const Pattern& last) {
 
 // Applies fabrics, grain and setts to the current cloth.
 void Dressing::change_cloth(const Pattern& pattern) {
-    Cloth& cloth = drape_->cloth;
+    Cloth& cloth = drape_->simulation.cloth();
     std::vector<Fabric> fabrics = this->fabrics();
     const bool is_other_cloth =
         compare(drape_->pattern, pattern) == PatternChange::Fabrics || fabrics != cloth.material.fabrics;
@@ -408,8 +402,9 @@ void Dressing::change_cloth(const Pattern& pattern) {
 
 void Dressing::change_outlines(const Pattern& pattern) {
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
-    TransferredDrape over = transfer_drape({drape_->cloth, drape_->pattern, drape_->open}, pattern, std::move(unsewn),
-                                           fabrics(), collider(), drape_options(options_).adapt, deepest_level());
+    TransferredDrape over =
+        transfer_drape({drape_->simulation.cloth(), drape_->pattern, drape_->open}, pattern, std::move(unsewn),
+                       fabrics(), collider(), simulation_options(options_), deepest_level());
     past_seconds_ += drape_->run->result().simulated_seconds;
     std::vector<OutlineMap> maps;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p)
@@ -417,7 +412,7 @@ void Dressing::change_outlines(const Pattern& pattern) {
     drag_constraint_.map_anchors([&](const MaterialPoint& at) {
         return MaterialPoint{at.panel, maps[at.panel](at.u.cast<double>()).cast<float>()};
     });
-    hang({.cloth = std::move(over.cloth),
+    hang({.simulation = std::move(over.simulation),
           .pattern = pattern,
           .meshing = meshing(),
           .mesh = std::move(over.mesh),
@@ -477,7 +472,7 @@ void Dressing::set_visibility(Visibility* visibility) {
 
 void Dressing::wake() {
     if (!drape_ || has_bad_number()) return;
-    selvedge::sim::reactivate(drape_->cloth);
+    selvedge::sim::reactivate(drape_->simulation.cloth());
     reactivate();
 }
 
@@ -506,7 +501,7 @@ bool Dressing::let_go() {
 bool Dressing::pin(const MaterialPoint& at) {
     if (!drape_ || has_bad_number()) return false;
     drag_constraint_.pin(at);
-    drag_constraint_.update_held(drape_->cloth, drape_->mesh.pins);
+    drag_constraint_.update_held(drape_->simulation.cloth(), drape_->mesh.pins);
     return true;
 }
 
@@ -518,11 +513,11 @@ bool Dressing::unpin_all() {
 }
 
 std::vector<Vec3f> Dressing::pins() const {
-    return drape_ ? drag_constraint_.pin_positions(drape_->cloth) : std::vector<Vec3f>();
+    return drape_ ? drag_constraint_.pin_positions(drape_->simulation.cloth()) : std::vector<Vec3f>();
 }
 
 std::vector<VertexId> Dressing::pinned_vertices() {
-    drag_constraint_.update_held(drape_->cloth, drape_->mesh.pins);
+    drag_constraint_.update_held(drape_->simulation.cloth(), drape_->mesh.pins);
     const std::span<const VertexId> held = drag_constraint_.held();
     return {held.begin(), held.end()};
 }
@@ -534,8 +529,8 @@ bool Dressing::restore(const Drape& drape) {
     Drape copy = drape;
     clear();
     drape_ = std::move(copy);
-    forget_contacts(drape_->cloth);
-    drag_constraint_.free_all(drape_->cloth, drape_->mesh.pins);
+    forget_contacts(drape_->simulation.cloth());
+    drag_constraint_.free_all(drape_->simulation.cloth(), drape_->mesh.pins);
     apply_options();
     change_cloth(anchored());
     return true;

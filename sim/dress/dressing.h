@@ -14,8 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "sim/adaptive/back_face.h"
-#include "sim/adaptive/triangle_budget.h"
 #include "sim/body/body.h"
 #include "sim/collide/body_collider.h"
 #include "sim/dress/anchor.h"
@@ -29,6 +27,7 @@
 #include "sim/mesh/sew.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/pattern.h"
+#include "sim/simulation/simulation.h"
 
 namespace selvedge::sim {
 
@@ -58,6 +57,8 @@ class Dressing {
     // says. It must stay valid.
     void set_visibility(Visibility* visibility);
     void wake();  // a cloth at rest goes on
+    // Added to those of the pattern, for all garments that are sewn from now on.
+    void add_constraint(std::unique_ptr<ClothConstraint> constraint) { own_constraints_.add(std::move(constraint)); }
 
     DressingStage stage() const;
     double fraction() const;  // of Sew or of Fall, 0..1; 0 in Place and Relax
@@ -97,14 +98,14 @@ class Dressing {
     const std::vector<OpenSeam>& open_seams() const { return drape_->open; }  // that did not close, ascending
     const DrapeResult& result() const { return drape_->run->result(); }
     void clear_times() { drape_->run->clear_times(); }  // see DrapeRun
-    // Takes the cloth away. Afterwards only what was dressed, and its result, may be asked. Pre: Done.
-    Cloth take_cloth() { return std::move(drape_->cloth); }
+    // Takes the simulation away. Afterwards only what was dressed, and its result, may be asked. Pre: Done.
+    Simulation take_simulation();
     bool falls() const { return drape_ && drape_->run->falls(); }
     bool hangs() const { return drape_ && drape_->run->hangs(); }
     bool hangs_calmly() const { return drape_ && drape_->run->hangs_calmly(); }
-    void give_up(GiveUp why) { drape_->run->give_up(drape_->cloth, why); }  // Pre: Relax or Fall, and see DrapeRun
-    void reactivate();                                                      // a drape at rest falls on
-    double simulated_seconds() const;                                       // since sewing began
+    void give_up(GiveUp why) { drape_->run->give_up(drape_->simulation, why); }  // Pre: Relax or Fall, and see DrapeRun
+    void reactivate();                                                           // a drape at rest falls on
+    double simulated_seconds() const;                                            // since sewing began
 
     // Dragging and pinning of the cloth that hangs. Each returns whether anything has changed: false at other stages,
     // if nothing is dragged or pinned, or the goal is the same.
@@ -120,7 +121,7 @@ class Dressing {
 
     // A drape that can be restored later. Pre: is_hanging().
     struct Drape {
-        Cloth cloth;
+        Simulation simulation;
         Pattern pattern;              // that it was meshed from ...
         MeshOptions meshing;          // ... and how
         GarmentMesh mesh;             // sewn
@@ -140,6 +141,7 @@ class Dressing {
     void update_drag();
     bool has_bad_number() const { return drape_ && drape_->run->result().bad_vertex; }
     std::vector<Fabric> fabrics() const;
+    ClothConstraints constraints() const;
     int deepest_level() const { return options_.deepest_level.value_or(options_.max_level); }
 
     void set_body(std::shared_ptr<const Body> body, std::shared_ptr<const MeasuredBody> measured,
@@ -169,20 +171,15 @@ class Dressing {
     std::optional<GarmentSewing> sewing_;
     std::optional<Drape> drape_;
     DragConstraint drag_constraint_;
-    std::optional<TriangleBudget> budget_;
-    std::optional<Visibility> own_visibility_;
-    Visibility* visibility_ = nullptr;  // instead of the own one
+    ClothConstraints own_constraints_;
+    Visibility* visibility_ = nullptr;  // instead of what the options say
     double past_seconds_ = 0;           // s, simulated before the current drape
     std::vector<std::string> notes_;
 };
 
-// The options of a drape for a garment that is dressed with these, without its budget.
+// The options of the simulation of a garment that is dressed with these, and of its drape.
+SimulationOptions simulation_options(const DressOptions& options);
 DrapeOptions drape_options(const DressOptions& options);
-
-// Makes, changes or drops a budget, for that target number of leaf triangles. Returns it; null without one.
-TriangleBudget* set_budget(std::optional<TriangleBudget>& budget, std::optional<int> target);
-// The same of what back-face coarsening asks, for DressOptions::seen_from.
-Visibility* set_visibility(std::optional<Visibility>& visibility, const std::optional<Vec3f>& seen_from);
 
 inline constexpr int kSewingSteps = 4;  // per frame, as many as per adaptation
 

@@ -66,7 +66,8 @@ GarmentSewing::GarmentSewing(GarmentMesh unsewn, std::vector<Garment> garments, 
       is_worn_(unsewn_.panel_names.size(), false),
       sewn_vertex_(unsewn_.x.size(), -1) {
     SELVEDGE_ASSERT(!garments_.empty());
-    if (garments_.size() > 1 && !options_.self_contact) options_.self_contact.emplace();
+    std::optional<SelfContactOptions>& self_contact = options_.simulation.self_contact;
+    if (garments_.size() > 1 && !self_contact) self_contact.emplace();
     if (worn) take_worn(std::move(*worn));
     start_next(body);
 }
@@ -133,8 +134,9 @@ bool GarmentSewing::advance(const BodyCollider& body) {
     thin_limbs_.reset();
     wear();
     if (is_last() || done_.bad_vertex) return false;
-    relaxing_ = make_cloth(done_.sewn, fabrics_, {.max_level = 0});
-    refresh_contacts(*relaxing_);
+    relaxing_.emplace(make_cloth(done_.sewn, fabrics_, {.max_level = 0}), options_.simulation);
+    relaxing_->set_constraints(options_.constraints);
+    refresh_contacts(relaxing_->cloth(), relaxing_->contact({}));
     relaxed_ = 0;
     return true;
 }
@@ -152,7 +154,7 @@ bool GarmentSewing::sew_round_thin_limbs(const BodyCollider& body) {
     if (!thin_limbs_) return false;
     GarmentMesh unsewn = run_->unsewn();
     SewingOptions options = options_;
-    options.contact = ThinLimbs::contact(options.contact);
+    options.simulation.contact = ThinLimbs::contact(options.simulation.contact);
     without_thin_limbs_ = std::move(run_);
     run_.emplace(std::move(unsewn), fabrics_, options);
     return true;
@@ -190,15 +192,13 @@ void GarmentSewing::map_sewn_vertices() {
 
 // Without gravity and friction, the tension of the seams relaxes. Then the next garment is placed.
 void GarmentSewing::relax(const BodyCollider& body) {
-    StepOptions stepping{.gravity = Vec3f::Zero(), .extra_damping = kRelaxDamping};
-    stepping.contact.friction_scale = 0;
-    stepping.self_contact = options_.self_contact;
-    step(*relaxing_, body, stepping);
-    relaxed_ += static_cast<double>(step_seconds(*relaxing_, stepping));
+    const Schedule schedule = relaxing();
+    relaxing_->step(body, schedule);
+    relaxed_ += static_cast<double>(relaxing_->step_seconds(schedule));
     if (relaxed_ < DrapeOptions{}.relax_time) return;
     for (std::size_t v = 0; v < sewn_vertex_.size(); ++v) {
         if (sewn_vertex_[v] < 0) continue;
-        unsewn_.x[v] = relaxing_->x[static_cast<std::size_t>(sewn_vertex_[v])].head<3>().cast<double>();
+        unsewn_.x[v] = relaxing_->cloth().x[static_cast<std::size_t>(sewn_vertex_[v])].head<3>().cast<double>();
     }
     start_next(body);
     relaxing_.reset();

@@ -18,6 +18,7 @@
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/garments.h"
+#include "sim/simulation/simulation.h"
 
 namespace selvedge::sim {
 
@@ -44,10 +45,10 @@ class GarmentSewing {
     bool advance(const BodyCollider& body);
 
     double fraction() const;
-    const Cloth& cloth() const { return relaxing_ ? *relaxing_ : run_->cloth(); }  // of the garments so far
-    std::span<const SeamLink> links() const;                                       // that are closing, of the cloth
-    std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }    // panels that were moved
-    SewingResult result() &&;                                                      // of all garments
+    const Cloth& cloth() const { return relaxing_ ? relaxing_->cloth() : run_->cloth(); }  // of the garments so far
+    std::span<const SeamLink> links() const;                                     // that are closing, of the cloth
+    std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }  // panels that were moved
+    SewingResult result() &&;                                                    // of all garments
 
  private:
     void take_worn(WornGarments worn);
@@ -73,7 +74,7 @@ class GarmentSewing {
     std::unique_ptr<LimbsAside> limbs_aside_{};      // during that run; none: no arm is in the way
     std::unique_ptr<ThinLimbs> thin_limbs_{};        // during that run, when its seams closed through limbs at first
     std::optional<SewingRun> without_thin_limbs_{};  // that first run
-    std::optional<Cloth> relaxing_;                  // the garments so far, when it is done
+    std::optional<Simulation> relaxing_;             // the garments so far, when it is done
     double relaxed_ = 0;                             // s
     SewingResult done_;                              // of the garments so far
     std::vector<std::string> notes_;

@@ -3,24 +3,20 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/dress/animation.h"
-
 namespace selvedge::sim {
 namespace {
 
 // A viewer waits for each frame, and cloth that then hangs evens out its stretch.
-MotionOptions live_options(const DressOptions& options) {
-    MotionOptions live = motion_options(options);
-    live.substeps = StepOptions{}.substeps;
-    return live;
+MotionOptions live_options() {
+    return {.substeps = Schedule{}.substeps};
 }
 
 }  // namespace
 
-LiveMotion::LiveMotion(const Cloth& dressed, std::vector<VertexId> kept, const BodyMover& mover,
+LiveMotion::LiveMotion(const Simulation& dressed, std::vector<VertexId> kept, const BodyMover& mover,
                        const DressOptions& options)
     : body_(mover.shared_body()),
-      cloth_(dressed),
+      simulation_(dressed),
       kept_(std::move(kept)),
       flesh_(*body_),
       from_(mover.pose()),
@@ -31,21 +27,18 @@ LiveMotion::LiveMotion(const Cloth& dressed, std::vector<VertexId> kept, const B
         };
         flesh_.positions(*body_, pose_at, seconds, region, x);
     };
-    run_.emplace(cloth_, *body_, body_at, live_options(options));
+    simulation_.keep(kept_);
+    run_.emplace(simulation_, *body_, body_at, live_options());
     set_options(options);
 }
 
 void LiveMotion::set_options(const DressOptions& options) {
-    run_->options() = live_options(options);
-    run_->options().adapt.budget = set_budget(budget_, options.triangle_budget);
-    run_->options().adapt.kept_vertices = kept_;
-    run_->options().adapt.visibility = visibility_;
+    simulation_.set_options(simulation_options(options));
     wake();
 }
 
 void LiveMotion::set_visibility(Visibility* visibility) {
-    visibility_ = visibility;
-    run_->options().adapt.visibility = visibility_;
+    simulation_.set_visibility(visibility);
     wake();
 }
 
@@ -60,7 +53,7 @@ MotionFrame LiveMotion::advance(BodyMover& mover) {
     body_still_seconds_ = stands ? body_still_seconds_ + kLiveFrameSeconds : 0;
     run_->options().air_damping =
         MotionOptions{}.air_damping + falling.damping_growth * static_cast<float>(body_still_seconds_);
-    const MotionFrame frame = run_->advance_to(cloth_, start_ + kLiveFrameSeconds);
+    const MotionFrame frame = run_->advance_to(simulation_, start_ + kLiveFrameSeconds);
     rms_speed_ = frame.rms_speed;
     still_seconds_ = stands && rms_speed_ < falling.rest_speed ? still_seconds_ + kLiveFrameSeconds : 0;
     return frame;
@@ -75,7 +68,7 @@ Body LiveMotion::standing_body() const {
 
 std::vector<Vec3f> LiveMotion::pins() const {
     std::vector<Vec3f> x;
-    for (const VertexId v : kept_) x.emplace_back(cloth_.x[v.value].head<3>());
+    for (const VertexId v : kept_) x.emplace_back(cloth().x[v.value].head<3>());
     return x;
 }
 

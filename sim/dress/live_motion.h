@@ -6,12 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "sim/adaptive/triangle_budget.h"
 #include "sim/body/yielding_flesh.h"
-#include "sim/cloth/cloth.h"
 #include "sim/dress/body_mover.h"
 #include "sim/dress/dressing.h"
 #include "sim/dress/motion_run.h"
+#include "sim/simulation/simulation.h"
 
 namespace selvedge::sim {
 
@@ -21,7 +20,8 @@ class LiveMotion {
  public:
     // dressed: a sewn cloth that hangs on the body where the mover has it. kept: vertices that the user has pinned;
     // they move with the body.
-    LiveMotion(const Cloth& dressed, std::vector<VertexId> kept, const BodyMover& mover, const DressOptions& options);
+    LiveMotion(const Simulation& dressed, std::vector<VertexId> kept, const BodyMover& mover,
+               const DressOptions& options);
     LiveMotion(const LiveMotion&) = delete;
     LiveMotion& operator=(const LiveMotion&) = delete;
 
@@ -33,7 +33,7 @@ class LiveMotion {
     // a blend of them.
     MotionFrame advance(BodyMover& mover);
 
-    const Cloth& cloth() const { return cloth_; }
+    const Cloth& cloth() const { return simulation_.cloth(); }
     const MovingBodyCollider& collider() const { return run_->collider(); }
     std::span<const Vec3f> body_positions() const { return collider().surface().points(); }  // m, as Body::x
     Body standing_body() const;       // as it stands now: its surface only
@@ -45,13 +45,11 @@ class LiveMotion {
 
  private:
     std::shared_ptr<const Body> body_;
-    Cloth cloth_;
+    Simulation simulation_;
     std::vector<VertexId> kept_;
     MovingFlesh flesh_;
-    Pose from_, to_;    // of the body at the ends of the present frame
-    double start_ = 0;  // s, of the present frame
-    std::optional<TriangleBudget> budget_;
-    Visibility* visibility_ = nullptr;
+    Pose from_, to_;                // of the body at the ends of the present frame
+    double start_ = 0;              // s, of the present frame
     std::optional<MotionRun> run_;  // never empty
     float rms_speed_ = 0;
     double body_still_seconds_ = 0, still_seconds_ = 0;

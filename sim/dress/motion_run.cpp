@@ -26,15 +26,17 @@ Region near(const Cloth& cloth) {
 
 }  // namespace
 
-MotionRun::MotionRun(Cloth& cloth, const Body& body, BodyAt body_at, MotionOptions options)
-    : body_at_(std::move(body_at)), options_(std::move(options)), collider_(body) {
+MotionRun::MotionRun(Simulation& simulation, const Body& body, BodyAt body_at, const MotionOptions& options)
+    : body_at_(std::move(body_at)), options_(options), collider_(body) {
+    Cloth& cloth = simulation.cloth();
     body_at_(0, near(cloth), end_);
     collider_.place(end_);
     forget_contacts(cloth);
     set_substep(cloth, static_cast<float>(options_.step_seconds / options_.substeps));
 }
 
-MotionFrame MotionRun::advance_to(Cloth& cloth, double seconds) {
+MotionFrame MotionRun::advance_to(Simulation& simulation, double seconds) {
+    const Cloth& cloth = simulation.cloth();
     MotionFrame frame;
     const int interval =
         std::max(1, static_cast<int>(std::lround(options_.adaptation_seconds / options_.step_seconds)));
@@ -43,11 +45,11 @@ MotionFrame MotionRun::advance_to(Cloth& cloth, double seconds) {
     long first = steps_;
     while (steps_ < last) {
         if (steps_ % interval == 0) {
-            adapt(cloth, frame);
+            adapt(simulation, frame);
             before = cloth.x;  // with the vertices that are new
             first = steps_;
         }
-        step_once(cloth, frame);
+        step_once(simulation, frame);
     }
     if (steps_ > first)
         frame.rms_speed = rms_speed(cloth, before, static_cast<double>(steps_ - first) * options_.step_seconds);
@@ -55,7 +57,9 @@ MotionFrame MotionRun::advance_to(Cloth& cloth, double seconds) {
     return frame;
 }
 
-void MotionRun::step_once(Cloth& cloth, MotionFrame& frame) {
+void MotionRun::step_once(Simulation& simulation, MotionFrame& frame) {
+    const Cloth& cloth = simulation.cloth();
+    Schedule part_of_step = schedule();
     const double start = seconds(), length = options_.step_seconds;
     Region region = near(cloth);
     body_at_(start + length, region, end_);
@@ -68,13 +72,9 @@ void MotionRun::step_once(Cloth& cloth, MotionFrame& frame) {
         if (parts > 1) body_at_(start + length * part / parts, region, end_);
         collider_.move_to(end_, region);
         const int until = options_.substeps * part / parts;
-        step(cloth, collider_,
-             {.substeps = until - done,
-              .gravity = options_.gravity,
-              .extra_damping = options_.air_damping,
-              .contact = options_.contact,
-              .self_contact = options_.self_contact,
-              .kinematic = pins_.follow(cloth, collider_.surface(), end_)});
+        part_of_step.substeps = until - done;
+        part_of_step.kinematic = pins_.follow(cloth, collider_.surface(), end_);
+        simulation.step(collider_, part_of_step);
         done = until;
         collider_.arrive();
     }
@@ -83,12 +83,18 @@ void MotionRun::step_once(Cloth& cloth, MotionFrame& frame) {
     frame.pinched = cloth.solver->contacts.moving.pinched;
 }
 
-void MotionRun::adapt(Cloth& cloth, MotionFrame& frame) {
-    const AdaptReport adapted = adapt_cloth(cloth, collider_, options_.adapt, options_.contact);
+void MotionRun::adapt(Simulation& simulation, MotionFrame& frame) {
+    const AdaptReport adapted = simulation.adapt(collider_, schedule());
     frame.adapted.splits += adapted.splits;
     frame.adapted.rejoins += adapted.rejoins;
     frame.adapted.transitions += adapted.transitions;
-    update_standoffs(cloth, collider_, {.free = options_.free_standoff});
+    update_standoffs(simulation.cloth(), collider_, {.free = options_.free_standoff});
+}
+
+Schedule MotionRun::schedule() const {
+    Schedule schedule = moving(options_.air_damping);
+    schedule.substeps = options_.substeps;
+    return schedule;
 }
 
 }  // namespace selvedge::sim

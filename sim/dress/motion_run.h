@@ -2,16 +2,13 @@
 // A dressed garment that moves with its body: each frame the body goes on to its next pose, the cloth steps fall
 // between, and the mesh adapts. (thesis 5.3.5, 5.4)
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "sim/body/body.h"
-#include "sim/cloth/adapt_cloth.h"
-#include "sim/cloth/cloth.h"
-#include "sim/cloth/step.h"
 #include "sim/collide/moving_body.h"
 #include "sim/core/region.h"
 #include "sim/dress/pinned_followers.h"
+#include "sim/simulation/simulation.h"
 
 namespace selvedge::sim {
 
@@ -22,14 +19,10 @@ using BodyAt = std::function<void(double seconds, const Region& region, std::vec
 struct MotionOptions {
     double step_seconds = 1.0 / 120;
     double adaptation_seconds = 1.0 / 30;
-    int substeps =
-        2 * StepOptions{}.substeps;  // per step: twice as many as at rest, where stretch has time to even out
-    Vec3f gravity = Vec3f(0, -9.81F, 0);
-    float air_damping = 2;  // 1/s
-    AdaptClothOptions adapt{};
-    ContactOptions contact{};
-    float free_standoff = 0.0027F;  // m, that vertices which do not touch the body keep beyond the contact offset
-    std::optional<SelfContactOptions> self_contact{};  // none: cloth passes through itself
+    int substeps = 2 * Schedule{}.substeps;  // per step: twice as many as at rest, where stretch has time to even out
+    float air_damping = 2;                   // 1/s
+    // m, that vertices which do not touch the body keep beyond the contact offset
+    float free_standoff = ContactOptions{}.offset - kRestOffset;
 };
 
 struct MotionFrame {
@@ -42,19 +35,21 @@ struct MotionFrame {
 
 class MotionRun {
  public:
-    // The cloth hangs on the body as body_at(0) gives it. Pre: the cloth is sewn.
-    MotionRun(Cloth& cloth, const Body& body, BodyAt body_at, MotionOptions options);
+    // The cloth hangs on the body as body_at(0) gives it. All calls must pass the same simulation. Pre: the cloth is
+    // sewn.
+    MotionRun(Simulation& simulation, const Body& body, BodyAt body_at, const MotionOptions& options = {});
 
     // Goes on to that time, in whole steps: to the step that ends nearest to it.
-    MotionFrame advance_to(Cloth& cloth, double seconds);
+    MotionFrame advance_to(Simulation& simulation, double seconds);
 
     double seconds() const { return static_cast<double>(steps_) * options_.step_seconds; }
     const MovingBodyCollider& collider() const { return collider_; }
     MotionOptions& options() { return options_; }
 
  private:
-    void step_once(Cloth& cloth, MotionFrame& frame);
-    void adapt(Cloth& cloth, MotionFrame& frame);
+    void step_once(Simulation& simulation, MotionFrame& frame);
+    void adapt(Simulation& simulation, MotionFrame& frame);
+    Schedule schedule() const;
 
     BodyAt body_at_;
     MotionOptions options_;

@@ -5,7 +5,6 @@
 
 #include "sim/body/yielding_flesh.h"
 #include "sim/cloth/contact.h"
-#include "sim/dress/animation.h"
 #include "sim/dress/motion_run.h"
 
 namespace selvedge::sim {
@@ -17,32 +16,25 @@ bool needs_other_pose(const Body& body, const Pose& pose) {
     return false;
 }
 
-DrapeResult move_to_own_pose(Cloth& cloth, const Body& body, const Pose& start, const BodyCollider& own,
+DrapeResult move_to_own_pose(Simulation& simulation, const Body& body, const Pose& start, const BodyCollider& own,
                              const DressOptions& options, std::optional<GiveUp> given_up, const Progress& progress) {
     constexpr double kReport = 0.1;  // s
     MovingFlesh flesh(body);
     const Pose rest = rest_pose(body);
-    std::optional<Visibility> visibility;
-    Visibility* const visible = set_visibility(visibility, options.seen_from);
-    MotionRun moving(
-        cloth, body,
-        [&](double seconds, const Region& region, std::vector<Vec3f>& x) {
-            const auto pose_at = [&](double at) { return blend(start, rest, smoothstep(at, 0, kToOwnPose)); };
-            flesh.positions(body, pose_at, seconds, region, x);
-        },
-        motion_options(options));
-    moving.options().adapt.visibility = visible;
+    MotionRun moving(simulation, body, [&](double seconds, const Region& region, std::vector<Vec3f>& x) {
+        const auto pose_at = [&](double at) { return blend(start, rest, smoothstep(at, 0, kToOwnPose)); };
+        flesh.positions(body, pose_at, seconds, region, x);
+    });
     for (double seconds = kReport; seconds <= kToOwnPose + kReport / 2; seconds += kReport) {
-        moving.advance_to(cloth, seconds);
+        moving.advance_to(simulation, seconds);
         report(progress, "moving", seconds / kToOwnPose);
     }
-    forget_contacts(cloth);
+    forget_contacts(simulation.cloth());
     DrapeOptions draping = drape_options(options);
     draping.relax_time = draping.coarse_time = draping.lowering_time = 0;
-    draping.adapt.visibility = visible;
-    DrapeRun settling(cloth, draping);
-    if (given_up && settling.falls()) settling.give_up(cloth, *given_up);
-    while (settling.phase() != DrapePhase::Done && settling.advance(cloth, own))
+    DrapeRun settling(simulation, draping);
+    if (given_up && settling.falls()) settling.give_up(simulation, *given_up);
+    while (settling.phase() != DrapePhase::Done && settling.advance(simulation, own))
         report(progress, "settling", settling.fraction());
     DrapeResult result = settling.result();
     result.given_up = given_up;  // also if there was no time for it

@@ -97,7 +97,7 @@ bool SessionState::moves() const {
 }
 
 double SessionState::frame_seconds() const {
-    return kSewingSteps * StepOptions{}.substeps * static_cast<double>(ClothOptions{}.substep);
+    return kSewingSteps * Schedule{}.substeps * static_cast<double>(ClothOptions{}.substep);
 }
 
 bool SessionState::may_prepare() const {
@@ -221,7 +221,7 @@ bool SessionState::hangs() const {
 
 void SessionState::begin_motion() {
     std::vector<VertexId> pinned = dressing_.pinned_vertices();
-    motion_ = std::make_unique<LiveMotion>(*dressing_.cloth(), std::move(pinned), *mover_, options_);
+    motion_ = std::make_unique<LiveMotion>(dressing_.drape().simulation, std::move(pinned), *mover_, options_);
     if (visibility_) motion_->set_visibility(&*visibility_);
 }
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "sim/cloth/cloth.h"
-#include "sim/cloth/step.h"
 #include "sim/mesh/garment_mesh.h"
+#include "sim/simulation/simulation.h"
 
 namespace selvedge::sim {
 
@@ -21,12 +21,11 @@ struct SewingOptions {
     float closed_gap = 0.006F;   // m, a shorter link is closed: two contact offsets may lie between its ends
     // m; when the time is up, a shorter link is sewn too: limbs are thicker, so what holds it open are folds of gathers
     float sewn_gap = 0.02F;
-    float extra_pull_time = 1.5F;           // s of further pulling after the allowed gap has reached zero
-    Vec3f gravity = StepOptions{}.gravity;  // m/s^2, of SewingRun::fall()
-    ContactOptions contact{};
-    std::optional<SelfContactOptions> self_contact{};  // none: panels pass through each other
-    std::function<void()> interrupt{};                 // called during long preparations: see DistanceField
-    const ContentStore* store = nullptr;               // for their results: see BodyCollider
+    float extra_pull_time = 1.5F;         // s of further pulling after the allowed gap has reached zero
+    SimulationOptions simulation{};       // without self_contact panels pass through each other
+    ClothConstraints constraints{};       // of the cloth, besides the seams
+    std::function<void()> interrupt{};    // called during long preparations: see DistanceField
+    const ContentStore* store = nullptr;  // for their results: see BodyCollider
 };
 
 struct OpenSeam {
@@ -65,7 +64,7 @@ class SewingRun {
     bool has_bad_number() const { return bad_vertex_.has_value(); }
 
     double fraction() const { return std::min(1.0F, seconds_ / limit_); }
-    const Cloth& cloth() const { return cloth_; }  // of the separate panels
+    const Cloth& cloth() const { return simulation_.cloth(); }  // of the separate panels
     std::span<const SeamLink> links() const { return links_; }
     float closed_gap() const { return options_.closed_gap; }  // m
     bool is_closed() const;                                   // all links are
@@ -73,12 +72,12 @@ class SewingRun {
     SewingResult result() &&;                                 // sews the mesh in place
 
  private:
-    void step_held(const Collider& body, const StepOptions& stepping);
+    void step_held(const Collider& body, const Schedule& schedule);
 
     GarmentMesh mesh_;
     std::vector<SeamLink> links_;  // taken from the mesh
     SewingOptions options_;
-    Cloth cloth_;
+    Simulation simulation_;
     std::vector<SeamPull> pulls_;
     float start_gap_ = 0;  // m
     float limit_ = 0;      // s

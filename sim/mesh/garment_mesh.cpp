@@ -61,7 +61,8 @@ void check_shapes(const GarmentMesh& mesh, Faults& faults) {
         if (!mesh.x[i].allFinite()) faults.push_back("vertex " + std::to_string(i) + ": no finite position");
     }
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const auto& [v, u, panel] = mesh.triangles[i];
+        const std::array<int, 3>& v = mesh.triangles[i].vertices;
+        const std::array<Vec2d, 3>& u = mesh.triangles[i].u;
         const std::string name = name_of(mesh, static_cast<int>(i));
         if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) faults.push_back(name + ": two corners are one vertex");
         const double longest =
@@ -147,6 +148,55 @@ void check_fans(const GarmentMesh& mesh, Faults& faults) {
     }
 }
 
+// The ends of the sides on one line, by material coordinates: how often a side starts there, less how often one ends.
+using LineEnds = std::map<std::pair<double, double>, int>;
+
+// A line in one piece starts once and ends once, or is closed.
+void check_pieces(const GarmentMesh& mesh, Faults& faults) {
+    std::map<std::pair<int, int>, LineEnds> lines;  // by panel and edge
+    for (const GarmentTriangle& t : mesh.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (t.lines[k].is_none()) continue;
+            LineEnds& ends = lines[{t.panel, t.lines[k].edge}];
+            const Vec2d &from = t.u[k], &to = t.u[(k + 1) % 3];
+            ++ends[{from.x(), from.y()}];
+            --ends[{to.x(), to.y()}];
+        }
+    }
+    for (const auto& [line, ends] : lines) {
+        const auto starts = std::ranges::count_if(ends, [](const auto& end) { return end.second > 0; });
+        if (starts > 1)
+            faults.push_back("edge " + std::to_string(line.second) + " of " +
+                             mesh.panel_names[static_cast<std::size_t>(line.first)] + ": lies in " +
+                             std::to_string(starts) + " pieces");
+    }
+}
+
+void check_lines(const GarmentMesh& mesh, Faults& faults) {
+    std::vector<bool> has_lines(mesh.panel_names.size(), false);
+    for (const GarmentTriangle& t : mesh.triangles) {
+        if (!std::ranges::all_of(t.lines, &SideLine::is_none)) has_lines[static_cast<std::size_t>(t.panel)] = true;
+    }
+    for (const auto& [edge, uses] : edges_of(mesh)) {
+        const auto has_none = [&mesh = mesh](const EdgeUse& use) {
+            return mesh.triangles[static_cast<std::size_t>(use.triangle)]
+                .lines[static_cast<std::size_t>(use.corner)]
+                .is_none();
+        };
+        const bool is_inside = uses.size() == 2 && is_inside_panel(mesh, uses[0], uses[1]);
+        if (is_inside && has_none(uses[0]) != has_none(uses[1]))  // both lie on lines where a slit was sewn shut
+            faults.push_back(name_of(edge) + ": inside " + name_of(mesh, uses[0].triangle) +
+                             ", but on an outline edge");
+        for (const EdgeUse& use : uses) {
+            const int panel = mesh.triangles[static_cast<std::size_t>(use.triangle)].panel;
+            if (is_inside || !has_lines[static_cast<std::size_t>(panel)] || !has_none(use)) continue;
+            faults.push_back(name_of(edge) + ": at the border of " + name_of(mesh, use.triangle) +
+                             ", but on no outline edge");
+        }
+    }
+    check_pieces(mesh, faults);
+}
+
 }  // namespace
 
 std::vector<std::string> check_mesh(const GarmentMesh& mesh) {
@@ -157,6 +207,7 @@ std::vector<std::string> check_mesh(const GarmentMesh& mesh) {
     check_duplicates(mesh, faults);
     check_edges(mesh, faults);
     check_fans(mesh, faults);
+    check_lines(mesh, faults);
     return faults;
 }
 

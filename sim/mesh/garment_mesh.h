@@ -23,10 +23,20 @@ struct MeshOptions {
     bool operator==(const MeshOptions&) const = default;
 };
 
+// The line of its panel on which a side of a triangle lies. Outline edges are lines; most sides lie on none.
+struct SideLine {
+    int edge = -1;       // index into Panel::edges; -1: none
+    float drawn_to = 1;  // share of the side's length to which an elastic draws it; the cloth is gathered there
+
+    bool is_none() const { return edge < 0; }
+    bool operator==(const SideLine&) const = default;
+};
+
 struct GarmentTriangle {
     std::array<int, 3> vertices{};  // counter-clockwise seen from the fabric's right side
     std::array<Vec2d, 3> u{Vec2d::Zero(), Vec2d::Zero(), Vec2d::Zero()};  // per corner, m, panel frame of `panel`
     int panel = 0;
+    std::array<SideLine, 3> lines{};  // lines[k]: of the side from corner k to the next; none in meshes of no pattern
 };
 
 // Two vertices that a seam joins.
@@ -52,8 +62,9 @@ struct GarmentMesh {
 // All faults of the mesh, each with its location ("triangle 12 (front): ..."); empty for a valid mesh. A valid mesh has
 // indices in range, finite numbers, no duplicate triangle and none of zero or negative area, no edge with three
 // triangles, none inside a panel whose two triangles have opposite orientation (at a seam they may: Seam::is_reversed),
-// and no vertex without a triangle or with two separate fans of triangles. If an index is out of range, only index
-// faults are reported.
+// no vertex without a triangle or with two separate fans of triangles, and, in a panel with lines, an outline edge on
+// each side at its border, on no other side, and each edge in one piece. If an index is out of range, only index faults
+// are reported.
 std::vector<std::string> check_mesh(const GarmentMesh& mesh);
 
 // The seam whose sides have the largest length ratio.

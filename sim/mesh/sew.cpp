@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "sim/core/assert.h"
@@ -69,9 +70,35 @@ PlacedPanels triangulate_panels(const Pattern& pattern, const MeshOptions& optio
     return placed;
 }
 
+// The lines of the samples of a panel's outline: of the segment from each vertex of the mesh to the next one of the
+// outline; none for those inside.
+struct OutlineLines {
+    std::vector<int> next;        // vertex, by vertex; -1: inside
+    std::vector<SideLine> lines;  // by vertex
+
+    OutlineLines(const Panel& panel, const PanelMesh& mesh) : next(mesh.u.size(), -1), lines(mesh.u.size()) {
+        const std::size_t count = mesh.outline.size();
+        for (std::size_t e = 0; e < mesh.runs.size(); ++e) {
+            const std::optional<Elastic>& elastic = panel.edges[e].elastic;
+            const float drawn_to = elastic ? static_cast<float>(elastic->share) : 1.0F;
+            for (int i = 0; i < mesh.runs[e].segments; ++i) {
+                const auto at = static_cast<std::size_t>(mesh.runs[e].first + i) % count;
+                const auto vertex = static_cast<std::size_t>(mesh.outline[at]);
+                next[vertex] = mesh.outline[(at + 1) % count];
+                lines[vertex] = {.edge = static_cast<int>(e), .drawn_to = drawn_to};
+            }
+        }
+    }
+    SideLine from(int a, int b) const {
+        const auto start = static_cast<std::size_t>(a);
+        return next[start] == b ? lines[start] : SideLine();
+    }
+};
+
 void add_panel(GarmentMesh& garment, const Panel& panel, const PanelMesh& mesh) {
     const auto first = static_cast<int>(garment.x.size());
     const auto index = static_cast<int>(garment.panel_names.size());
+    const OutlineLines outline(panel, mesh);
     for (const Vec2d& u : mesh.u) garment.x.push_back(panel.place(u));
     for (const auto& corners : mesh.triangles) {
         GarmentTriangle triangle;
@@ -79,6 +106,7 @@ void add_panel(GarmentMesh& garment, const Panel& panel, const PanelMesh& mesh) 
         for (std::size_t k = 0; k < 3; ++k) {
             triangle.vertices[k] = first + corners[k];
             triangle.u[k] = mesh.u[static_cast<std::size_t>(corners[k])];
+            triangle.lines[k] = outline.from(corners[k], corners[(k + 1) % 3]);
         }
         garment.triangles.push_back(triangle);
     }
@@ -213,6 +241,7 @@ std::vector<EdgeEnds> find_coinciding(const GarmentMesh& unsewn) {
 struct CornerPoint {
     int vertex = 0;
     Vec2d u = Vec2d::Zero();
+    int corner = -1;  // of the triangle that is split; -1: in the middle of a side
 };
 
 using Middles = std::map<EdgeEnds, int>;
@@ -222,13 +251,15 @@ struct SplitTriangle {
     std::array<CornerPoint, 3> corner;
     std::array<CornerPoint, 3> middle;  // middle[k]: of the edge from corner k to the next; vertex -1: not split
     int panel = 0;
+    std::array<SideLine, 3> lines;  // of its sides, which are split only where they have none
 };
 
 SplitTriangle with_middles(const GarmentTriangle& triangle, const Middles& middles) {
     SplitTriangle split;
     split.panel = triangle.panel;
+    split.lines = triangle.lines;
     for (std::size_t k = 0; k < 3; ++k) {
-        split.corner[k] = {triangle.vertices[k], triangle.u[k]};
+        split.corner[k] = {triangle.vertices[k], triangle.u[k], static_cast<int>(k)};
         const auto found = middles.find(edge_of(triangle, k));
         const int vertex = found == middles.end() ? -1 : found->second;
         split.middle[k] = {vertex, 0.5 * (triangle.u[k] + triangle.u[(k + 1) % 3])};
@@ -236,9 +267,13 @@ SplitTriangle with_middles(const GarmentTriangle& triangle, const Middles& middl
     return split;
 }
 
-void add_triangle(std::vector<GarmentTriangle>& out, int panel, const CornerPoint& a, const CornerPoint& b,
-                  const CornerPoint& c) {
-    out.push_back({{a.vertex, b.vertex, c.vertex}, {a.u, b.u, c.u}, panel});
+void add_triangle(std::vector<GarmentTriangle>& out, const SplitTriangle& of, const CornerPoint& a,
+                  const CornerPoint& b, const CornerPoint& c) {
+    const auto line = [&](const CornerPoint& from, const CornerPoint& to) {
+        const bool is_whole_side = from.corner >= 0 && to.corner == (from.corner + 1) % 3;
+        return is_whole_side ? of.lines[static_cast<std::size_t>(from.corner)] : SideLine();
+    };
+    out.push_back({{a.vertex, b.vertex, c.vertex}, {a.u, b.u, c.u}, of.panel, {line(a, b), line(b, c), line(c, a)}});
 }
 
 // Triangulates a triangle so that it conforms to its split edges. The cases are the configurations of thesis 3.3.5: one
@@ -252,25 +287,25 @@ void add_parts(std::vector<GarmentTriangle>& out, SplitTriangle t) {
     };
     if (count == 1) {
         while (!is_split(t.middle[0])) turn();
-        add_triangle(out, t.panel, t.corner[0], t.middle[0], t.corner[2]);
-        add_triangle(out, t.panel, t.middle[0], t.corner[1], t.corner[2]);
+        add_triangle(out, t, t.corner[0], t.middle[0], t.corner[2]);
+        add_triangle(out, t, t.middle[0], t.corner[1], t.corner[2]);
     } else if (count == 2) {
         while (is_split(t.middle[2])) turn();
-        add_triangle(out, t.panel, t.middle[0], t.corner[1], t.middle[1]);
+        add_triangle(out, t, t.middle[0], t.corner[1], t.middle[1]);
         if ((t.middle[0].u - t.corner[2].u).norm() <= (t.corner[0].u - t.middle[1].u).norm()) {
-            add_triangle(out, t.panel, t.corner[0], t.middle[0], t.corner[2]);
-            add_triangle(out, t.panel, t.middle[0], t.middle[1], t.corner[2]);
+            add_triangle(out, t, t.corner[0], t.middle[0], t.corner[2]);
+            add_triangle(out, t, t.middle[0], t.middle[1], t.corner[2]);
         } else {
-            add_triangle(out, t.panel, t.corner[0], t.middle[0], t.middle[1]);
-            add_triangle(out, t.panel, t.corner[0], t.middle[1], t.corner[2]);
+            add_triangle(out, t, t.corner[0], t.middle[0], t.middle[1]);
+            add_triangle(out, t, t.corner[0], t.middle[1], t.corner[2]);
         }
     } else if (count == 3) {
         for (std::size_t k = 0; k < 3; ++k) {
-            add_triangle(out, t.panel, t.corner[k], t.middle[k], t.middle[(k + 2) % 3]);
+            add_triangle(out, t, t.corner[k], t.middle[k], t.middle[(k + 2) % 3]);
         }
-        add_triangle(out, t.panel, t.middle[0], t.middle[1], t.middle[2]);
+        add_triangle(out, t, t.middle[0], t.middle[1], t.middle[2]);
     } else {
-        add_triangle(out, t.panel, t.corner[0], t.corner[1], t.corner[2]);
+        add_triangle(out, t, t.corner[0], t.corner[1], t.corner[2]);
     }
 }
 

@@ -54,6 +54,15 @@ struct EdgeKey {
     auto operator<=>(const EdgeKey&) const = default;
 };
 
+// An elastic that is sewn along an edge, stretched to its length. It pulls with stiffness times its strain; cloth that
+// it draws together is gathered.
+struct Elastic {
+    double share = 0.7;     // of the edge's length that it has at rest
+    double stiffness = 30;  // N, its tension per unit of strain
+
+    bool operator==(const Elastic&) const = default;
+};
+
 // One edge of an outline, from vertex `start` to vertex `end` of its panel.
 struct OutlineEdge {
     int start = 0;
@@ -67,6 +76,7 @@ struct OutlineEdge {
     std::optional<double> allowance = {};  // m, between this edge and the cut line; none: the panel's
     AllowanceCorner allowance_corner = AllowanceCorner::Mitred;
     std::optional<Topstitch> topstitch = {};
+    std::optional<Elastic> elastic = {};
     EdgeKey key = {};
 
     bool operator==(const OutlineEdge&) const = default;

@@ -42,6 +42,15 @@ inline constexpr std::tuple kKeyFields{
     Field<&EdgeKey::role, FileForm::ByHand>{.name = "role"},
 };
 
+inline constexpr std::tuple kElasticFields{
+    Field<&Elastic::share>{.name = "share",
+                           .range = {0.2, 1, "an elastic is 0.2 to 1 times as long as its edge"},
+                           .row = {"Share", "Its length at rest, as a share of the edge's."}},
+    Field<&Elastic::stiffness>{.name = "stiffness",
+                               .range = {0.1, 1000, "an elastic pulls with 0.1 to 1000 N per unit of strain"},
+                               .row = {"Stiffness", "N per unit of strain."}},
+};
+
 inline constexpr std::tuple kEdgeFields{
     Field<&OutlineEdge::start, FileForm::ByHand>{
         .name = "start", .measure = Measure::VertexIndex, .descent = Descent::Shape},
@@ -66,6 +75,8 @@ inline constexpr std::tuple kEdgeFields{
                 "Mitred: both cut lines go on to where they meet. Squared: at a right angle to the edge. Mirrored: "
                 "turned up, the allowance covers the panel, as at a hem."}},
     Field<&OutlineEdge::topstitch>{.name = "topstitch", .record = "topstitch", .row = kTopstitchRow},
+    Field<&OutlineEdge::elastic>{
+        .name = "elastic", .record = "elastic", .row = {"Elastic", "A band along the edge that draws it together."}},
     Field<&OutlineEdge::key, FileForm::ByHand>{.name = "key", .descent = Descent::Key, .is_in_python = false},
 };
 
@@ -226,6 +237,9 @@ constexpr const auto& fields(const Topstitch*) {
 constexpr const auto& fields(const EdgeKey*) {
     return kKeyFields;
 }
+constexpr const auto& fields(const Elastic*) {
+    return kElasticFields;
+}
 constexpr const auto& fields(const OutlineEdge*) {
     return kEdgeFields;
 }
@@ -273,9 +287,13 @@ inline auto members(const EdgeKey& part) {
     const auto& [a, b] = part;
     return counted(a, b);
 }
+inline auto members(const Elastic& part) {
+    const auto& [a, b] = part;
+    return counted(a, b);
+}
 inline auto members(const OutlineEdge& part) {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = part;
-    return counted(a, b, c, d, e, f, g, h, i, j, k, l);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = part;
+    return counted(a, b, c, d, e, f, g, h, i, j, k, l, m);
 }
 inline auto members(const InternalLine& part) {
     const auto& [a, b, c, d] = part;
@@ -321,7 +339,7 @@ inline auto members(const Pattern& part) {
 template <class Part>
 inline constexpr bool describes_all = decltype(members(std::declval<const Part&>()))::size() ==
                                       std::tuple_size_v<std::remove_cvref_t<decltype(fields_of<Part>())>>;
-static_assert(describes_all<Thread> && describes_all<Topstitch> && describes_all<EdgeKey> &&
+static_assert(describes_all<Thread> && describes_all<Topstitch> && describes_all<EdgeKey> && describes_all<Elastic> &&
               describes_all<OutlineEdge> && describes_all<InternalLine> && describes_all<Notch> &&
               describes_all<WrapCone> && describes_all<SurfaceDesign> && describes_all<Underlay> &&
               describes_all<MatchedSett> && describes_all<SeamSide> && describes_all<Panel> && describes_all<Seam> &&

@@ -3,55 +3,33 @@
 // horizontal plane by springs all over its area: E = 1/2 k A d^2, where d is the height of its centroid above the
 // plane.
 #include <array>
-#include <span>
+#include <cstdint>
+#include <memory>
+#include <vector>
 
-#include "sim/cloth/cloth.h"
-#include "sim/cloth/constraint_set.h"
-#include "sim/cloth/solver_blocks.h"
-#include "sim/core/simd_level.h"
+#include "sim/simulation/cloth_constraint.h"
 
 namespace selvedge::sim {
 
-// [block]
-struct alignas(64) FoundationBlock {
-    std::array<BlockPoints, 3> vertices{};  // the corners
-    BlockFloats gain{};                     // kg: multiplier per height, times the gradient 1/3
+// [class]
+class Foundation : public ClothConstraint {
+ public:
+    Foundation(float stiffness, float plane) : stiffness_(stiffness), plane_(plane) {}
+
+    std::unique_ptr<ClothConstraint> copy() const override { return std::make_unique<Foundation>(*this); }
+    void make(const Cloth& cloth) override;
+    void solve(float* points, const float* before) override;
+
+ private:
+    struct Spring {
+        std::array<std::uint32_t, 3> corners{};
+        float compliance = 0;  // 1/kg, over a sub-step
+    };
+
+    float stiffness_;  // k, N/m^3
+    float plane_;      // m, its height
+    std::vector<Spring> springs_;
 };
-
-struct alignas(64) FoundationRecord {
-    std::array<BlockFloats, 1> compliance{};  // 1/kg, over a sub-step: compliance_of()
-};
-// [/block]
-
-// [kernels]
-struct FoundationKernels {
-    // gain := 1/3 / (sum of w / 9 + compliance), after an adaptation. w: inverse masses, 1/kg.
-    void (*update_masses)(std::span<FoundationBlock> blocks, std::span<FoundationRecord> records,
-                          const float* inverse_masses);
-
-    // One iteration over blocks of one colour. plane: m.
-    void (*solve)(std::span<const FoundationBlock> blocks, float plane, float* points);
-};
-
-template <SimdLevel>
-const FoundationKernels& foundation_kernels_of();
-// [/kernels]
-
-// [list]
-struct Foundation {
-    float stiffness = 1000;  // k, N/m^3
-    float plane = 0;         // m, its height
-    ConstraintSet<FoundationBlock, FoundationRecord> set{};
-    std::size_t vertices = 0;  // the dummy vertex' index
-};
-
-void make_foundation(Foundation& foundation, const Cloth& cloth);
-
-// After adapt_cloth(). Pre: make_foundation() was called.
-void change_foundation(Foundation& foundation, const Cloth& cloth);
-
-// For StepOptions::solve_more.
-void solve_foundation(Foundation& foundation, float* points);
-// [/list]
+// [/class]
 
 }  // namespace selvedge::sim

@@ -100,6 +100,17 @@ class Patterns(InFolder):
         with self.assertRaises(selvedge.InputError):
             pattern.save(path)
 
+    def test_an_elastic_comes_back(self):
+        pattern = selvedge.load_pattern(shipped("two_squares"))
+        pattern.panels[0].edges[0].elastic = selvedge.Elastic(0.6, stiffness=12)
+        path = self.folder / "elastic.json"
+        pattern.save(path)
+        read = selvedge.load_pattern(path).panels[0].edges[0].elastic
+        self.assertEqual((read.share, read.stiffness), (0.6, 12))
+        pattern.panels[0].edges[0].elastic.share = 2
+        with self.assertRaises(selvedge.InputError):
+            pattern.save(path)
+
     def test_a_polygon_is_turned_counter_clockwise(self):
         panel = selvedge.Panel.polygon("one", [(0, 0), (0, 1), (1, 0)])
         self.assertEqual(selvedge.Pattern("one", [panel]).check(), [])

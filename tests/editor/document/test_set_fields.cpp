@@ -77,6 +77,18 @@ TEST(SetFields, gives_all_seams_of_a_sewing_a_topstitch_that_is_undone) {
     EXPECT_EQ(document.pattern(), before);
 }
 
+TEST(SetFields, gives_an_edge_an_elastic_that_is_undone) {
+    const sim::PatternDocument source = shipped("tshirt.json");
+    Document document(source);
+    const sim::Pattern before = document.pattern();
+    const std::string& name = source.pattern.panels[0].name;
+    document.run(fields_of(FieldOwner::Edge, name, 1, R"({"elastic": {"share": 0.5}})"));
+    EXPECT_EQ(document.pattern().panels[0].edges[1].elastic, (sim::Elastic{.share = 0.5}));
+    EXPECT_THROW(document.run(fields_of(FieldOwner::Edge, name, 1, R"({"elastic": {"share": 2}})")), GeometryError);
+    document.undo();
+    EXPECT_EQ(document.pattern(), before);
+}
+
 TEST(SetFields, is_undone_and_written_to_journals) {
     Document document(shipped("tshirt.json"));
     const std::string name = document.pattern().panels[0].name;

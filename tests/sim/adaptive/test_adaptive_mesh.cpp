@@ -11,6 +11,7 @@
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/adaptive/check.h"
 #include "sim/adaptive/criteria.h"
+#include "sim/adaptive/panel_lines.h"
 #include "sim/core/error.h"
 #include "sim/mesh/sew.h"
 #include "sim/mesh/square.h"
@@ -35,6 +36,64 @@ TEST(Seam, with_little_ease_takes_the_mean_of_both_sides_at_every_level) {
     set_uniform_level(mesh, state, 3);
     EXPECT_FLOAT_EQ(length_of_leaves(mesh, seam), mesh.rest_length(seam));
     EXPECT_TRUE(check(mesh).empty()) << check(mesh).front();
+}
+
+// Front and back of one quad each, sewn along one edge; each triangle's side at the border has its own line.
+GarmentMesh with_lines(GarmentMesh mesh) {
+    std::map<std::pair<int, int>, int> uses;
+    const auto key = [](const GarmentTriangle& t, std::size_t k) {
+        return std::pair(std::minmax(t.vertices[k], t.vertices[(k + 1) % 3]));
+    };
+    for (const GarmentTriangle& t : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k) ++uses[key(t, k)];
+    int next = 0;
+    for (GarmentTriangle& t : mesh.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [a, b] = key(t, k);
+            const bool is_seam = a == 0 && b == 4;
+            if (uses[{a, b}] == 1 || is_seam) t.lines[k].edge = next++;
+        }
+    }
+    return mesh;
+}
+
+TEST(Lines, are_those_of_the_base_edge_at_every_level_and_of_both_panels_at_a_seam) {
+    const GarmentMesh base = with_lines(front_and_back(1, 1.0));
+    AdaptiveMesh mesh(base);
+    NoState state;
+    set_uniform_level(mesh, state, 3);
+    std::map<std::pair<int, int>, float> found;  // m, by panel and edge
+    int seams = 0;
+    for (const LeafEdge& leaf : mesh.leaf_edges()) {
+        const auto lines = lines_of(mesh, leaf.edge);
+        const EdgeId of = base_of(mesh, leaf.edge);
+        EXPECT_TRUE(!of || of.value < mesh.base_edge_count());
+        if (lines[0] && lines[1]) ++seams;
+        for (const auto& line : lines)
+            if (line) found[{line->panel, line->edge}] += leaf.rest_length;
+    }
+    EXPECT_EQ(seams, 8);
+    std::size_t expected = 0;
+    for (const GarmentTriangle& t : base.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (t.lines[k].is_none()) continue;
+            ++expected;
+            const double length = (t.u[(k + 1) % 3] - t.u[k]).norm();
+            EXPECT_NEAR(double(found[std::pair(t.panel, t.lines[k].edge)]), length, 1e-5);
+        }
+    }
+    EXPECT_EQ(found.size(), expected);
+}
+
+TEST(Lines, of_an_edge_that_an_elastic_draws_together_have_its_rest_length) {
+    GarmentMesh base = with_lines(front_and_back(1, 1.0));
+    GarmentTriangle& drawn = base.triangles[0];
+    const auto k = static_cast<std::size_t>(
+        std::ranges::find_if(drawn.lines, [](const SideLine& line) { return !line.is_none(); }) - drawn.lines.begin());
+    drawn.lines[k].drawn_to = 0.5F;
+    const AdaptiveMesh mesh(base);
+    const EdgeId edge = mesh.triangle(TriangleId(0)).edges[k];
+    EXPECT_NEAR(mesh.rest_length(edge), 0.5 * (drawn.u[(k + 1) % 3] - drawn.u[k]).norm(), 1e-6);
 }
 
 TEST(Seam, with_gathers_takes_the_shorter_side) {

@@ -32,8 +32,8 @@ std::vector<Vec3f> moved_points(const Body& body, const std::function<Vec3d(cons
     return x;
 }
 
-MotionOptions without_floor() {
-    MotionOptions options = motion_options({});
+SimulationOptions without_floor() {
+    SimulationOptions options = simulation_options({});
     options.contact.floor = kNoFloor;
     return options;
 }
@@ -48,16 +48,14 @@ TEST(MotionRun, takes_pinned_vertices_along_with_the_body) {
     cloth.is_pinned[pinned] = true;
     refresh_solver(cloth);
     const Vec3f start = cloth.x[pinned].head<3>();
+    Simulation simulation(std::move(cloth), without_floor());
     const auto turn = [](double t) { return Eigen::AngleAxisd(2 * t, Vec3d::UnitY()); };  // 2 rad/s
-    MotionRun run(
-        cloth, table,
-        [&](double t, const Region&, std::vector<Vec3f>& x) {
-            x = moved_points(table, [&](const Vec3d& p) { return turn(t) * p; });
-        },
-        without_floor());
-    run.advance_to(cloth, 0.5);
+    MotionRun run(simulation, table, [&](double t, const Region&, std::vector<Vec3f>& x) {
+        x = moved_points(table, [&](const Vec3d& p) { return turn(t) * p; });
+    });
+    run.advance_to(simulation, 0.5);
     const Vec3d expected = turn(0.5) * start.cast<double>();
-    EXPECT_LT((cloth.x[pinned].head<3>().cast<double>() - expected).norm(), 1e-4);
+    EXPECT_LT((simulation.cloth().x[pinned].head<3>().cast<double>() - expected).norm(), 1e-4);
 }
 
 // How often a step of MotionRun asks for the body, on which a bump goes to the side at that speed (m/s).
@@ -65,19 +63,17 @@ int parts_of_a_step(const Vec3d& bump, double speed) {
     const Body table = shapes::box(Vec3d(-0.3, 0.9, -0.3), Vec3d(0.3, 1.0, 0.3), 8);
     Cloth cloth = make_patch(find_fabric("cotton_shirting"), {.side = 0.3, .quads = 6, .height = 1.0035});
     refresh_contacts(cloth);
+    Simulation simulation(std::move(cloth), without_floor());
     int asked = 0;
-    MotionRun run(
-        cloth, table,
-        [&](double t, const Region& region, std::vector<Vec3f>& x) {
-            ++asked;
-            EXPECT_TRUE(region.contains(Vec3f(0.15F, 1.0035F, 0.15F))) << "a corner of the cloth";
-            x = moved_points(table, [&](const Vec3d& p) {
-                return Vec3d(p + ((p - bump).norm() < 0.01 ? Vec3d(speed * t, 0, 0) : Vec3d::Zero()));
-            });
-        },
-        without_floor());
+    MotionRun run(simulation, table, [&](double t, const Region& region, std::vector<Vec3f>& x) {
+        ++asked;
+        EXPECT_TRUE(region.contains(Vec3f(0.15F, 1.0035F, 0.15F))) << "a corner of the cloth";
+        x = moved_points(table, [&](const Vec3d& p) {
+            return Vec3d(p + ((p - bump).norm() < 0.01 ? Vec3d(speed * t, 0, 0) : Vec3d::Zero()));
+        });
+    });
     asked = 0;
-    run.advance_to(cloth, run.options().step_seconds);
+    run.advance_to(simulation, run.options().step_seconds);
     return asked;
 }
 
@@ -94,22 +90,19 @@ TEST(MotionRun, holds_a_triangle_budget_within_five_percent_one_second_after_it_
     const Body ball = shapes::sphere(Vec3d(0, 1, 0), 0.15, 24);
     Cloth cloth = make_patch(find_fabric("cotton_shirting"), {.side = 0.6, .quads = 8, .height = 1.16});
     refresh_contacts(cloth);
-    MotionOptions options = without_floor();
-    TriangleBudget budget({.target = 400});
-    options.adapt.budget = &budget;
+    SimulationOptions options = without_floor();
     options.adapt.shortest_edge = 0.01F;
-    MotionRun run(
-        cloth, ball,
-        [&](double t, const Region&, std::vector<Vec3f>& x) {
-            const Vec3d by(0.05 * std::sin(6 * t), 0, 0);
-            x = moved_points(ball, [&](const Vec3d& p) { return p + by; });
-        },
-        options);
+    Simulation simulation(std::move(cloth), options);
+    MotionRun run(simulation, ball, [&](double t, const Region&, std::vector<Vec3f>& x) {
+        const Vec3d by(0.05 * std::sin(6 * t), 0, 0);
+        x = moved_points(ball, [&](const Vec3d& p) { return p + by; });
+    });
     double seconds = 0;
     for (const int target : {400, 800, 400}) {
-        budget.set_target(static_cast<std::size_t>(target));
-        run.advance_to(cloth, seconds += 1);
-        const auto count = static_cast<double>(cloth.mesh.leaf_triangles().size());
+        options.triangle_budget = target;
+        simulation.set_options(options);
+        run.advance_to(simulation, seconds += 1);
+        const auto count = static_cast<double>(simulation.cloth().mesh.leaf_triangles().size());
         EXPECT_NEAR(count, target, 0.05 * target) << "target " << target;
     }
 }

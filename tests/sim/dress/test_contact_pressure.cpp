@@ -6,6 +6,7 @@
 
 #include "sim/cloth/contact.h"
 #include "sim/dress/drape.h"
+#include "sim/dress/dressing.h"
 #include "sim/mesh/square.h"
 #include "tests/sim/cloth/fixtures.h"
 
@@ -17,18 +18,21 @@ const SphereCollider& head() {
     return sphere;
 }
 
-Cloth cloth_at_rest_on_the_head() {
-    Cloth cloth = make_cloth(sim::make_square({.columns = 6, .rows = 6, .width = 0.4, .depth = 0.4, .height = 1.17}),
-                             {find_fabric("cotton_shirting")}, {.max_level = 2});
-    DrapeRun run(cloth, drape_options({.max_level = 2}));
-    while (run.advance(cloth, head())) continue;
+Simulation at_rest_on_the_head() {
+    Simulation simulation(
+        make_cloth(sim::make_square({.columns = 6, .rows = 6, .width = 0.4, .depth = 0.4, .height = 1.17}),
+                   {find_fabric("cotton_shirting")}, {.max_level = 2}),
+        simulation_options({.max_level = 2}));
+    DrapeRun run(simulation, drape_options({.max_level = 2}));
+    while (run.advance(simulation, head())) continue;
     EXPECT_TRUE(run.result().settled);
-    return cloth;
+    return simulation;
 }
 
 TEST(ContactPressure, the_forces_of_what_it_lies_on_are_the_weight_of_a_cloth_at_rest) {
-    const Cloth cloth = cloth_at_rest_on_the_head();
-    const ContactPressure measured = measure_contact_pressure(cloth, head(), {.max_level = 2});
+    const Simulation simulation = at_rest_on_the_head();
+    const Cloth& cloth = simulation.cloth();
+    const ContactPressure measured = measure_contact_pressure(simulation, head());
     ASSERT_EQ(measured.force.size(), cloth.mesh.leaf_vertices().size());
     Vec3f sum = Vec3f::Zero();
     for (const Vec3f& force : measured.force) sum += force;
@@ -39,8 +43,9 @@ TEST(ContactPressure, the_forces_of_what_it_lies_on_are_the_weight_of_a_cloth_at
 }
 
 TEST(ContactPressure, only_what_touches_is_pressed) {
-    const Cloth cloth = cloth_at_rest_on_the_head();
-    const ContactPressure measured = measure_contact_pressure(cloth, head(), {.max_level = 2});
+    const Simulation simulation = at_rest_on_the_head();
+    const Cloth& cloth = simulation.cloth();
+    const ContactPressure measured = measure_contact_pressure(simulation, head());
     bool is_pressed = false;
     std::size_t i = 0;
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
@@ -58,7 +63,8 @@ TEST(ContactPressure, nothing_presses_on_nothing) {
     Cloth cloth = make_cloth(sim::make_square({.columns = 2, .rows = 2, .width = 0.4, .depth = 0.4, .height = 5}),
                              {find_fabric("cotton_shirting")});
     refresh_contacts(cloth);
-    for (const Vec3f& force : measure_contact_pressure(cloth, NoBody(), {}).force) EXPECT_EQ(force, Vec3f::Zero());
+    for (const Vec3f& force : measure_contact_pressure(Simulation(cloth), NoBody()).force)
+        EXPECT_EQ(force, Vec3f::Zero());
 }
 
 }  // namespace

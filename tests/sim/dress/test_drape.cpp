@@ -50,15 +50,16 @@ DrapeOptions endless() {
 }
 
 TEST(DrapeRun, a_cloth_at_rest_is_neither_adapted_nor_stepped) {
-    Cloth cloth = cloth_above_the_ball();
-    DrapeRun run(cloth, endless());
-    for (int frame = 0; frame < 600 && !is_at_rest(cloth); ++frame) run.advance(cloth, exact_ball());
+    Simulation simulation(cloth_above_the_ball());
+    const Cloth& cloth = simulation.cloth();
+    DrapeRun run(simulation, endless());
+    for (int frame = 0; frame < 600 && !is_at_rest(cloth); ++frame) run.advance(simulation, exact_ball());
     ASSERT_TRUE(is_at_rest(cloth));
     ASSERT_GT(cloth.mesh.leaf_triangles().size(), cloth.mesh.base_triangle_count());
     const std::vector<Vec4f> there = cloth.x;
     const std::uint32_t adaptations = cloth.adaptations;
     run.clear_times();
-    for (int frame = 0; frame < 60; ++frame) run.advance(cloth, exact_ball());
+    for (int frame = 0; frame < 60; ++frame) run.advance(simulation, exact_ball());
     EXPECT_EQ(cloth.x, there);
     EXPECT_EQ(cloth.adaptations, adaptations);
     EXPECT_TRUE(run.result().adaptation_ms.empty());
@@ -66,24 +67,25 @@ TEST(DrapeRun, a_cloth_at_rest_is_neither_adapted_nor_stepped) {
 }
 
 TEST(DrapeRun, rests_only_where_that_is_asked_for) {
-    Cloth cloth = cloth_above_the_ball();
+    Simulation simulation(cloth_above_the_ball());
+    const Cloth& cloth = simulation.cloth();
     DrapeOptions options = endless();
     options.may_rest = false;
-    DrapeRun run(cloth, options);
-    for (int frame = 0; frame < 300; ++frame) run.advance(cloth, exact_ball());
+    DrapeRun run(simulation, options);
+    for (int frame = 0; frame < 300; ++frame) run.advance(simulation, exact_ball());
     EXPECT_FALSE(is_at_rest(cloth));
     EXPECT_EQ(run.result().step_ms.size(), 4 * 300U);
 }
 
 TEST(DrapeRun, adapts_calm_cloth_in_every_third_frame) {
-    Cloth cloth = cloth_above_the_ball();
+    Simulation simulation(cloth_above_the_ball());
     DrapeOptions options = endless();
     options.may_rest = false;
-    DrapeRun run(cloth, options);
-    for (int frame = 0; frame < 300; ++frame) run.advance(cloth, exact_ball());
+    DrapeRun run(simulation, options);
+    for (int frame = 0; frame < 300; ++frame) run.advance(simulation, exact_ball());
     ASSERT_LT(run.result().rms_speed, options.calm_speed);
     const std::size_t before = run.result().adaptation_ms.size();
-    for (int frame = 0; frame < 30; ++frame) run.advance(cloth, exact_ball());
+    for (int frame = 0; frame < 30; ++frame) run.advance(simulation, exact_ball());
     EXPECT_EQ(run.result().adaptation_ms.size() - before, 10U);
 }
 
@@ -91,9 +93,10 @@ TEST(DrapeRun, adapts_calm_cloth_in_every_third_frame) {
 double seconds_to_rest(double least_rest_time) {
     GarmentMesh mesh = sim::make_square({.columns = 4, .rows = 4, .width = 0.2, .depth = 0.2, .height = 1});
     for (std::size_t v = 0; v < mesh.x.size(); ++v) mesh.pins.push_back(static_cast<int>(v));
-    Cloth cloth = make_cloth(mesh, {find_fabric("cotton_shirting")}, {.max_level = 1});
-    DrapeRun run(cloth, {.least_rest_time = least_rest_time, .relax_time = 0.1, .coarse_time = 0, .finish_time = 0});
-    while (run.advance(cloth, NoBody())) continue;
+    Simulation simulation(make_cloth(mesh, {find_fabric("cotton_shirting")}, {.max_level = 1}));
+    DrapeRun run(simulation,
+                 {.least_rest_time = least_rest_time, .relax_time = 0.1, .coarse_time = 0, .finish_time = 0});
+    while (run.advance(simulation, NoBody())) continue;
     EXPECT_TRUE(run.result().settled);
     return run.result().simulated_seconds;
 }
@@ -103,14 +106,14 @@ TEST(DrapeRun, what_hardly_moves_is_watched_for_less_time) {
 }
 
 TEST(DrapeRun, gives_up_a_garment_that_hangs_calmly) {
-    Cloth cloth = cloth_above_the_ball();
-    DrapeRun run(cloth, {.relax_time = 0.1, .coarse_time = 0});
+    Simulation simulation(cloth_above_the_ball());
+    DrapeRun run(simulation, {.relax_time = 0.1, .coarse_time = 0});
     EXPECT_FALSE(run.hangs_calmly());
-    while (!run.hangs_calmly()) ASSERT_TRUE(run.advance(cloth, exact_ball()));
+    while (!run.hangs_calmly()) ASSERT_TRUE(run.advance(simulation, exact_ball()));
     const double seconds = run.result().simulated_seconds;
-    run.give_up(cloth, GiveUp::TooSmall);
+    run.give_up(simulation, GiveUp::TooSmall);
     EXPECT_FALSE(run.hangs_calmly());
-    while (run.advance(cloth, exact_ball())) continue;
+    while (run.advance(simulation, exact_ball())) continue;
     EXPECT_EQ(run.result().given_up, GiveUp::TooSmall);
     EXPECT_FALSE(run.result().settled);
     EXPECT_EQ(run.result().stopped_because(), "too small");
@@ -119,19 +122,19 @@ TEST(DrapeRun, gives_up_a_garment_that_hangs_calmly) {
 
 TEST(DrapeRun, has_its_last_phase_within_half_a_frame_of_a_limit_that_leaves_time_for_it) {
     for (const double limit : {0.8, 0.81, 0.82, 0.83}) {
-        Cloth cloth = cloth_above_the_ball();
-        DrapeRun run(cloth, {.max_seconds = limit, .relax_time = 0.1, .coarse_time = 0});
-        while (run.phase() != DrapePhase::Finish) ASSERT_TRUE(run.advance(cloth, exact_ball())) << limit;
+        Simulation simulation(cloth_above_the_ball());
+        DrapeRun run(simulation, {.max_seconds = limit, .relax_time = 0.1, .coarse_time = 0});
+        while (run.phase() != DrapePhase::Finish) ASSERT_TRUE(run.advance(simulation, exact_ball())) << limit;
         EXPECT_NEAR(run.result().simulated_seconds + DrapeOptions{}.finish_time, limit, 0.0168);
     }
 }
 
 TEST(DrapeRun, gives_up_before_it_relaxes_what_fits_nowhere) {
-    Cloth cloth = cloth_above_the_ball();
-    DrapeRun run(cloth, {});
-    run.give_up(cloth, GiveUp::TooSmall);
+    Simulation simulation(cloth_above_the_ball());
+    DrapeRun run(simulation, {});
+    run.give_up(simulation, GiveUp::TooSmall);
     EXPECT_EQ(run.phase(), DrapePhase::Finish);
-    while (run.advance(cloth, exact_ball())) continue;
+    while (run.advance(simulation, exact_ball())) continue;
     EXPECT_EQ(run.result().stopped_because(), "too small");
     EXPECT_LE(run.result().simulated_seconds, 3 * DrapeOptions{}.finish_time + 0.1);
 }
@@ -154,9 +157,10 @@ Body ball_with_bumps() {
 TEST(DrapeRun, ends_with_no_face_inside_the_body) {
     const Body body = ball_with_bumps();
     const BodyCollider collider(body);
-    Cloth cloth = cloth_above_the_ball();
-    DrapeRun run(cloth, {.max_seconds = 3, .relax_time = 0.1, .coarse_time = 0, .self_contact = SelfContactOptions{}});
-    while (run.advance(cloth, collider)) continue;
+    Simulation simulation(cloth_above_the_ball(), {.self_contact = SelfContactOptions{}});
+    const Cloth& cloth = simulation.cloth();
+    DrapeRun run(simulation, {.max_seconds = 3, .relax_time = 0.1, .coarse_time = 0});
+    while (run.advance(simulation, collider)) continue;
     const DrawMesh mesh = draw_mesh(cloth, {});
     const Penetration found = find_penetration(mesh.x, mesh.triangles, collider.surface());
     EXPECT_EQ(found.faces, 0) << found.deepest;
@@ -176,19 +180,20 @@ Cloth cloth_that_hangs_through_the_floor() {
 }
 
 TEST(DrapeRun, takes_a_hem_that_begins_below_the_floor_along_slowly) {
-    Cloth cloth = cloth_that_hangs_through_the_floor();
-    DrapeRun run(cloth, {.max_seconds = 6, .self_contact = SelfContactOptions{}});
+    Simulation simulation(cloth_that_hangs_through_the_floor(), {.self_contact = SelfContactOptions{}});
+    const Cloth& cloth = simulation.cloth();
+    DrapeRun run(simulation, {.max_seconds = 6});
     ASSERT_LT(lowest_height(cloth), -0.149F);
     float fastest = 0, lowest = lowest_height(cloth), frame = 4 * step_seconds(cloth, {});
     for (int i = 0; i < 15; ++i) {
-        run.advance(cloth, NoBody());
+        run.advance(simulation, NoBody());
         fastest = std::max(fastest, (lowest_height(cloth) - lowest) / frame);
         lowest = lowest_height(cloth);
     }
     EXPECT_LT(lowest, -0.01F);
     EXPECT_LT(fastest, 0.3F) << "m/s";
     EXPECT_GT(fastest, 0.1F) << "m/s";
-    while (run.advance(cloth, NoBody())) continue;
+    while (run.advance(simulation, NoBody())) continue;
     EXPECT_GT(lowest_height(cloth), -1e-5F);
     EXPECT_TRUE(run.result().settled);
     EXPECT_TRUE(find_crossing_triangles(contact_surface(cloth), cloth.x.front().data()).empty());
@@ -278,7 +283,7 @@ TEST_F(SewOnABox, panels_that_cross_come_apart_while_seams_close) {
         return find_crossing_triangles(contact_surface(sewn), sewn.x.front().data()).size();
     };
     EXPECT_GT(crossings_when_sewn({}), 0U);
-    EXPECT_EQ(crossings_when_sewn({.self_contact = SelfContactOptions{}}), 0U);
+    EXPECT_EQ(crossings_when_sewn({.simulation = {.self_contact = SelfContactOptions{}}}), 0U);
 }
 
 TEST_F(SewOnABox, panels_that_cross_come_apart_as_soon_as_contact_is_switched_on_while_they_hang) {

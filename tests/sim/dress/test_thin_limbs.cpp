@@ -44,7 +44,7 @@ std::size_t passing_edges(const GarmentMesh& sewn) {
 
 SewingOptions options() {
     SewingOptions options;
-    options.self_contact.emplace();
+    options.simulation.self_contact.emplace();
     return options;
 }
 

@@ -63,6 +63,21 @@ TEST(CheckMesh, finds_triangles_without_area_turned_over_or_collapsed) {
     expect_fault(mesh, "triangle 3 (front): two corners are one vertex");
 }
 
+TEST(CheckMesh, finds_sides_on_wrong_lines_where_a_panel_has_lines) {
+    GarmentMesh mesh = pinwheel();
+    for (int i = 0; i < 4; ++i) mesh.triangles[std::size_t(i)].lines[0].edge = i;
+    EXPECT_TRUE(check_mesh(mesh).empty());
+    GarmentMesh other = mesh;
+    other.triangles[2].lines[0] = {};
+    expect_fault(other, "edge 2-3: at the border of triangle 2 (front), but on no outline edge");
+    other = mesh;
+    other.triangles[2].lines[1].edge = 3;
+    expect_fault(other, "edge 3-4: inside triangle 2 (front), but on an outline edge");
+    other = mesh;
+    other.triangles[2].lines[0].edge = 0;
+    expect_fault(other, "edge 0 of front: lies in 2 pieces");
+}
+
 TEST(CheckMesh, finds_an_edge_of_three_triangles) {
     GarmentMesh mesh = pinwheel();
     mesh.x.emplace_back(0, 0, 1);

@@ -44,6 +44,34 @@ TEST(Assemble, links_matching_samples_of_both_sides_with_the_ends) {
     EXPECT_EQ(unsewn.panel_names, (std::vector<std::string>{"left", "right"}));
 }
 
+// The length of all sides on that edge of the panel, m.
+double length_on(const GarmentMesh& mesh, int panel, int edge) {
+    double sum = 0;
+    for (const GarmentTriangle& t : mesh.triangles) {
+        for (std::size_t k = 0; k < 3; ++k)
+            if (t.panel == panel && t.lines[k].edge == edge) sum += (t.u[(k + 1) % 3] - t.u[k]).norm();
+    }
+    return sum;
+}
+
+TEST(Assemble, knows_the_outline_edge_of_each_side_at_the_border_before_and_after_sewing) {
+    const Pattern pattern = two_squares();
+    const GarmentMesh unsewn = assemble(pattern);
+    for (const GarmentMesh& mesh : {unsewn, sew_together(unsewn)}) {
+        EXPECT_TRUE(check_mesh(mesh).empty());
+        for (int panel = 0; panel < 2; ++panel)
+            for (int edge = 0; edge < 4; ++edge) EXPECT_NEAR(length_on(mesh, panel, edge), 0.3, 1e-12);
+    }
+}
+
+TEST(Assemble, keeps_the_lines_of_triangles_that_are_split_so_that_sewn_edges_do_not_coincide) {
+    Pattern pattern = two_squares();
+    pattern.panels[0].edges[0].label = "hem";
+    pattern.seams = {{{0, 0}, {0, 1}}, {{0, 2}, {0, 3}}};
+    const GarmentMesh sewn = sew_soundly(pattern, {.target_edge = 0.12});
+    for (int edge = 0; edge < 4; ++edge) EXPECT_NEAR(length_on(sewn, 0, edge), 0.3, 1e-12);
+}
+
 TEST(Assemble, places_mirrored_and_turned_panels_but_keeps_their_material_coordinates) {
     Pattern pattern;
     pattern.panels = {rectangle("back", 0.3, 0.2)};

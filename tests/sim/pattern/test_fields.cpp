@@ -90,7 +90,7 @@ TEST(FieldVisit, reaches_values_in_lists_optionals_and_parts_with_their_own_fiel
     });
     EXPECT_EQ(fabrics, (std::vector<std::string>{"", "denim", "linen", "canvas", ""}));
     EXPECT_EQ(colours, std::vector<std::string>{"#102030"});
-    EXPECT_EQ(parts, 6) << "two panels, two edges, a topstitch and its thread";
+    EXPECT_EQ(parts, 8) << "two panels, two edges with their keys, a topstitch and its thread";
 }
 
 Panel marked_panel() {

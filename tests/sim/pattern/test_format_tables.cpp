@@ -38,6 +38,9 @@ PartWords words_of(const Thread*) {
 PartWords words_of(const Topstitch*) {
     return {"rows of stitches", "rows of stitches", "topstitch"};
 }
+PartWords words_of(const Elastic*) {
+    return {"elastic", "elastics", "elastic"};
+}
 PartWords words_of(const InternalLine*) {
     return {"line", "lines", "internal-lines"};
 }
@@ -214,16 +217,12 @@ Table table_of(const std::string& part) {
 
 // Of each part that has keys of its own. What all seams of a garment are called is among the garment's keys.
 std::vector<Table> all_tables() {
-    std::vector<Table> tables{table_of<Pattern>("Pattern"),
-                              table_of<Panel>("Panel"),
-                              table_of<OutlineEdge>("OutlineEdge"),
-                              table_of<InternalLine>("InternalLine"),
-                              table_of<Notch>("Notch"),
-                              table_of<Seam>("Seam"),
-                              table_of<WrapCone>("WrapCone"),
-                              table_of<Topstitch>("Topstitch"),
-                              table_of<Thread>("Thread"),
-                              table_of<Fabric>("Fabric")};
+    std::vector<Table> tables{
+        table_of<Pattern>("Pattern"),           table_of<Panel>("Panel"),         table_of<OutlineEdge>("OutlineEdge"),
+        table_of<InternalLine>("InternalLine"), table_of<Notch>("Notch"),         table_of<Seam>("Seam"),
+        table_of<WrapCone>("WrapCone"),         table_of<Topstitch>("Topstitch"), table_of<Thread>("Thread"),
+        table_of<Elastic>("Elastic"),           table_of<Fabric>("Fabric")};
+    tables.front().by_hand.insert("`format`");  // of the file
     tables.front().by_hand.merge(std::set<std::string>(tables[5].by_hand));
     return tables;
 }

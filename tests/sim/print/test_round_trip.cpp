@@ -149,6 +149,16 @@ TEST(RoundTrip, topstitch_comes_back_from_svg_and_dxf) {
     }
 }
 
+TEST(RoundTrip, an_elastic_comes_back_from_svg_and_dxf) {
+    Pattern pattern = sample_pattern();
+    pattern.panels[0].edges[3].elastic = Elastic{.share = 0.65, .stiffness = 12.5};
+    for (const std::string& text : {svg_of(pattern), dxf_of(pattern), dxf_of(pattern, DxfStandard::Astm)}) {
+        const Pattern read = make_panels(parse_drawing(text, "written"), "written").pattern;
+        EXPECT_EQ(read.panels[0].edges[3].elastic, pattern.panels[0].edges[3].elastic);
+        EXPECT_EQ(read.panels[0].edges[2].elastic, std::nullopt);
+    }
+}
+
 TEST(RoundTrip, shipped_patterns_come_back_from_svg_and_dxf) {
     ASSERT_GE(shipped_patterns().size(), 5U);
     for (const std::filesystem::path& file : shipped_patterns()) {
