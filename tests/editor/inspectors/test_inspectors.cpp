@@ -148,7 +148,7 @@ TEST(Workspace, tells_what_it_assumes_about_a_garment_that_is_worn_over_another)
     EXPECT_EQ(workspace.document->pattern().panels.back().surface.value().source, "gingham");
     EXPECT_EQ(workspace.document->pattern().tartan, "royal_stewart");
     workspace.document->undo();
-    EXPECT_EQ(workspace.document->pattern(), shipped_pattern("tshirt.json").pattern);
+    EXPECT_EQ(workspace.document->pattern(), Document(shipped_pattern("tshirt.json")).pattern());
 }
 
 TEST(SeamInspector, a_click_selects_a_seam_and_the_buttons_change_it) {
