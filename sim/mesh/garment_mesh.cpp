@@ -177,20 +177,21 @@ void check_lines(const GarmentMesh& mesh, Faults& faults) {
     for (const GarmentTriangle& t : mesh.triangles) {
         if (!std::ranges::all_of(t.lines, &SideLine::is_none)) has_lines[static_cast<std::size_t>(t.panel)] = true;
     }
-    for (const auto& [edge, uses] : edges_of(mesh)) {
-        const auto has_none = [&mesh = mesh](const EdgeUse& use) {
-            return mesh.triangles[static_cast<std::size_t>(use.triangle)]
-                .lines[static_cast<std::size_t>(use.corner)]
-                .is_none();
-        };
-        const bool is_inside = uses.size() == 2 && is_inside_panel(mesh, uses[0], uses[1]);
-        if (is_inside && has_none(uses[0]) != has_none(uses[1]))  // both lie on lines where a slit was sewn shut
-            faults.push_back(name_of(edge) + ": inside " + name_of(mesh, uses[0].triangle) +
+    const auto has_none = [&](const Side& side) {
+        return mesh.triangles[static_cast<std::size_t>(side.triangle)]
+            .lines[static_cast<std::size_t>(side.k)]
+            .is_none();
+    };
+    const EdgeTable<int> table(mesh.triangles, &GarmentTriangle::vertices);
+    for (const EdgeSides edge : table.edges()) {
+        const bool is_inside = edge.size() == 2 && is_inside_panel(mesh, edge[0], edge[1]);
+        if (is_inside && has_none(edge[0]) != has_none(edge[1]))  // both lie on lines where a slit was sewn shut
+            faults.push_back(name_of(edge) + ": inside " + name_of(mesh, edge[0].triangle) +
                              ", but on an outline edge");
-        for (const EdgeUse& use : uses) {
-            const int panel = mesh.triangles[static_cast<std::size_t>(use.triangle)].panel;
-            if (is_inside || !has_lines[static_cast<std::size_t>(panel)] || !has_none(use)) continue;
-            faults.push_back(name_of(edge) + ": at the border of " + name_of(mesh, use.triangle) +
+        for (const Side& side : edge) {
+            const int panel = mesh.triangles[static_cast<std::size_t>(side.triangle)].panel;
+            if (is_inside || !has_lines[static_cast<std::size_t>(panel)] || !has_none(side)) continue;
+            faults.push_back(name_of(edge) + ": at the border of " + name_of(mesh, side.triangle) +
                              ", but on no outline edge");
         }
     }
