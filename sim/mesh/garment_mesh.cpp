@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "sim/core/assert.h"
 #include "sim/core/disjoint_sets.h"
