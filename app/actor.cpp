@@ -8,15 +8,14 @@
 #include "sim/motion/clear_arms.h"
 #include "sim/motion/grounding.h"
 #include "sim/motion/motion_file.h"
-#include "sim/repair/load_body.h"
 
 namespace selvedge::app {
 namespace {
 
 // Throws InputError that names the body's own motions too, if there is none of that name.
-sim::Clip find_other_motion(const std::string& name, const sim::BodyClips& own) {
+sim::Clip find_other_motion(const std::string& name, const sim::MadeBody& own) {
     try {
-        return sim::find_motion(name, own.body);
+        return sim::find_motion(name, *own.body);
     } catch (const sim::InputError& error) {
         std::string names;
         for (const sim::Clip& clip : own.clips) names += (names.empty() ? "" : ", ") + clip.name;
@@ -38,7 +37,7 @@ void note_still_limbs(const sim::Body& body, const sim::Clip& clip, std::vector<
 }
 
 // Whether a motion of the body's own file is meant.
-bool is_own(const MotionChoice& motion, const sim::BodyClips& own) {
+bool is_own(const MotionChoice& motion, const sim::MadeBody& own) {
     const std::string& name = motion.name;
     return name.empty() || std::ranges::any_of(own.clips, [&](const sim::Clip& clip) {
                return clip.name == name || clip.name.ends_with("|" + name);
@@ -53,42 +52,33 @@ std::string file_of_motion(const std::string& name) {
 }
 
 // A motion of the body's own file, or else one that ships or is in another file.
-sim::Clip choose_motion(const MotionChoice& motion, const sim::BodyClips& own, const std::string& source,
+sim::Clip choose_motion(const MotionChoice& motion, const sim::MadeBody& own, const std::string& source,
                         std::vector<std::string>& notes) {
     const std::string& name = motion.name;
     if (name.empty() && own.clips.empty())
         throw sim::InputError("", "--motion", "is missing: the body's file has no motion of its own");
     if (!is_own(motion, own)) {
         sim::Clip clip = find_other_motion(name, own);
-        note_still_limbs(own.body, clip, notes);
+        note_still_limbs(*own.body, clip, notes);
         return clip;
     }
     sim::Clip clip = sim::find_clip(own.clips, name, source);
-    if (clip.name.empty()) clip.name = own.body.name;
-    if (motion.opens_arms) sim::clear_arms(own.body, clip);
-    sim::stand_on_floor(own.body, clip);
+    if (clip.name.empty()) clip.name = own.body->name;
+    if (motion.opens_arms) sim::clear_arms(*own.body, clip);
+    sim::stand_on_floor(*own.body, clip);
     return clip;
 }
 
 }  // namespace
 
 Actor make_actor(const BodyOptions& body, const MotionChoice& motion) {
-    sim::BodyClips own;
-    std::vector<std::string> notes;
-    if (body.is_file()) {
-        sim::LoadBodyReport report;
-        own = sim::load_moving_body(body.source, body.load, &report);
-        notes = report.notes;
-    } else {
-        sim::MadeBody made = make_body(body);
-        own.body = std::move(made.body);
-        notes = std::move(made.notes);
-    }
-    if (own.body.skin.empty())
+    const sim::MadeBody own = make_body(body);
+    std::vector<std::string> notes = own.notes;
+    if (own.body->skin.empty())
         throw sim::InputError(body.source, "skin", "is missing: a body moves by bones that its surface is bound to");
     sim::Clip clip = choose_motion(motion, own, body.source, notes);
     const bool is_of_body = is_own(motion, own);
-    return {.body = std::make_shared<const sim::Body>(std::move(own.body)),
+    return {.body = own.body,
             .clip = std::move(clip),
             .notes = std::move(notes),
             .motion_file = is_of_body ? std::string() : file_of_motion(motion.name),

@@ -187,7 +187,7 @@ int dress_job(const BatchArguments& arguments, const batch::Job& job, const Path
 }
 
 // What garments name themselves is not known here.
-void prepare_body(const batch::Job& job, LastBody& last_body) {
+void prepare_last_body(const batch::Job& job, LastBody& last_body) {
     const BodyOptions body = parse_dress(job).body;
     if (!body.source.empty()) last_body.prepare(body);
 }
@@ -317,7 +317,7 @@ int run(BatchArguments arguments) {
     const batch::BatchCounts counts = run_batch(
         jobs, arguments.batch,
         {.key = [&](const batch::Job& job) { return keys(job); },
-         .prepare = [&](const batch::Job& job) { prepare_body(job, last_body); },
+         .prepare = [&](const batch::Job& job) { prepare_last_body(job, last_body); },
          .dress =
              [&](const batch::Job& job, const Path& folder) {
                  return dress_job(arguments, job, folder, {.store = store ? &*store : nullptr, .ready = &last_body});

@@ -150,12 +150,12 @@ void print_sett_note(const sim::Pattern& pattern, const PictureOptions& picture)
     }
 }
 
-std::shared_ptr<const ReadyBody> ready_body(const BodyOptions& options, const KnownBodies& known,
-                                            const sim::Progress& progress) {
-    std::shared_ptr<const ReadyBody> ready = known.ready == nullptr ? nullptr : known.ready->find(options);
+std::shared_ptr<const sim::PreparedBody> prepared_body(const BodyOptions& options, const KnownBodies& known,
+                                                       const sim::Progress& progress) {
+    std::shared_ptr<const sim::PreparedBody> ready = known.ready == nullptr ? nullptr : known.ready->find(options);
     if (ready) return ready;
     sim::report(progress, "reading the body", 0);
-    return make_ready_body(options, known.store);
+    return prepare_body(options, known.store);
 }
 
 int dress_and_write(DressArguments& arguments, sim::DressReport& refused, const KnownBodies& known) {
@@ -179,17 +179,17 @@ int dress_and_write(DressArguments& arguments, sim::DressReport& refused, const 
     check_size(pattern);
     ProgressBar bar(progress_bar_options(arguments.garment.is_quiet));
     const auto start = std::chrono::steady_clock::now();
-    const std::shared_ptr<const ReadyBody> ready = ready_body(arguments.body, known, bar.progress());
+    const auto prepared = prepared_body(arguments.body, known, bar.progress());
     const double body_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const sim::Body& body = ready->wearer.body();
+    const sim::Body& body = prepared->body();
     refused.body = body.name;
-    sim::DressedGarment dressed = dress(pattern, ready->wearer, arguments.garment.dress, bar.progress(), known.store);
+    sim::DressedGarment dressed = dress(pattern, prepared, arguments.garment.dress, bar.progress(), known.store);
     bar.finish();
     sim::DressReport& report = dressed.report;
     report.timing.wall_s += body_s;
     report.timing.phases_s["body"] += body_s;
     report.inputs = refused.inputs;
-    std::ranges::copy(ready->notes, std::back_inserter(notes));
+    std::ranges::copy(prepared->made().notes, std::back_inserter(notes));
     report.notes.insert(report.notes.begin(), notes.begin(), notes.end());
 
     const Writing writing = write_outputs(arguments, pattern, dressed, body);

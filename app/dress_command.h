@@ -8,9 +8,9 @@
 #include "app/film.h"
 #include "app/garment_files.h"
 #include "app/garment_options.h"
+#include "app/last_body.h"
 #include "app/options.h"
 #include "app/picture.h"
-#include "app/ready_body.h"
 #include "sim/core/content_store.h"
 
 namespace selvedge::app {

@@ -21,7 +21,6 @@
 #include "sim/paper/drawing_file.h"
 #include "sim/pattern/fabric_file.h"
 #include "sim/pattern/pattern.h"
-#include "sim/repair/load_body.h"
 
 namespace selvedge::app {
 std::span<const sim::EmbeddedFile> embedded_examples();
@@ -49,15 +48,7 @@ editor::FolderListing list_folder(const std::string& folder) {
 }
 
 editor::CurrentBody make_current_body(const std::string& text) {
-    if (!sim::is_body_file(text)) return editor::make_mannequin_body(text);
-    sim::LoadBodyReport report;
-    sim::BodyClips moving = sim::load_moving_body(text, {}, &report);
-    editor::CurrentBody made{
-        .text = text, .body = std::make_shared<const sim::Body>(std::move(moving.body)), .measures = {}, .points = {}};
-    made.points = arrangement_points(*made.body);
-    made.clips = std::move(moving.clips);
-    made.notes = std::move(report.notes);
-    return made;
+    return sim::is_body_file(text) ? editor::current_body(sim::make_body(text)) : editor::make_mannequin_body(text);
 }
 
 std::string age_text(double seconds) {

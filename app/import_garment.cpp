@@ -176,7 +176,7 @@ std::vector<sim::PanelRole> place(ImportedGarment& out, const sim::Drawing& draw
     if (!out.pattern.seams.empty()) lay_aside_loose(out.pattern, roles, out.notes);
     out.pattern.body = body_of(drawing, options, out.body);
     const sim::MadeBody body = make_body({.source = out.pattern.body, .load = {}});
-    sim::Arrangement arrangement = arrange_pattern(out.pattern, body.body, out.hints);
+    sim::Arrangement arrangement = arrange_pattern(out.pattern, *body.body, out.hints);
     std::ranges::move(arrangement.notes, std::back_inserter(out.notes));
     name_sides(out.pattern, arrangement.roles, std::span(out.notes).subspan(read));
     return std::move(arrangement.roles);

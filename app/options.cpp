@@ -19,7 +19,6 @@
 #include "sim/core/file_path.h"
 #include "sim/core/math.h"
 #include "sim/mannequin/mannequin.h"
-#include "sim/mannequin/stored_mannequin.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::app {
@@ -64,8 +63,7 @@ void add_body_options(Command& command, BodyOptions& options, const std::string&
 }
 
 sim::MadeBody make_body(const BodyOptions& options, const sim::ContentStore* store) {
-    if (options.is_file()) return load_stored_body(options.source, options.load, store);
-    return stored_mannequin(sim::parse_mannequin(options.source), store);
+    return sim::make_body(options.source, options.load, store);
 }
 
 namespace {

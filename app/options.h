@@ -12,8 +12,8 @@
 #include "render/scene/camera.h"
 #include "render/surface/curve.h"
 #include "sim/body/body.h"
+#include "sim/dress/made_body.h"
 #include "sim/repair/load_body.h"
-#include "sim/repair/stored_body.h"
 
 namespace selvedge::app {
 
@@ -30,8 +30,7 @@ struct BodyOptions {
 // `options` must outlive the parsing.
 void add_body_options(Command& command, BodyOptions& options, const std::string& help);
 
-// store: where it may be found and is kept; null for none. Pre: options.source is not empty. Throws InputError as
-// make_mannequin() and load_body() do.
+// sim::make_body() of these options. Pre: options.source is not empty.
 sim::MadeBody make_body(const BodyOptions& options, const sim::ContentStore* store = nullptr);
 
 // --camera: the camera as numbers.

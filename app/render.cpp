@@ -51,9 +51,9 @@ int render(RenderArguments& arguments) {
     arguments.picture.legend_font = read_legend_font();
     check_can_show(arguments.picture.show, !arguments.body.source.empty(), false);
     const sim::DrawMesh garment = sim::read_garment(arguments.garment);
-    std::optional<sim::Body> body;
+    std::shared_ptr<const sim::Body> body;
     if (!arguments.body.source.empty()) body = make_body(arguments.body).body;
-    const RenderSubject subject{.garment = garment, .body = body ? &*body : nullptr};
+    const RenderSubject subject{.garment = garment, .body = body.get()};
     if (!arguments.output.empty()) {
         write_png(arguments.output, draw_picture(subject, arguments.picture));
         std::printf("wrote %s\n", sim::printable(arguments.output).c_str());

@@ -18,7 +18,7 @@
 namespace selvedge::python {
 namespace {
 
-WearingBody make_mannequin(const std::string& sex, const std::map<std::string, double>& measures, int resolution,
+BodyPointer make_mannequin(const std::string& sex, const std::map<std::string, double>& measures, int resolution,
                            std::optional<double> stance) {
     sim::MannequinOptions options{.subdivisions = resolution, .stance = stance};
     if (sex != "female" && sex != "male") throw sim::InputError("", "sex", "'" + sex + "' is none of female, male");
@@ -29,18 +29,14 @@ WearingBody make_mannequin(const std::string& sex, const std::map<std::string, d
         *measure = value;
     }
     const py::gil_scoped_release release;
-    sim::Mannequin made = sim::make_mannequin(options);
-    return {.body = std::make_shared<const sim::Body>(std::move(made.body)),
-            .notes = std::move(made.report.messages),
-            .readings = std::move(made.report.readings)};
+    return std::make_shared<sim::PreparedBody>(sim::make_body(options));
 }
 
-WearingBody made_from(const app::BodyOptions& options) {
-    auto made = app::make_body(options);
-    return {.body = std::make_shared<const sim::Body>(std::move(made.body)), .notes = std::move(made.notes)};
+BodyPointer made_from(const app::BodyOptions& options) {
+    return std::make_shared<sim::PreparedBody>(app::make_body(options));
 }
 
-WearingBody load_body(const std::filesystem::path& path, const std::string& unit, const std::string& up) {
+BodyPointer load_body(const std::filesystem::path& path, const std::string& unit, const std::string& up) {
     const py::gil_scoped_release release;
     app::BodyOptions options = app::read_body_options({"--body-unit=" + unit, "--body-up=" + up});
     options.source = path.string();
@@ -48,48 +44,53 @@ WearingBody load_body(const std::filesystem::path& path, const std::string& unit
     return made_from(options);
 }
 
-py::dict measures_of(const WearingBody& self) {
+py::dict measures_of(const sim::PreparedBody& self) {
     py::dict measures;
-    for (const sim::MeasureReading& reading : self.readings)
+    if (!self.made().readings) return measures;
+    for (const sim::MeasureReading& reading : self.made().readings->readings)
         measures[py::str(std::string(reading.name))] = reading.measured;
     return measures;
 }
 
-std::vector<std::string> bone_names(const WearingBody& self) {
+std::vector<std::string> bone_names(const sim::PreparedBody& self) {
     std::vector<std::string> names;
-    for (const sim::Bone& bone : self.body->bones) names.push_back(bone.name);
+    for (const sim::Bone& bone : self.body().bones) names.push_back(bone.name);
     return names;
 }
 
 py::array joints_of(const py::object& self) {
-    const std::vector<sim::Bone>& bones = self.cast<const WearingBody&>().body->bones;
+    const std::vector<sim::Bone>& bones = self.cast<const sim::PreparedBody&>().body().bones;
     return strided_view(bones.empty() ? nullptr : &bones.front().joint, bones.size(), sizeof(sim::Bone), self);
 }
 
-void export_body(const WearingBody& self, const std::filesystem::path& path) {
+void export_body(const sim::PreparedBody& self, const std::filesystem::path& path) {
     const py::gil_scoped_release release;
     app::check_output(path, sim::mesh_extensions());
-    write_body(*self.body, path);
+    write_body(self.body(), path);
 }
 
 }  // namespace
 
-WearingBody default_body(const std::string& named_by_pattern) {
+BodyPointer default_body(const std::string& named_by_pattern) {
     return made_from({.source = named_by_pattern.empty() ? "mannequin:sex=female" : named_by_pattern, .load = {}});
 }
 
 void add_bodies(py::module_& module) {
-    py::class_<WearingBody>(module, "Body",
-                            "A body that is dressed: a closed surface, in metres; y up, +z to the front, "
-                            "+x to the body's left, the floor at y = 0. It does not change.")
+    py::class_<sim::PreparedBody, BodyPointer>(
+        module, "Body",
+        "A body that is dressed: a closed surface, in metres; y up, +z to the front, "
+        "+x to the body's left, the floor at y = 0. It does not change.")
         .def_property_readonly(
-            "name", [](const WearingBody& self) { return self.body->name; }, "Its name.")
+            "name", [](const sim::PreparedBody& self) { return self.body().name; }, "Its name.")
         .def_property_readonly(
-            "vertices", [](const py::object& self) { return view_of(self.cast<const WearingBody&>().body->x, self); },
+            "vertices",
+            [](const py::object& self) { return view_of(self.cast<const sim::PreparedBody&>().body().x, self); },
             "Positions, float64 of shape (vertices, 3), m. Read-only, no copy.")
         .def_property_readonly(
             "triangles",
-            [](const py::object& self) { return view_of(self.cast<const WearingBody&>().body->triangles, self); },
+            [](const py::object& self) {
+                return view_of(self.cast<const sim::PreparedBody&>().body().triangles, self);
+            },
             "Indices of vertices, int32 of shape (triangles, 3), counter-clockwise seen from outside. Read-only, no "
             "copy.")
         .def_property_readonly("bone_names", &bone_names,
@@ -101,15 +102,15 @@ void add_bodies(py::module_& module) {
             "Of a mannequin: its lengths and girths by name, m, as measured on the surface; of other "
             "bodies empty.")
         .def_property_readonly(
-            "height", [](const WearingBody& self) { return sim::height_range(*self.body).high; },
+            "height", [](const sim::PreparedBody& self) { return sim::height_range(self.body()).high; },
             "Height of the highest point over the floor, m.")
         .def_property_readonly(
-            "notes", [](const WearingBody& self) { return self.notes; },
+            "notes", [](const sim::PreparedBody& self) { return self.made().notes; },
             "A sentence for each measure that could not be met, and each repair of a file.")
         .def("export", &export_body, py::arg("path"),
              "Writes the surface as .obj, .glb, .ply or .stl. Raises InputError.")
-        .def("__repr__", [](const WearingBody& self) {
-            return "<selvedge.Body '" + self.body->name + "', " + std::to_string(self.body->x.size()) + " vertices>";
+        .def("__repr__", [](const sim::PreparedBody& self) {
+            return "<selvedge.Body '" + self.body().name + "', " + std::to_string(self.body().x.size()) + " vertices>";
         });
     module.def("_mannequin", &make_mannequin, py::arg("sex"), py::arg("measures"), py::arg("resolution"),
                py::arg("stance").none(true), "A mannequin from measures in m; stance in rad.");

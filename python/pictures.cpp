@@ -46,29 +46,28 @@ render::Image draw(const app::RenderSubject& subject, app::PictureOptions option
     return draw_picture(subject, options);
 }
 
-py::array render_result(const ResultPointer& result, const std::optional<WearingBody>& body,
-                        const std::vector<std::string>& texts) {
+py::array render_result(const ResultPointer& result, const BodyPointer& body, const std::vector<std::string>& texts) {
     render::Image image;
     {
         const py::gil_scoped_release release;
         const app::PictureOptions options = picture_of(*result, app::read_picture_options(texts));
         image = draw({.garment = result->dressed.mesh,
-                      .body = body ? body->body.get() : result->body.body.get(),
+                      .body = &(body ? body : result->body)->body(),
                       .hierarchy = &result->dressed.hierarchy},
                      options);
     }
     return picture_array(std::move(image));
 }
 
-py::array render_mesh(const GarmentMeshView& mesh, const std::optional<WearingBody>& body,
-                      const std::vector<std::string>& texts, const std::string& fabric) {
+py::array render_mesh(const GarmentMeshView& mesh, const BodyPointer& body, const std::vector<std::string>& texts,
+                      const std::string& fabric) {
     render::Image image;
     {
         const py::gil_scoped_release release;
         app::PictureOptions options = app::read_picture_options(texts);
         if (!fabric.empty()) options.material = render::material_of(sim::find_fabric(fabric));
         show_design(options, fabric);
-        image = draw({.garment = *mesh.mesh, .body = body ? body->body.get() : nullptr}, options);
+        image = draw({.garment = *mesh.mesh, .body = body ? &body->body() : nullptr}, options);
     }
     return picture_array(std::move(image));
 }

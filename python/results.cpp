@@ -80,9 +80,9 @@ app::PictureOptions picture_of(const Result& result, app::PictureOptions picture
 namespace {
 
 // As the command dresses: see run() in app/dress.cpp.
-ResultPointer dress(const DocumentPointer& pattern, const std::optional<WearingBody>& body,
-                    const std::vector<DocumentPointer>& over, const DressArguments& arguments, double seconds,
-                    std::optional<int> threads, const py::object& progress) {
+ResultPointer dress(const DocumentPointer& pattern, const BodyPointer& body, const std::vector<DocumentPointer>& over,
+                    const DressArguments& arguments, double seconds, std::optional<int> threads,
+                    const py::object& progress) {
     if (!progress.is_none() && !PyCallable_Check(progress.ptr())) throw py::type_error("progress must be callable");
     within(threads, app::kThreadCounts, "threads");
     auto result = std::make_shared<Result>();
@@ -96,9 +96,9 @@ ResultPointer dress(const DocumentPointer& pattern, const std::optional<WearingB
     result->pattern = app::worn_together(pattern->content.pattern, outer, pattern->file, notes);
     std::optional<sim::ThreadLimit> limit;
     if (threads) limit.emplace(*threads);
-    result->body = body ? *body : default_body(result->pattern.body);
-    std::ranges::copy(result->body.notes, std::back_inserter(notes));
-    result->dressed = sim::dress(result->pattern, *result->body.body, result->garment.dress, progress_to(progress));
+    result->body = body ? body : default_body(result->pattern.body);
+    std::ranges::copy(result->body->made().notes, std::back_inserter(notes));
+    result->dressed = sim::dress(result->pattern, result->body, result->garment.dress, progress_to(progress));
     std::vector<std::string>& all = result->dressed.report.notes;
     all.insert(all.begin(), notes.begin(), notes.end());
     result->strain = measure_strain(result->dressed.cloth());
@@ -128,7 +128,7 @@ auto strain_of(float sim::TriangleStrain::*part) {
 
 py::array clearance_of(const py::object& self) {
     auto& result = self.cast<Result&>();
-    return view_of(result.clearance.get([&] { return measure_clearance(result.dressed.mesh.x, *result.body.body); }),
+    return view_of(result.clearance.get([&] { return measure_clearance(result.dressed.mesh.x, result.body->body()); }),
                    self);
 }
 
@@ -136,7 +136,7 @@ const sim::ContactPressure& contact_of(Result& result) {
     return result.contact.get([&] {
         if (result.dressed.report.stopped_because == "bad number")
             throw sim::InputError("", "pressure", "a position is not finite");
-        const sim::BodyCollider collider(*result.body.body);
+        const sim::BodyCollider collider(result.body->body());
         sim::Simulation simulation = *result.dressed.simulation;
         forget_contacts(simulation.cloth());
         return measure_contact_pressure(std::move(simulation), collider);
@@ -199,7 +199,7 @@ void export_result(const Result& self, const std::string& path, const std::vecto
     options.files.files = {path};
     check_garment_files(options.files);
     const app::PictureOptions picture = picture_of(self, options.picture);
-    app::GarmentFiles(options.files, picture, self.dressed.mesh, *self.body.body).write(path);
+    app::GarmentFiles(options.files, picture, self.dressed.mesh, self.body->body()).write(path);
 }
 
 void add_arrays(py::class_<Result, ResultPointer>& result) {

@@ -37,7 +37,7 @@ class Lazy {
 
 struct Result {
     sim::Pattern pattern;  // with the garments that are worn over it
-    WearingBody body;
+    BodyPointer body;
     app::GarmentOptions garment;
     sim::DressedGarment dressed;
     std::vector<sim::TriangleStrain> strain;  // per leaf triangle

@@ -43,8 +43,8 @@ Vec3f vector_of(const Three& numbers, const char* place) {
 
 class CallerSession {
  public:
-    CallerSession(const DocumentPointer& pattern, const std::optional<WearingBody>& body,
-                  const DressArguments& arguments, std::optional<int> threads)
+    CallerSession(const DocumentPointer& pattern, const BodyPointer& body, const DressArguments& arguments,
+                  std::optional<int> threads)
         : threads_(within(threads, app::kThreadCounts, "threads")) {
         const py::gil_scoped_release release;
         sim::SessionOptions options;
@@ -55,17 +55,17 @@ class CallerSession {
         options.shortest_edge = asked.shortest_edge;
         options.triangle_budget = asked.triangle_budget;
         options.self_collision = asked.self_collision;
-        body_ = body ? *body : default_body(pattern->content.pattern.body);
+        body_ = body ? body : default_body(pattern->content.pattern.body);
         session_.set_options(options);
-        session_.set_body(body_.body);
+        session_.set_body(body_);
         session_.set_pattern(pattern->content.pattern);
         session_.advance(0);
     }
 
     void set_pattern(const DocumentPointer& pattern) { session_.set_pattern(pattern->content.pattern); }
-    void set_body(const WearingBody& body) {
+    void set_body(const BodyPointer& body) {
         body_ = body;
-        session_.set_body(body.body);
+        session_.set_body(body);
     }
     void start() { session_.start(); }
     void pause() { session_.pause(); }
@@ -94,8 +94,7 @@ class CallerSession {
     }
 
     Frame frame() const { return {session_.frame()}; }
-    // A copy, because set_body() replaces it while the caller may hold views of its arrays.
-    WearingBody body() const { return body_; }
+    BodyPointer body() const { return body_; }
 
  private:
     // A point of the newest frame.
@@ -114,7 +113,7 @@ class CallerSession {
     }
 
     std::optional<int> threads_;
-    WearingBody body_;
+    BodyPointer body_;
     std::mutex stepping_;  // one thread advances at a time
     sim::Session session_{sim::SessionDrive::Caller};
 };
@@ -173,12 +172,12 @@ void add_sessions(py::module_& module) {
     add_frames(module);
     constexpr Three kMiddle{1.0 / 3, 1.0 / 3, 1.0 / 3};
     py::class_<CallerSession>(module, "_Session", "A session over a document.")
-        .def(py::init<const DocumentPointer&, const std::optional<WearingBody>&, const DressArguments&,
-                      std::optional<int>>(),
+        .def(py::init<const DocumentPointer&, const BodyPointer&, const DressArguments&, std::optional<int>>(),
              py::arg("pattern"), py::arg("body").none(true), py::arg("arguments"), py::arg("threads").none(true),
              "A session whose panels are placed.")
         .def("_set_document", &CallerSession::set_pattern, py::arg("pattern"), "Changes the pattern.")
-        .def("set_body", &CallerSession::set_body, py::arg("body"), "Changes the body; the garment starts again.")
+        .def("set_body", &CallerSession::set_body, py::arg("body").none(false),
+             "Changes the body; the garment starts again.")
         .def("start", &CallerSession::start, "Lets advance() simulate; closes the seams first.")
         .def("pause", &CallerSession::pause, "Lets advance() simulate nothing until start().")
         .def("reset", &CallerSession::reset, "Puts the panels back to where they were placed, unsewn, without pins.")

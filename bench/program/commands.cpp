@@ -254,7 +254,7 @@ int run(const PictureArguments& arguments) {
     cloth.sett = sim::find_tartan(sim::kDefaultTartan);
     scene.cloths.push_back(std::move(cloth));
     if (!arguments.body.source.empty())
-        scene.bodies.push_back(render::make_body_item(app::make_body(arguments.body).body));
+        scene.bodies.push_back(render::make_body_item(*app::make_body(arguments.body).body));
     const Table table = table_of(measure_pictures(scene, arguments.experiment));
     print_table(table);
     write_json_output(arguments.json, document_of({table}));

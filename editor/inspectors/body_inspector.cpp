@@ -32,8 +32,8 @@ void commit_body(InspectorContext& context) {
     const sim::Pattern& pattern = context.pattern();
     // If the body that the garment was drafted for was never built, the panels are not moved.
     const SetBody command = state.pattern_body != nullptr && state.pattern_body_text == body_text(pattern)
-                                ? set_body_command(pattern, current.text, *state.pattern_body, *current.body)
-                                : SetBody{.body = current.text};
+                                ? set_body_command(pattern, current.made().source, *state.pattern_body, *current.body())
+                                : SetBody{.body = current.made().source};
     context.workspace.run(command);
     cancel_body_request(context);
 }
@@ -62,12 +62,12 @@ void update_body_request(InspectorContext& context) {
     BodyState& state = context.state.body;
     const Drape& drape = context.workspace.drape;
     const std::string of_pattern = body_text(context.pattern());
-    if (drape.current_body().body != nullptr && drape.current_body().text == of_pattern) {
+    if (drape.current_body().body() != nullptr && drape.current_body().made().source == of_pattern) {
         state.pattern_body_text = of_pattern;
-        state.pattern_body = drape.current_body().body;
+        state.pattern_body = drape.current_body().body();
     }
     if (state.pending.empty()) return;
-    if (drape.current_body().body != nullptr && drape.current_body().text == state.pending) {
+    if (drape.current_body().body() != nullptr && drape.current_body().made().source == state.pending) {
         if (state.is_commit) commit_body(context);
         return;
     }
@@ -130,17 +130,16 @@ void draw_sex(InspectorContext& context, const sim::MannequinOptions& options) {
 }
 
 // The measured value on the current body.
-std::optional<double> reading(const CurrentBody& current, std::string_view name) {
-    if (!current.measures) return std::nullopt;
-    for (const sim::MeasureReading& entry : current.measures->readings) {
+std::optional<double> reading(const std::optional<sim::MannequinReadings>& read, std::string_view name) {
+    if (!read) return std::nullopt;
+    for (const sim::MeasureReading& entry : read->readings) {
         if (entry.name == name) return entry.measured;
     }
     return std::nullopt;
 }
 
 void draw_measures(InspectorContext& context, const sim::MannequinOptions& options) {
-    const CurrentBody current{
-        .text = {}, .body = {}, .measures = context.workspace.drape.current_body().measures, .points = {}};
+    const std::optional<sim::MannequinReadings> read = context.workspace.drape.current_body().made().readings;
     for (const std::string_view name : sim::measure_names()) {
         sim::MannequinOptions wanted = options;
         std::optional<double>* value = find_measure(wanted.measures, name);
@@ -153,23 +152,22 @@ void draw_measures(InspectorContext& context, const sim::MannequinOptions& optio
                         .tip = std::string(measure_tip(name)) +
                                " Empty: it follows the other measures; what the tape reads is grey.",
                         .may_be_empty = true,
-                        .standing_for = reading(current, name)},
+                        .standing_for = reading(read, name)},
                        label.c_str());
         *value = edit.value;
         apply_body_edit(context, edit, wanted);
     }
     sim::MannequinOptions wanted = options;
-    const NumberEdit stance =
-        number_row(context,
-                   {.name = "body.stance",
-                    .value = options.stance,
-                    .unit = Unit::Degrees,
-                    .tip = "How far each leg stands outward. Thick thighs open it by themselves.",
-                    .least = 0,
-                    .most = kMaxStance,
-                    .may_be_empty = true,
-                    .standing_for = current.measures ? current.measures->stance.made : kDefaultStance},
-                   "Stance");
+    const NumberEdit stance = number_row(context,
+                                         {.name = "body.stance",
+                                          .value = options.stance,
+                                          .unit = Unit::Degrees,
+                                          .tip = "How far each leg stands outward. Thick thighs open it by themselves.",
+                                          .least = 0,
+                                          .most = kMaxStance,
+                                          .may_be_empty = true,
+                                          .standing_for = read ? read->stance.made : kDefaultStance},
+                                         "Stance");
     wanted.stance = stance.value;
     apply_body_edit(context, stance, wanted);
 }
@@ -179,7 +177,7 @@ void draw_activity(InspectorContext& context) {
     Drape& drape = context.workspace.drape;
     const std::shared_ptr<const sim::SessionFrame> frame = drape.frame();
     const CurrentBody& current = drape.current_body();
-    if (current.body != nullptr && current.body->skin.empty())
+    if (current.body() != nullptr && current.body()->skin.empty())
         return paragraph(context, "It has no bones: it stands as it is.");
     const auto choose = [&](const char* name, const char* label, const MotionChoices& choices, const std::string& tip) {
         row_label(context, label, tip);
@@ -325,18 +323,18 @@ void draw_joints(InspectorContext& context) {
 
 void draw_state(InspectorContext& context) {
     const BodyState& state = context.state.body;
-    const CurrentBody& current = context.workspace.drape.current_body();
+    const sim::MadeBody& made = context.workspace.drape.current_body().made();
     if (!state.wrong.empty()) message_text(context.theme.error, state.wrong);
     if (context.workspace.drape.is_making_body()) paragraph(context, "The body is being made...");
-    if (!current.measures) return;
-    for (const std::string& message : current.measures->messages) message_text(context.theme.warning, message);
+    if (!made.readings) return;
+    for (const std::string& message : made.notes) message_text(context.theme.warning, message);
 }
 
 void draw_file_body(InspectorContext& context, const std::string& file, bool is_of_pattern) {
     fact(context, "From file", readable_name(file), file);
     const Drape& drape = context.workspace.drape;
     ButtonRow row(context);
-    const bool is_ready = drape.current_body().body != nullptr && drape.current_body().text == file;
+    const bool is_ready = drape.current_body().body() != nullptr && drape.current_body().made().source == file;
     if (!is_of_pattern &&
         row.button({.name = "body.adopt",
                     .title = "Use for this garment",
@@ -358,7 +356,7 @@ void draw_file_body(InspectorContext& context, const std::string& file, bool is_
 void draw_shape(InspectorContext& context) {
     const BodyState& state = context.state.body;
     const std::string of_pattern = body_text(context.pattern());
-    const std::string current = context.workspace.drape.current_body().text;
+    const std::string current = context.workspace.drape.current_body().made().source;
     const bool has_foreign = state.pending.empty() && !is_mannequin(current) && current != of_pattern;
     const std::string shown = !state.pending.empty() ? state.pending : has_foreign ? current : of_pattern;
     if (is_mannequin(shown)) {

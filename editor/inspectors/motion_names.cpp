@@ -34,7 +34,7 @@ MotionChoices motion_choices(const Drape& drape) {
     const std::string& chosen = drape.activity().motion;
     MotionChoices choices;
     add(choices, "", "No motion", chosen);
-    for (const sim::Clip& clip : drape.current_body().clips)
+    for (const sim::Clip& clip : drape.current_body().made().clips)
         if (!clip.name.empty()) add(choices, clip.name, clip.name, chosen);
     for (const std::string& name : sim::motion_names()) add(choices, name, title_of(name), chosen);
     add(choices, chosen, file_name(chosen), chosen);

@@ -20,9 +20,9 @@ void visit_pattern(const sim::Pattern& pattern, const Visit& visit) {
 
 void visit_drape(const Drape& drape, const Visit& visit) {
     const CurrentBody& body = drape.current_body();
-    visit(body.text);
-    for (const std::string& note : body.notes) visit(note);
-    for (const sim::Clip& clip : body.clips) visit(clip.name);
+    visit(body.made().source);
+    for (const std::string& note : body.made().notes) visit(note);
+    for (const sim::Clip& clip : body.made().clips) visit(clip.name);
     for (const BodyJoint& joint : body.joints) visit(joint.title);
     for (const std::string& file : drape.pose_files()) visit(file);
     visit(drape.activity().motion);

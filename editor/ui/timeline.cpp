@@ -79,7 +79,7 @@ void draw_playhead(ImDrawList& list, const Theme& theme, const Track& track, dou
 const char* empty_text(const AppState& state) {
     const Drape& drape = state.workspace.drape;
     if (drape.is_finding_motion()) return "Reading the motion";
-    if (drape.current_body().body && !drape.frame()->motion.can_move) return "This body has no bones to move by";
+    if (drape.current_body().body() && !drape.frame()->motion.can_move) return "This body has no bones to move by";
     return drape.can_play() ? "Play, or choose a motion below" : "Choose a motion below";
 }
 

@@ -80,7 +80,7 @@ void ViewportController::find_joints(const Workspace& workspace) {
     const std::shared_ptr<const sim::Pose> pose = workspace.drape.shown_pose();
     if (!workspace.look.has_joints || !workspace.look.has_body || !pose) return;
     const bool is_elsewhere = garment_.body_positions() != nullptr;
-    joints_ = joint_places(*current.body, is_elsewhere ? *pose : rest_pose(*current.body), current.joints);
+    joints_ = joint_places(*current.body(), is_elsewhere ? *pose : rest_pose(*current.body()), current.joints);
     while (joint_dots_ < joints_.size() && current.joints[joint_dots_].joint) ++joint_dots_;
     if (joint_dots_ == 0) joint_dots_ = joints_.size();
 }
@@ -99,8 +99,8 @@ std::optional<Gizmo> ViewportController::joint_gizmo(const Workspace& workspace,
 void ViewportController::pick(Workspace& workspace, const ViewportInput& input, ClothChoice choice) {
     const CurrentBody& current = workspace.drape.current_body();
     const auto positions = garment_.body_positions();
-    if (current.body != body_ || positions != body_positions_) {
-        body_ = current.body;
+    if (current.body() != body_ || positions != body_positions_) {
+        body_ = current.body();
         body_positions_ = positions;
         surface_ = body_ ? body_surface(*body_) : BodySurface{};
         if (positions && positions->size() == surface_.x.size()) surface_.x = *positions;
@@ -172,8 +172,8 @@ void ViewportController::hold_material(const MeshHit& hit) {
 
 void ViewportController::frame_all(const Workspace& workspace) {
     std::vector<Vec3f> points = garment_.mesh().x;
-    if (workspace.look.has_body && workspace.drape.current_body().body) {
-        for (const Vec3d& x : workspace.drape.current_body().body->x)
+    if (workspace.look.has_body && workspace.drape.current_body().body()) {
+        for (const Vec3d& x : workspace.drape.current_body().body()->x)
             points.push_back(x.cast<float>() + garment_.body_way());
     }
     orbit_.frame(points, size_px_.x() / size_px_.y());

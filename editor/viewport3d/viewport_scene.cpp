@@ -59,7 +59,7 @@ void ViewportScene::update_cloth(const ViewportSceneInput& input) {
 
 void ViewportScene::update_body(const ViewportSceneInput& input) {
     has_body_ = input.look.has_body;
-    body_ = input.current_body.body;
+    body_ = input.current_body.body();
     body_positions_ = input.garment.body_positions();
     bodies_.clear();
     if (!has_body_ || !body_ || body_->triangles.empty()) return;
@@ -81,7 +81,7 @@ std::shared_ptr<const render::Scene> ViewportScene::update(const ViewportSceneIn
                          .undrawn = input.marks.undrawn,
                          .curved = input.curved};
     const bool is_cloth_new = !(key == key_);
-    const bool is_body_new = input.current_body.body != body_ || input.look.has_body != has_body_ ||
+    const bool is_body_new = input.current_body.body() != body_ || input.look.has_body != has_body_ ||
                              input.garment.body_positions() != body_positions_;
     if (!is_cloth_new && !is_body_new && input.marks == marks_) return scene_;
     if (key.fabric_version != key_.fabric_version) looks_.forget_fabrics();

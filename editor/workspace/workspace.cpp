@@ -7,8 +7,7 @@
 #include "sim/core/error.h"
 #include "sim/dress/anchor.h"
 #include "sim/dress/dress.h"
-#include "sim/dress/dressing_pose.h"
-#include "sim/dress/own_pose.h"
+#include "sim/mannequin/mannequin.h"
 #include "sim/motion/grounding.h"
 #include "sim/pattern/garments.h"
 #include "sim/pattern/pattern_file.h"
@@ -65,7 +64,7 @@ void Messages::error(const GeometryError& error) {
 namespace {
 
 const sim::Body* body_of(const Drape* drape) {
-    return drape == nullptr ? nullptr : drape->current_body().body.get();
+    return drape == nullptr ? nullptr : drape->current_body().body().get();
 }
 
 }  // namespace
@@ -86,7 +85,7 @@ const BodyJoint* chosen_joint(const Workspace& workspace) {
 }
 
 Eigen::Quaterniond axes_of(const Drape& drape, const BodyJoint& joint) {
-    return axes_of_angles(*drape.current_body().body, *drape.shown_pose(), *drape.angles(), joint.bone);
+    return axes_of_angles(*drape.current_body().body(), *drape.shown_pose(), *drape.angles(), joint.bone);
 }
 
 sim::PatternDocument empty_garment() {
@@ -97,16 +96,28 @@ sim::PatternDocument empty_garment() {
     return garment;
 }
 
+const sim::MadeBody& CurrentBody::made() const {
+    static const sim::MadeBody none;
+    return prepared ? prepared->made() : none;
+}
+
+std::shared_ptr<const sim::Pose> CurrentBody::start_pose() const {
+    return has_other_start() ? prepared->dressing_pose() : own_pose();
+}
+
+CurrentBody current_body(sim::MadeBody made) {
+    CurrentBody current{.prepared = std::make_shared<const sim::PreparedBody>(std::move(made))};
+    current.points = arrangement_points(*current.body());
+    current.joints = joints_of(*current.body());
+    return current;
+}
+
 CurrentBody make_mannequin_body(const std::string& text) {
     sim::MannequinOptions options = sim::parse_mannequin(text);
     options.subdivisions = 1;
-    sim::Mannequin mannequin = make_mannequin(options);
-    CurrentBody made{.text = text,
-                     .body = std::make_shared<const sim::Body>(std::move(mannequin.body)),
-                     .measures = std::move(mannequin.report),
-                     .points = {}};
-    made.points = arrangement_points(*made.body);
-    return made;
+    sim::MadeBody made = make_body(options);
+    made.source = text;
+    return current_body(std::move(made));
 }
 
 Drape::Drape(sim::SessionDrive drive, BodyMaker maker, MotionFinder motions)
@@ -135,27 +146,20 @@ void Drape::reread_fabrics() {
 
 void Drape::begin_body(const std::string& text) {
     wanted_body_ = text;
-    making_ = std::async(std::launch::async, [text, maker = maker_] {
-        CurrentBody made = maker(text);
-        made.joints = joints_of(*made.body);
-        if (made.joints.empty()) return made;
-        const sim::Pose start = sim::dressing_pose(*made.body);
-        made.own_pose = made.start_pose = std::make_shared<const sim::Pose>(rest_pose(*made.body));
-        if (needs_other_pose(*made.body, start)) made.start_pose = std::make_shared<const sim::Pose>(start);
-        return made;
-    });
+    making_ = std::async(std::launch::async, maker_, text);
 }
 
 void Drape::update_body(Messages& messages) {
     try {
         current_body_ = making_.get();
-        session_.set_body(current_body_.body);
+        session_.set_body(current_body_.prepared);
         stand_as_made();
         taken_motion_ = "";
         taken_turned_.reset();
         for (std::optional<sim::PoseAngles>* angles : {&activity_.turned, &unturned_})
             if (*angles) (*angles)->bones.clear();  // those of another body
-        for (const std::string& note : current_body_.notes) messages.note("Body: " + note);
+        if (current_body_.made().readings) return;  // what could not be met stands beside the measures
+        for (const std::string& note : current_body_.made().notes) messages.note("Body: " + note);
     } catch (const sim::InputError& error) {
         messages.say({.kind = MessageKind::Error, .text = error.what(), .places = {}});
     }
@@ -186,23 +190,23 @@ void Drape::choose_pose(const std::string& name) {
 
 std::shared_ptr<const sim::Pose> Drape::shown_pose() const {
     const std::shared_ptr<const sim::Pose> pose = session_.frame()->motion.pose;
-    const std::shared_ptr<const sim::Pose>& own = current_body_.own_pose;
+    const std::shared_ptr<const sim::Pose> own = current_body_.own_pose();
     return pose && own && pose->bones.size() == own->bones.size() ? pose : own;
 }
 
 const sim::PoseAngles* Drape::angles() const {
-    if (!current_body_.own_pose) return nullptr;
+    if (!current_body_.own_pose()) return nullptr;
     if (activity_.turned) return &*activity_.turned;
     std::shared_ptr<const sim::Pose> pose;
     if (session_.frame()->motion.is_in_motion) {
         pose = shown_pose();
     } else if (taken_pose_ == activity_.pose) {
-        pose = activity_.pose.empty()       ? current_body_.start_pose
-               : activity_.pose == kOwnPose ? current_body_.own_pose
+        pose = activity_.pose.empty()       ? current_body_.start_pose()
+               : activity_.pose == kOwnPose ? current_body_.own_pose()
                                             : chosen_pose_;
     }
     if (!pose) return nullptr;
-    if (measured_ != pose) angles_ = pose_angles(*current_body_.body, *pose);
+    if (measured_ != pose) angles_ = pose_angles(*current_body_.body(), *pose);
     measured_ = pose;
     return &angles_;
 }
@@ -237,14 +241,15 @@ void Drape::choose_motion(const std::string& text) {
 
 bool Drape::can_play() const {
     return !activity_.motion.empty() ||
-           std::ranges::any_of(current_body_.clips, [](const sim::Clip& clip) { return !clip.name.empty(); });
+           std::ranges::any_of(current_body_.made().clips, [](const sim::Clip& clip) { return !clip.name.empty(); });
 }
 
 void Drape::play() {
     if (!can_play()) return;
     if (activity_.motion.empty()) {
-        choose_motion(
-            std::ranges::find_if(current_body_.clips, [](const sim::Clip& clip) { return !clip.name.empty(); })->name);
+        choose_motion(std::ranges::find_if(current_body_.made().clips, [](const sim::Clip& clip) {
+                          return !clip.name.empty();
+                      })->name);
     }
     activity_.turned.reset();
     if (!session_.frame()->is_running) session_.start();
@@ -281,7 +286,8 @@ void Drape::reset() {
 }
 
 void Drape::begin_finding(const std::string& text, bool is_pose) {
-    const auto find = [text, is_pose, body = current_body_.body, own = current_body_.clips, motions = motions_] {
+    const auto find = [text, is_pose, body = current_body_.body(), own = current_body_.made().clips,
+                       motions = motions_] {
         FoundMotion found{.text = text, .body = body};
         try {
             const auto clip = std::ranges::find(own, text, &sim::Clip::name);
@@ -302,7 +308,7 @@ void Drape::begin_finding(const std::string& text, bool is_pose) {
 }
 
 void Drape::begin_turning() {
-    const auto find = [angles = *activity_.turned, body = current_body_.body] {
+    const auto find = [angles = *activity_.turned, body = current_body_.body()] {
         return FoundMotion{.text = {}, .body = body, .pose = pose_of(angles, *body), .turned = angles};
     };
     finding_ = std::async(std::launch::async, find);
@@ -310,7 +316,7 @@ void Drape::begin_turning() {
 
 void Drape::take_found(Messages& messages) {
     const FoundMotion found = finding_.get();
-    if (found.body != current_body_.body) return;  // looked for again on the body that is there now
+    if (found.body != current_body_.body()) return;  // looked for again on the body that is there now
     if (found.turned) {
         taken_turned_ = found.turned;
         if (activity_.turned) session_.follow(found.body, *found.pose);
@@ -341,7 +347,7 @@ void Drape::update_activity(Messages& messages) {
         taken_playback_ = activity_.playback;
         session_.set_playback(activity_.playback);
     }
-    const std::shared_ptr<const sim::Body>& body = current_body_.body;
+    const std::shared_ptr<const sim::Body>& body = current_body_.body();
     if (finding_.valid() || !body || body->skin.empty() || body->bones.empty()) return;
     if (taken_turned_ != activity_.turned) {
         if (activity_.turned) return begin_turning();
@@ -351,7 +357,7 @@ void Drape::update_activity(Messages& messages) {
         const bool is_own = activity_.pose == kOwnPose;
         if (!is_own && !activity_.pose.empty()) return begin_finding(activity_.pose, true);
         taken_pose_ = activity_.pose;
-        session_.go_to(body, is_own ? *current_body_.own_pose : *current_body_.start_pose);
+        session_.go_to(body, is_own ? *current_body_.own_pose() : *current_body_.start_pose());
     }
     if (taken_motion_ != activity_.motion) {
         if (!activity_.motion.empty()) return begin_finding(activity_.motion, false);

@@ -18,8 +18,8 @@
 #include "render/scene/scene.h"
 #include "sim/body/body.h"
 #include "sim/body/clip.h"
+#include "sim/dress/prepared_body.h"
 #include "sim/dress/session.h"
-#include "sim/mannequin/mannequin.h"
 #include "sim/motion/joint_angles.h"
 #include "sim/motion/motion_file.h"
 #include "sim/place/placement.h"
@@ -67,21 +67,23 @@ inline constexpr const char* kDefaultBody = "mannequin:sex=female";
 // GarmentCode's body (patterns/FORMAT.md), and panels would be moved from that body to the displayed one.
 sim::PatternDocument empty_garment();
 
-// A body with the data that the views need.
+// The body that is shown and dressed, with the data that the views need beside it.
 struct CurrentBody {
-    std::string text;  // "mannequin:sex=female,bust=92", or a file name
-    std::shared_ptr<const sim::Body> body;
-    std::optional<sim::MeasureReport> measures;  // only for a mannequin
-    std::vector<sim::ArrangementPoint> points;
-    std::vector<std::string> notes{};  // what was assumed about a file, and repaired
-    std::vector<sim::Clip> clips{};    // motions of its file
-    std::vector<BodyJoint> joints{};   // filled in by Drape, as what follows
+    std::shared_ptr<const sim::PreparedBody> prepared{};  // null: none is ready yet
+    std::vector<sim::ArrangementPoint> points{};
+    std::vector<BodyJoint> joints{};
+
+    const sim::MadeBody& made() const;  // nothing until one is ready
+    const std::shared_ptr<const sim::Body>& body() const { return made().body; }
 
     // Its own pose, and the one in which it is dressed, which may have lowered arms; null: it has no bones.
-    std::shared_ptr<const sim::Pose> own_pose{}, start_pose{};
-
-    bool has_other_start() const { return own_pose != start_pose; }
+    std::shared_ptr<const sim::Pose> own_pose() const { return prepared ? prepared->own_pose() : nullptr; }
+    std::shared_ptr<const sim::Pose> start_pose() const;
+    bool has_other_start() const { return prepared && prepared->stands_otherwise(); }
 };
+
+// Finds its arrangement points and its joints.
+CurrentBody current_body(sim::MadeBody made);
 
 // Makes a body from its text or file. Throws InputError. The host program provides this function, since it reads the
 // files.
@@ -128,7 +130,7 @@ class Drape {
     void show_body(std::optional<std::string> text);
     bool is_making_body() const { return making_.valid(); }
     sim::SessionDrive drive() const { return drive_; }
-    const CurrentBody& current_body() const { return current_body_; }  // `body` is null until the first body is ready
+    const CurrentBody& current_body() const { return current_body_; }
 
     sim::SessionOptions& options() { return options_; }  // takes effect at the next `update`
     void look_from(const Vec3f& eye);                    // m: for back faces that are coarsened

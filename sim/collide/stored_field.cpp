@@ -1,6 +1,5 @@
 #include "sim/collide/stored_field.h"
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,8 +9,6 @@
 
 namespace selvedge::sim {
 namespace {
-
-constexpr std::string_view kKind = "field";
 
 // The level of SIMD belongs to it, because plain kernels differ from the others by rounding. AVX2 and AVX-512 give
 // identical bits, so machines of both kinds share their fields.
@@ -29,14 +26,11 @@ std::string made_from(const SurfaceBvh& bvh, const DistanceFieldOptions& options
 
 DistanceField stored_field(const SurfaceBvh& bvh, const DistanceFieldOptions& options,
                            const std::function<void()>& interrupt, const ContentStore* store) {
-    if (store == nullptr) return DistanceField(bvh, options, interrupt);
-    const std::string surface = made_from(bvh, options);
-    if (const std::optional<std::string> bytes = store->find(kKind, surface)) {
-        if (std::optional<DistanceField> field = DistanceField::from_bytes(*bytes)) return std::move(*field);
-    }
-    DistanceField field(bvh, options, interrupt);
-    store->keep(kKind, surface, field.to_bytes());
-    return field;
+    const auto make = [&] { return DistanceField(bvh, options, interrupt); };
+    if (store == nullptr) return make();
+    return find_or_make(
+        store, "field", made_from(bvh, options), make, [](const DistanceField& field) { return field.to_bytes(); },
+        DistanceField::from_bytes);
 }
 
 }  // namespace selvedge::sim

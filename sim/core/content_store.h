@@ -35,4 +35,18 @@ class ContentStore {
     std::uint64_t most_bytes_;
 };
 
+// What make() gives, with the same bits whether it is made or found in the store; what is new is kept there. store:
+// null for none. from_bytes() gives nullopt for bytes that are broken.
+template <class Make, class ToBytes, class FromBytes>
+auto find_or_make(const ContentStore* store, std::string_view kind, std::string_view made_from, const Make& make,
+                  const ToBytes& to_bytes, const FromBytes& from_bytes) -> decltype(make()) {
+    if (store == nullptr) return make();
+    if (const std::optional<std::string> bytes = store->find(kind, made_from)) {
+        if (auto found = from_bytes(*bytes)) return *std::move(found);
+    }
+    auto made = make();
+    store->keep(kind, made_from, to_bytes(made));
+    return made;
+}
+
 }  // namespace selvedge::sim

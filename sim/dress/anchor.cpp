@@ -58,7 +58,9 @@ void note_stature(const Stature& stature, std::vector<std::string>& notes) {
 }  // namespace
 
 Body placed_for(const Pattern& pattern, const ContentStore* store) {
-    if (is_body_file(pattern.body)) return load_stored_body(pattern.body, {.stands_on_floor = false}, store).body;
+    std::vector<std::string> notes;  // nobody asks for them
+    if (is_body_file(pattern.body))
+        return load_stored_body(pattern.body, {.stands_on_floor = false}, store, notes).body;
     return stored_mannequin(mannequin_of(pattern), store).body;
 }
 

@@ -156,24 +156,15 @@ void inspect(DressedGarment& dressed, Dressing& dressing, const std::optional<We
 
 DressedGarment dress(const Pattern& pattern, const Body& body, const DressOptions& options, const Progress& progress,
                      const ContentStore* store) {
-    check_layers(pattern, options);
-    check_size(pattern);
-    DressTiming timing;
-    PhaseTimer timer(timing);
-    report(progress, "reading the body", 0);
-    const Wearer wearer(std::shared_ptr<const Body>(std::shared_ptr<void>(), &body), {}, store);  // not owned
-    timer.done("body");
-    DressedGarment dressed = dress(pattern, wearer, options, progress, store);
-    dressed.report.timing.wall_s += timing.wall_s;
-    dressed.report.timing.phases_s["body"] += timing.phases_s["body"];
-    return dressed;
+    const std::shared_ptr<const Body> unowned(std::shared_ptr<void>(), &body);
+    return dress(pattern, std::make_shared<const PreparedBody>(MadeBody{.body = unowned}), options, progress, store);
 }
 
-DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOptions& options,
-                     const Progress& progress, const ContentStore* store) {
+DressedGarment dress(const Pattern& pattern, const std::shared_ptr<const PreparedBody>& prepared,
+                     const DressOptions& options, const Progress& progress, const ContentStore* store) {
     check_layers(pattern, options);
     check_size(pattern);
-    const Body& body = wearer.body();
+    const Body& body = prepared->body();
     DressedGarment dressed;
     DressReport& report = dressed.report;
     PhaseTimer timer(report.timing);
@@ -183,7 +174,10 @@ DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOp
     report.body = body.name;
     Dressing dressing({}, store);
     dressing.set_options(options);
-    dressing.set_body(wearer);
+    dressing.set_body(prepared);
+    if (!prepared->has_colliders()) selvedge::sim::report(progress, "reading the body", 0);
+    dressing.collider();
+    const std::shared_ptr<const BodyCollider> own_collider = prepared->own_collider({}, store);
     timer.done("body");
 
     dressing.set_pattern(pattern);
@@ -204,10 +198,11 @@ DressedGarment dress(const Pattern& pattern, const Wearer& wearer, const DressOp
     Simulation& simulation = dressed.simulation.emplace(dressing.take_simulation());
     const Cloth& cloth = simulation.cloth();
     DrapeResult result = dressing.result();
-    const BodyCollider* const own = result.bad_vertex ? nullptr : wearer.own_collider();
+    const BodyCollider* const own = result.bad_vertex ? nullptr : own_collider.get();
     const MeasuredBody as_given(body);
     if (own != nullptr) {
-        result = move_to_own_pose(simulation, body, wearer.pose(), *own, options, result.given_up, progress);
+        result =
+            move_to_own_pose(simulation, body, *prepared->dressing_pose(), *own, options, result.given_up, progress);
         too_small.reset();  // it was found in the other pose
         wearing = check_wearing(dressing, as_given);
         // What slipped may not slip in this pose. Then nothing excuses that it is not at rest.

@@ -144,7 +144,7 @@ void Dressing::begin_sewing(std::optional<WornGarments> worn) {
     GarmentSewing sewing(
         std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),
         [this](const GarmentMesh& next, const GarmentMesh& all) {
-            return LimbsAside::plan(next, all, anchored(), *measured_, interrupt_, store_);
+            return LimbsAside::plan(next, all, anchored(), measured(), interrupt_, store_);
         },
         std::move(worn));
     clear();
@@ -255,32 +255,24 @@ void Dressing::reactivate() {
 // Body.
 
 void Dressing::set_body(std::shared_ptr<const Body> body) {
-    auto measured = body ? std::make_shared<const MeasuredBody>(*body) : nullptr;
-    set_body(std::move(body), std::move(measured), nullptr);
+    if (body_ && body == body_->stands()) return;
+    set_body(body ? PreparedBody::in_given_pose(std::move(body)) : nullptr);
 }
 
-void Dressing::set_body(const Wearer& wearer) {
-    set_body(wearer.stands(), wearer.measured(), wearer.collider());
-}
-
-void Dressing::set_body(std::shared_ptr<const Body> body, std::shared_ptr<const MeasuredBody> measured,
-                        std::shared_ptr<const BodyCollider> collider) {
-    if (body == body_ && (collider_ || !collider)) return;
-    const bool is_same = body && body_ && has_equal_surface(*body, *body_);
-    const std::shared_ptr<const Body> last = std::exchange(body_, std::move(body));
-    const std::shared_ptr<const MeasuredBody> last_measured = std::exchange(measured_, std::move(measured));
-    if (is_same && !collider_) collider_ = std::move(collider);
-    if (is_same) {  // collider_ holds that body or the previous one, which is equal
-        if (anchored_ && anchored_->designed_for == last_measured.get()) anchored_->designed_for = measured_.get();
+void Dressing::set_body(std::shared_ptr<const PreparedBody> body) {
+    if (body == body_) return;
+    const bool is_same = body && body_ && has_equal_surface(*body->stands(), *body_->stands());
+    const std::shared_ptr<const PreparedBody> last = std::exchange(body_, std::move(body));
+    if (is_same) {  // collider_ is that of the previous one, which is equal, or null
+        if (anchored_ && anchored_->designed_for == &last->measured()) anchored_->designed_for = &body_->measured();
         return;
     }
-    const auto last_collider = std::exchange(collider_, std::move(collider));
+    const auto last_collider = std::exchange(collider_, nullptr);
     std::optional<AnchoredPattern> last_anchored = std::exchange(anchored_, std::nullopt);
     try {
         take_body();
     } catch (...) {
         body_ = last;
-        measured_ = last_measured;
         collider_ = last_collider;
         anchored_ = std::move(last_anchored);
         throw;
@@ -302,14 +294,14 @@ void Dressing::take_body() {
 
 const BodyCollider& Dressing::collider() {
     SELVEDGE_ASSERT(body_ || collider_);
-    if (!collider_) collider_ = shared_collider_of(body_, interrupt_, store_);
+    if (!collider_) collider_ = body_->collider(interrupt_, store_);
     return *collider_;
 }
 
 // Panels that were placed for another body move with this one.
 const AnchoredPattern& Dressing::anchor() {
     if (!anchored_)
-        anchored_ = body_ ? anchor_.anchor(pattern_, *measured_) : AnchoredPattern{pattern_, pattern_, nullptr, {}};
+        anchored_ = body_ ? anchor_.anchor(pattern_, measured()) : AnchoredPattern{pattern_, pattern_, nullptr, {}};
     return *anchored_;
 }
 

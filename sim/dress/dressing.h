@@ -21,8 +21,8 @@
 #include "sim/dress/drape.h"
 #include "sim/dress/dress_options.h"
 #include "sim/dress/garment_sewing.h"
+#include "sim/dress/prepared_body.h"
 #include "sim/dress/sewing.h"
-#include "sim/dress/wearer.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/mesh/sew.h"
 #include "sim/pattern/fabric.h"
@@ -48,9 +48,8 @@ class Dressing {
 
     // What is dressed in what. A method that throws InputError (a pattern that cannot be meshed, an unknown fabric or
     // body) changes nothing.
-    void set_body(std::shared_ptr<const Body> body);
-    // The same, with the collider that there is already. The body is dressed as it stands.
-    void set_body(const Wearer& wearer);
+    void set_body(std::shared_ptr<const PreparedBody> body);  // null: none
+    void set_body(std::shared_ptr<const Body> body);          // in the pose in which it is given
     void set_pattern(Pattern pattern);
     void set_options(const DressOptions& options);
     // Hidden parts of the cloth that hangs are coarsened from the next adaptation on; null: as DressOptions::seen_from
@@ -76,8 +75,8 @@ class Dressing {
     // What the user should know, since the last call: panels that were moved, and why sewing starts again.
     std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
-    const Body* body() const { return body_.get(); }
-    const MeasuredBody& measured() const { return *measured_; }  // Pre: there is a body
+    const Body* body() const { return body_ ? body_->stands().get() : nullptr; }  // in the pose in which it is dressed
+    const MeasuredBody& measured() const { return body_->measured(); }            // Pre: there is a body
     const Pattern& pattern() const { return pattern_; }
     const DressOptions& options() const { return options_; }
     const Pattern& anchored();  // the pattern with its panels moved from the body that it names to this one
@@ -144,8 +143,6 @@ class Dressing {
     ClothConstraints constraints() const;
     int deepest_level() const { return options_.deepest_level.value_or(options_.max_level); }
 
-    void set_body(std::shared_ptr<const Body> body, std::shared_ptr<const MeasuredBody> measured,
-                  std::shared_ptr<const BodyCollider> collider);
     void take_body();
     void place();
     void clear();
@@ -161,9 +158,8 @@ class Dressing {
     DressOptions options_;
     Pattern pattern_;  // the newest one that can be meshed
     std::optional<AnchoredPattern> anchored_;
-    std::shared_ptr<const Body> body_;
-    std::shared_ptr<const MeasuredBody> measured_;  // of body_; null without
-    std::shared_ptr<const BodyCollider> collider_;  // keeps its body alive
+    std::shared_ptr<const PreparedBody> body_;
+    std::shared_ptr<const BodyCollider> collider_;  // of it, or of one with an equal surface; null until it is needed
     PatternAnchor anchor_{store_};
 
     PanelMeshCache quick_meshes_, meshes_;

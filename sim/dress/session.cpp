@@ -206,8 +206,12 @@ void Session::Worker::work_until_ended() {
 Session::Session(SessionDrive drive) : worker_(std::make_unique<Worker>(drive)) {}
 Session::~Session() = default;
 
-void Session::set_body(std::shared_ptr<const Body> body) {
+void Session::set_body(std::shared_ptr<const PreparedBody> body) {
     worker_->put(request::SetBody{std::move(body)});
+}
+
+void Session::set_body(std::shared_ptr<const Body> body) {
+    set_body(body ? std::make_shared<const PreparedBody>(MadeBody{.body = std::move(body)}) : nullptr);
 }
 
 void Session::set_pattern(const Pattern& pattern) {

@@ -26,6 +26,7 @@
 namespace selvedge::sim {
 
 class Collider;
+class PreparedBody;
 struct Cloth;
 
 enum class SessionStage {
@@ -121,8 +122,9 @@ class Session {
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
-    void set_body(std::shared_ptr<const Body> body);  // the collider is built on the session's thread
-    void set_pattern(const Pattern& pattern);         // may be called often; outdated requests are skipped
+    void set_body(std::shared_ptr<const PreparedBody> body);  // its collider is built on the session's thread
+    void set_body(std::shared_ptr<const Body> body);          // the same, prepared first
+    void set_pattern(const Pattern& pattern);                 // may be called often; outdated requests are skipped
     void set_options(const SessionOptions& options);
     // The files of the pattern's fabrics were written: the garment takes their values, from where it hangs. Nothing
     // happens while the last pattern is refused.

@@ -9,9 +9,7 @@
 #include "sim/core/stopwatch.h"
 #include "sim/dress/animation.h"
 #include "sim/dress/carry_over.h"
-#include "sim/dress/dressing_pose.h"
 #include "sim/dress/inspection.h"
-#include "sim/dress/own_pose.h"
 #include "sim/dress/session_frame.h"
 
 namespace selvedge::sim {
@@ -135,7 +133,7 @@ void SessionState::operator()(request::Reset) {
     problem_.clear();
     motion_.reset();
     if (mover_) mover_->back_to_start();
-    if (start_pose_) mover_->go_to(rest_pose(*body_));
+    if (start_pose_) mover_->go_to(*body_->own_pose());
     dressing_.reset();
 }
 
@@ -300,33 +298,32 @@ void SessionState::operator()(request::BackToStart) {
 
 // Changes between frames.
 
-// What body_ is dressed as: in another pose if it needs one, from which it then goes into its own.
-std::shared_ptr<const Body> SessionState::begin_body() {
+// A body that is dressed in another pose goes from there into its own.
+void SessionState::begin_body() {
     const Playback playback = mover_ ? mover_->playback() : Playback();
     mover_.reset();
     start_pose_.reset();
     start_x_.reset();
-    if (!body_ || body_->bones.empty() || body_->skin.empty()) return body_;
-    const Pose start = dressing_pose(*body_);
-    mover_.emplace(body_, start);
+    if (!body_ || !body_->dressing_pose()) return;
+    mover_.emplace(body_->made().body, *body_->dressing_pose());
     mover_->set_playback(playback);
-    if (!needs_other_pose(*body_, start)) return body_;
-    mover_->go_to(rest_pose(*body_));
-    auto stands = std::make_shared<const Body>(posed(*body_, start));
+    if (!body_->stands_otherwise()) return;
+    mover_->go_to(*body_->own_pose());
     auto x = std::make_shared<std::vector<Vec3f>>();
-    for (const Vec3d& p : stands->x) x->push_back(p.cast<float>());
+    for (const Vec3d& p : body_->stands()->x) x->push_back(p.cast<float>());
     start_x_ = std::move(x);
-    start_pose_ = std::make_shared<const Pose>(start);
-    return stands;
+    start_pose_ = body_->dressing_pose();
 }
 
 void SessionState::operator()(request::SetBody& request) {
-    if (request.body == body_) return;
+    const bool is_same = body_ && request.body && request.body->made().body == body_->made().body;
+    if (is_same || request.body == body_) return;
     has_changed_ = true;
     motion_.reset();
     body_ = std::move(request.body);
     try {
-        dressing_.set_body(begin_body());
+        begin_body();
+        dressing_.set_body(body_);
     } catch (const InputError& error) {  // the body that the pattern names is none
         return fail(error.what());
     }

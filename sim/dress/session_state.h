@@ -20,7 +20,7 @@ inline constexpr int kDeepestSessionLevel = 8;  // a base edge of 5 cm is 0.2 mm
 // What the session is asked for; each is carried out on its thread.
 namespace request {
 struct SetBody {
-    std::shared_ptr<const Body> body;
+    std::shared_ptr<const PreparedBody> body;
 };
 struct SetPattern {
     Pattern pattern;
@@ -161,7 +161,7 @@ class SessionState {
 
     bool wants_motion() const { return mover_ && !mover_->has_arrived(); }
     bool hangs() const;
-    std::shared_ptr<const Body> begin_body();
+    void begin_body();
     void begin_motion();
     void advance_motion();
     void leave_motion();
@@ -186,9 +186,9 @@ class SessionState {
     std::shared_ptr<const Collider> collider_at_rest_;
     ViewPoint viewer_, adapted_to_;         // now, and when the cloth adapted last
     std::optional<Visibility> visibility_;  // while back faces are coarsened
-    std::shared_ptr<const Body> body_;      // as it was given; the dressing's may have its arms lowered
-    std::optional<BodyMover> mover_;        // of a body with bones
-    // Of the dressing's body, m, and its pose, if it is another than body_; otherwise null.
+    std::shared_ptr<const PreparedBody> body_;
+    std::optional<BodyMover> mover_;  // of a body with bones
+    // Where the dressing's body stands, m, and in which pose, if that is not its own; otherwise null.
     std::shared_ptr<const std::vector<Vec3f>> start_x_;
     std::shared_ptr<const Pose> start_pose_;
     std::unique_ptr<LiveMotion> motion_;  // the garment while the body is not as it was dressed, or null

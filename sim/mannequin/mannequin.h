@@ -61,9 +61,13 @@ struct StanceReading {
     double gap = 0;                   // smallest distance between the legs from 4 cm below the crotch downward, m
 };
 
-struct MeasureReport {
+// What was measured on the finished surface.
+struct MannequinReadings {
     std::vector<MeasureReading> readings;  // all measures: lengths, then girths of trunk, neck, arm and leg
     StanceReading stance;
+};
+
+struct MeasureReport : MannequinReadings {
     std::vector<std::string> messages;  // requests that could not be met, with the reason; empty when all requested
                                         // measures are within 0.3 %, the legs stand as requested and apart,
                                         // and the surface has no self-intersections

@@ -22,6 +22,17 @@ void read(FlatReader& reader, Eigen::Quaterniond& q) {
     for (double& part : q.coeffs()) part = reader.value<double>();
 }
 
+template <class Value>
+void write(FlatWriter& writer, const Keys<Value>& keys) {
+    writer.list(keys.times);
+    writer.list(keys.values);
+}
+template <class Value>
+void read(FlatReader& reader, Keys<Value>& keys) {
+    keys.times = reader.list<double>();
+    keys.values = reader.list<Value>();
+}
+
 bool is_finite(const std::vector<Vec3d>& points) {
     return std::ranges::all_of(points, [](const Vec3d& x) { return x.allFinite(); });
 }
@@ -64,6 +75,35 @@ void read(FlatReader& reader, Bone& bone) {
     read(reader, bone.rest.translation);
     read(reader, bone.rest.scale);
     for (double& part : bone.inverse_bind.matrix().reshaped()) part = reader.value<double>();
+}
+
+void write(FlatWriter& writer, const Clip& clip) {
+    writer.text(clip.name);
+    writer.value(clip.seconds);
+    writer.value(std::uint64_t(clip.tracks.size()));
+    for (const Track& track : clip.tracks) {
+        writer.value(track.bone);
+        write(writer, track.rotation);
+        write(writer, track.translation);
+        write(writer, track.scale);
+    }
+}
+bool read(FlatReader& reader, Clip& clip) {
+    clip.name = reader.text();
+    clip.seconds = reader.value<double>();
+    const std::uint64_t tracks = reader.value<std::uint64_t>();
+    for (std::uint64_t i = 0; i < tracks && reader.is_sound(); ++i) {
+        Track& track = clip.tracks.emplace_back();
+        track.bone = reader.value<int>();
+        read(reader, track.rotation);
+        read(reader, track.translation);
+        read(reader, track.scale);
+        if (track.rotation.times.size() != track.rotation.values.size() ||
+            track.translation.times.size() != track.translation.values.size() ||
+            track.scale.times.size() != track.scale.values.size())
+            return false;
+    }
+    return true;
 }
 
 std::string to_bytes(const Body& body) {

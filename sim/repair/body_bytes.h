@@ -1,16 +1,21 @@
 #pragma once
-// Bodies as bytes (sim/core/flat_bytes.h), for another process and for a store on disk.
+// Bodies and their clips as bytes (sim/core/flat_bytes.h), for another process and for a store on disk.
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "sim/body/body.h"
+#include "sim/body/clip.h"
 #include "sim/core/flat_bytes.h"
 
 namespace selvedge::sim {
 
 void write(FlatWriter& writer, const Bone& bone);
 void read(FlatReader& reader, Bone& bone);
+
+// A clip as files hold it: no loop. read() is false if keys and times differ in number.
+void write(FlatWriter& writer, const Clip& clip);
+bool read(FlatReader& reader, Clip& clip);
 
 std::string to_bytes(const Body& body);
 

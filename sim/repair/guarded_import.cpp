@@ -259,51 +259,6 @@ ImportedScene scene_of(ImportAnswer answer, const std::filesystem::path& path, I
     return std::move(answer.scene);
 }
 
-namespace {
-
-template <class Value>
-void write(FlatWriter& writer, const Keys<Value>& keys) {
-    writer.list(keys.times);
-    writer.list(keys.values);
-}
-template <class Value>
-void read(FlatReader& reader, Keys<Value>& keys) {
-    keys.times = reader.list<double>();
-    keys.values = reader.list<Value>();
-}
-
-void write(FlatWriter& writer, const Clip& clip) {
-    writer.text(clip.name);
-    writer.value(clip.seconds);
-    writer.value(std::uint64_t(clip.tracks.size()));
-    for (const Track& track : clip.tracks) {
-        writer.value(track.bone);
-        write(writer, track.rotation);
-        write(writer, track.translation);
-        write(writer, track.scale);
-    }
-}
-// False if keys and times differ in number.
-bool read(FlatReader& reader, Clip& clip) {
-    clip.name = reader.text();
-    clip.seconds = reader.value<double>();
-    const std::uint64_t tracks = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < tracks && reader.is_sound(); ++i) {
-        Track& track = clip.tracks.emplace_back();
-        track.bone = reader.value<int>();
-        read(reader, track.rotation);
-        read(reader, track.translation);
-        read(reader, track.scale);
-        if (track.rotation.times.size() != track.rotation.values.size() ||
-            track.translation.times.size() != track.translation.values.size() ||
-            track.scale.times.size() != track.scale.values.size())
-            return false;
-    }
-    return true;
-}
-
-}  // namespace
-
 std::string to_bytes(const ImportAnswer& answer) {
     FlatWriter writer;
     writer.text(answer.failure);

@@ -1,8 +1,9 @@
 #include "sim/repair/stored_body.h"
 
 #include <cstdint>
+#include <iterator>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <utility>
 
 #include "sim/core/file_extension.h"
@@ -13,54 +14,59 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr std::string_view kKind = "body";
+struct NotedBody {
+    BodyClips content;
+    std::vector<std::string> notes;
+};
 
-std::string to_bytes(const MadeBody& made) {
+std::string bytes_of(const NotedBody& noted) {
     FlatWriter writer;
-    writer.text(to_bytes(made.body));
-    writer.value(std::uint64_t(made.notes.size()));
-    for (const std::string& note : made.notes) writer.text(note);
+    writer.text(to_bytes(noted.content.body));
+    writer.value(std::uint64_t(noted.content.clips.size()));
+    for (const Clip& clip : noted.content.clips) write(writer, clip);
+    writer.value(std::uint64_t(noted.notes.size()));
+    for (const std::string& note : noted.notes) writer.text(note);
     return writer.bytes();
 }
 
-std::optional<MadeBody> made_body_from_bytes(std::string_view bytes) {
+std::optional<NotedBody> noted_body(std::string_view bytes) {
     FlatReader reader(bytes);
     std::optional<Body> body = body_from_bytes(reader.text());
     if (!body) return std::nullopt;
-    MadeBody made{.body = std::move(*body), .notes = {}};
-    const std::uint64_t notes = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < notes && reader.is_sound(); ++i) made.notes.push_back(reader.text());
-    if (!reader.is_sound() || !reader.is_at_end()) return std::nullopt;
-    return made;
-}
-
-}  // namespace
-
-MadeBody stored_body(const std::string& made_from, const ContentStore* store, const std::function<MadeBody()>& make) {
-    if (store == nullptr) return make();
-    if (const std::optional<std::string> bytes = store->find(kKind, made_from)) {
-        if (std::optional<MadeBody> made = made_body_from_bytes(*bytes)) return std::move(*made);
+    NotedBody noted{.content = {.body = std::move(*body), .clips = {}}, .notes = {}};
+    const std::uint64_t clips = reader.value<std::uint64_t>();
+    for (std::uint64_t i = 0; i < clips && reader.is_sound(); ++i) {
+        if (!read(reader, noted.content.clips.emplace_back())) return std::nullopt;
     }
-    MadeBody made = make();
-    store->keep(kKind, made_from, to_bytes(made));
-    return made;
+    const std::uint64_t notes = reader.value<std::uint64_t>();
+    for (std::uint64_t i = 0; i < notes && reader.is_sound(); ++i) noted.notes.push_back(reader.text());
+    if (!reader.is_sound() || !reader.is_at_end()) return std::nullopt;
+    return noted;
 }
 
-MadeBody load_stored_body(const std::filesystem::path& path, const LoadBodyOptions& options,
-                          const ContentStore* store) {
-    const auto load = [&] {
-        LoadBodyReport report;
-        Body body = load_body(path, options, &report);
-        return MadeBody{.body = std::move(body), .notes = std::move(report.notes)};
-    };
-    if (store == nullptr || lower_extension(path) == ".gltf") return load();
+std::string key_of(const std::filesystem::path& path, const LoadBodyOptions& options) {
     FlatWriter key;
     key.text(canonical_name(path));
     key.text(sha256_of_file(path));
     key.value(options.unit);
     key.value(options.up);
     key.value(options.stands_on_floor);
-    return stored_body(key.bytes(), store, load);
+    return key.bytes();
+}
+
+}  // namespace
+
+BodyClips load_stored_body(const std::filesystem::path& path, const LoadBodyOptions& options, const ContentStore* store,
+                           std::vector<std::string>& notes) {
+    const auto load = [&] {
+        LoadBodyReport report;
+        BodyClips content = load_moving_body(path, options, &report);
+        return NotedBody{.content = std::move(content), .notes = std::move(report.notes)};
+    };
+    const bool is_kept = store != nullptr && lower_extension(path) != ".gltf";
+    NotedBody noted = is_kept ? find_or_make(store, "body", key_of(path, options), load, bytes_of, noted_body) : load();
+    std::ranges::move(noted.notes, std::back_inserter(notes));
+    return std::move(noted.content);
 }
 
 }  // namespace selvedge::sim

@@ -3,7 +3,7 @@
 import unittest
 
 import numpy as np
-from support import InFolder, run_program
+from support import QUICK, InFolder, run_program, shipped
 
 import selvedge
 
@@ -24,6 +24,10 @@ class Bodies(InFolder):
         own = self.folder / "module.ply"
         selvedge.mannequin(bust=0.96, resolution=1).export(own)
         self.assertEqual(own.read_bytes(), path.read_bytes())
+
+    def test_a_body_that_is_named_has_its_measures(self):
+        result = selvedge.dress(shipped("two_squares"), "mannequin:bust=96,resolution=1", **QUICK)
+        self.assertAlmostEqual(result.body.measures["bust"], 0.96, delta=0.003)
 
     def test_arrays_are_views_that_keep_the_body(self):
         body = selvedge.mannequin(resolution=1)

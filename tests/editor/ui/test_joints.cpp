@@ -64,7 +64,7 @@ TEST_F(JointsInEditor, are_turned_by_a_script_and_saved_as_a_pose_of_the_list) {
     EXPECT_EQ(drape().activity().pose, file);
     const MotionChoices choices = pose_choices(drape());
     EXPECT_EQ(choices.shown, "wave.json");
-    const sim::Body& body = *drape().current_body().body;
+    const sim::Body& body = *drape().current_body().body();
     const sim::PoseAngles read = pose_angles(body, find_pose(file, body));
     for (std::size_t i = 0; i < sim::kJointCount; ++i) EXPECT_LT((read.joints[i] - turned.joints[i]).norm(), 1e-4);
     save_pose(editor_.state(), file);

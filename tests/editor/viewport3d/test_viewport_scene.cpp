@@ -204,7 +204,9 @@ TEST(PlacedMesh, takes_a_sewn_mesh_apart_where_the_pattern_places_its_panels) {
 namespace {
 
 CurrentBody mannequin(const std::string& text) {
-    return {.text = text, .body = sim::test::session_body(), .measures = {}, .points = {}};
+    CurrentBody made = current_body({.source = text, .body = sim::test::session_body()});
+    made.points.clear();
+    return made;
 }
 
 // Two squares that hang from the shoulders of the mannequin, in a window that holds only the 3D view.

@@ -18,7 +18,8 @@ CurrentBody small_body(const std::string& text) {
         body->x.push_back({(i & 1 ? 0.1 : -0.1), 1 + (i & 2 ? 0.1 : -0.1), (i & 4 ? 0.1 : -0.1)});
     body->triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                        {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    CurrentBody made{.text = text, .body = body, .measures = {}, .points = {}};
+    CurrentBody made{.prepared =
+                         std::make_shared<const sim::PreparedBody>(sim::MadeBody{.source = text, .body = body})};
     made.points = {{.name = "before", .position = {0, 1.35, 0.2}, .outward = {0, 0, 1}, .radius = 0.2},
                    {.name = "behind", .position = {0, 1, -0.2}, .outward = {0, 0, -1}, .radius = 0.2}};
     return made;

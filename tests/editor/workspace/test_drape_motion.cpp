@@ -145,12 +145,12 @@ TEST_F(DrapeOnMovingBody, puts_another_body_into_the_same_pose_and_motion) {
 
 TEST(DrapeOnAnimatedBody, plays_the_first_motion_of_its_file_if_none_is_chosen) {
     const auto made = [](const std::string& text) {
-        CurrentBody current = make_mannequin_body(text);
+        sim::MadeBody made_body = make_mannequin_body(text).made();
         for (const char* name : {"", "turns", "waves"}) {
-            current.clips.push_back(sim::find_motion("walk", *current.body));
-            current.clips.back().name = name;
+            made_body.clips.push_back(sim::find_motion("walk", *made_body.body));
+            made_body.clips.back().name = name;
         }
-        return current;
+        return current_body(std::move(made_body));
     };
     Workspace workspace(sim::load_pattern(std::filesystem::path(source_folder()) / "patterns" / "two_squares.json"),
                         sim::SessionDrive::Caller, made);
@@ -166,10 +166,9 @@ TEST(DrapeOnAnimatedBody, plays_the_first_motion_of_its_file_if_none_is_chosen) 
 
 TEST(DrapeOnTPose, has_its_own_pose_chosen_and_goes_back_to_the_one_in_which_it_is_dressed) {
     const auto made = [](const std::string& text) {
-        CurrentBody current = make_mannequin_body(kDefaultBody);
-        current.text = text;
-        current.body = std::make_shared<const sim::Body>(posed(*current.body, sim::find_pose("T", *current.body)));
-        return current;
+        const CurrentBody usual = make_mannequin_body(kDefaultBody);
+        const sim::Pose pose = sim::find_pose("T", *usual.body());
+        return current_body({.source = text, .body = std::make_shared<const sim::Body>(posed(*usual.body(), pose))});
     };
     Workspace workspace(sim::load_pattern(std::filesystem::path(source_folder()) / "patterns" / "two_squares.json"),
                         sim::SessionDrive::Caller, made);
@@ -203,7 +202,7 @@ BodyJoint joint_of(const Drape& drape, const std::string& title) {
 }
 
 TEST(BodyJoints, are_listed_by_plain_names_with_other_bones_last) {
-    sim::Body body = *make_mannequin_body(kDefaultBody).body;
+    sim::Body body = *make_mannequin_body(kDefaultBody).body();
     body.bones[static_cast<std::size_t>(sim::find_joints(body.bones)[sim::Joint::LeftHand])].name = "claw";
     const std::vector<BodyJoint> joints = joints_of(body);
     EXPECT_EQ(joints.size(), body.bones.size());
@@ -233,7 +232,7 @@ TEST_F(DrapeOnMovingBody, turns_joints_from_the_pose_that_was_chosen_and_resets_
     update(90);
     EXPECT_EQ(*drape().angles(), turned);
     ASSERT_NE(frame()->motion.pose, nullptr);
-    const sim::PoseAngles shown = pose_angles(*drape().current_body().body, *frame()->motion.pose);
+    const sim::PoseAngles shown = pose_angles(*drape().current_body().body(), *frame()->motion.pose);
     EXPECT_NEAR(angles_of(shown, elbow)[0], 1, 1e-3) << "the body went there";
     EXPECT_NEAR(angles_of(shown, other)[0], 1, 1e-3);
     drape().reset_angles(elbow, false);
@@ -243,7 +242,7 @@ TEST_F(DrapeOnMovingBody, turns_joints_from_the_pose_that_was_chosen_and_resets_
     update(90);
     EXPECT_FALSE(drape().activity().turned.has_value());
     EXPECT_EQ(drape().activity().pose, "stride");
-    const sim::PoseAngles again = pose_angles(*drape().current_body().body, *frame()->motion.pose);
+    const sim::PoseAngles again = pose_angles(*drape().current_body().body(), *frame()->motion.pose);
     EXPECT_LT((angles_of(again, elbow) - angles_of(stride, elbow)).norm(), 1e-3);
 }
 
@@ -278,7 +277,7 @@ TEST_F(DrapeOnMovingBody, puts_another_body_into_the_turned_pose) {
     drape().show_body("mannequin:sex=female,bust=94");
     update(400);
     ASSERT_NE(frame()->motion.pose, nullptr);
-    const sim::PoseAngles shown = pose_angles(*drape().current_body().body, *frame()->motion.pose);
+    const sim::PoseAngles shown = pose_angles(*drape().current_body().body(), *frame()->motion.pose);
     EXPECT_NEAR(angles_of(shown, elbow)[0], 1, 1e-3);
 }
 

@@ -193,12 +193,12 @@ std::shared_ptr<const Body> shared_mannequin() {
     return std::make_shared<const Body>(mannequin());
 }
 
-TEST(Wearer, can_be_dressed_again_and_gives_the_same_bits) {
+TEST(PreparedBody, can_be_dressed_again_and_gives_the_same_bits) {
     const Pattern pattern = shipped("two_squares");
-    const Wearer wearer(shared_mannequin());
-    EXPECT_FALSE(wearer.stands_otherwise());
+    const auto prepared = std::make_shared<const PreparedBody>(MadeBody{.body = shared_mannequin()});
+    EXPECT_FALSE(prepared->stands_otherwise());
     const DrawMesh expected = dress(pattern, mannequin(), up_to_level(1)).mesh;
-    for (int i = 0; i < 2; ++i) EXPECT_EQ(dress(pattern, wearer, up_to_level(1)).mesh, expected);
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(dress(pattern, prepared, up_to_level(1)).mesh, expected);
 }
 
 TEST(Dressing, goes_through_its_stages_in_order_and_ends_where_dress_does) {

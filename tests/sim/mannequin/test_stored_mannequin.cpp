@@ -26,13 +26,21 @@ TEST(StoredMannequin, has_the_same_bits_when_it_is_found_again) {
     const ContentStore store(folder / "store", "test", 1 << 28);
     MannequinOptions options{.subdivisions = 1};
     options.measures.bust = 0.95;
-    const MadeBody made = stored_mannequin(options, nullptr);
-    const MadeBody kept = stored_mannequin(options, &store);
+    const Mannequin made = stored_mannequin(options, nullptr);
+    const Mannequin kept = stored_mannequin(options, &store);
     EXPECT_EQ(count_of(folder / "store"), 1U);
-    const MadeBody found = stored_mannequin(options, &store);
+    const Mannequin found = stored_mannequin(options, &store);
     EXPECT_EQ(to_bytes(made.body), to_bytes(kept.body));
     EXPECT_EQ(to_bytes(made.body), to_bytes(found.body));
-    EXPECT_EQ(made.notes, found.notes);
+    EXPECT_EQ(made.report.messages, found.report.messages);
+    EXPECT_EQ(made.report.stance.made, found.report.stance.made);
+    ASSERT_EQ(made.report.readings.size(), found.report.readings.size());
+    for (std::size_t i = 0; i < made.report.readings.size(); ++i) {
+        EXPECT_EQ(made.report.readings[i].name, found.report.readings[i].name);
+        EXPECT_EQ(made.report.readings[i].requested, found.report.readings[i].requested);
+        EXPECT_EQ(made.report.readings[i].measured, found.report.readings[i].measured);
+        EXPECT_EQ(made.report.readings[i].level, found.report.readings[i].level);
+    }
     options.measures.bust = 0.96;
     EXPECT_NE(to_bytes(stored_mannequin(options, &store).body), to_bytes(made.body));
     EXPECT_EQ(count_of(folder / "store"), 2U);

@@ -1,5 +1,5 @@
 // One process holds a body ready for others.
-#include "app/ready_body.h"
+#include "app/last_body.h"
 
 #include <gtest/gtest.h>
 
@@ -22,8 +22,9 @@ TEST(LastBody, holds_the_body_that_was_asked_for_last) {
     last.prepare(wide);
     const auto ready = last.find(wide);
     ASSERT_NE(ready, nullptr);
-    EXPECT_EQ(ready->wearer.body().x, make_body(wide).body.x);
-    EXPECT_EQ(&ready->wearer.collider()->body(), ready->wearer.stands().get());
+    EXPECT_EQ(ready->body().x, make_body(wide).body->x);
+    EXPECT_TRUE(ready->has_colliders());
+    EXPECT_EQ(&ready->collider()->body(), ready->stands().get());
     last.prepare(wide);
     EXPECT_EQ(last.find(wide), ready);
     BodyOptions other_unit = wide;

@@ -4,22 +4,16 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "app/options.h"
 #include "sim/core/content_store.h"
-#include "sim/dress/wearer.h"
+#include "sim/dress/prepared_body.h"
 
 namespace selvedge::app {
 
-struct ReadyBody {
-    sim::Wearer wearer;
-    std::vector<std::string> notes;  // as of make_body()
-};
-
-// The body of make_body(), with its collider. store: null for none. Throws InputError as make_body() does.
-std::shared_ptr<const ReadyBody> make_ready_body(const BodyOptions& options, const sim::ContentStore* store);
+// The body of make_body(), with its colliders. store: null for none. Throws InputError as make_body() does.
+std::shared_ptr<const sim::PreparedBody> prepare_body(const BodyOptions& options, const sim::ContentStore* store);
 
 // Holds the body that was asked for last. More would take memory of every process.
 class LastBody {
@@ -29,13 +23,13 @@ class LastBody {
     // Makes the body ready on this thread, if it is not. One that cannot be made is left to whoever needs it.
     void prepare(const BodyOptions& options);
     // Null if that body is not ready, or a file of it was written since.
-    std::shared_ptr<const ReadyBody> find(const BodyOptions& options) const;
+    std::shared_ptr<const sim::PreparedBody> find(const BodyOptions& options) const;
 
  private:
     struct Entry {
         BodyOptions options;
         std::vector<std::filesystem::file_time_type> written;  // its files
-        std::shared_ptr<const ReadyBody> body;                 // null: it could not be made
+        std::shared_ptr<const sim::PreparedBody> body;         // null: it could not be made
     };
 
     const sim::ContentStore* store_;

@@ -1,10 +1,9 @@
-#include "app/ready_body.h"
+#include "app/last_body.h"
 
 #include <algorithm>
 #include <iterator>
 #include <new>
 #include <system_error>
-#include <utility>
 
 #include "app/body_buffers.h"
 #include "sim/core/error.h"
@@ -33,11 +32,11 @@ std::vector<std::filesystem::file_time_type> times_of(const BodyOptions& options
 
 }  // namespace
 
-std::shared_ptr<const ReadyBody> make_ready_body(const BodyOptions& options, const sim::ContentStore* store) {
-    sim::MadeBody made = make_body(options, store);
-    auto body = std::make_shared<const sim::Body>(std::move(made.body));
-    return std::make_shared<const ReadyBody>(
-        ReadyBody{.wearer = sim::Wearer(std::move(body), {}, store), .notes = std::move(made.notes)});
+std::shared_ptr<const sim::PreparedBody> prepare_body(const BodyOptions& options, const sim::ContentStore* store) {
+    auto prepared = std::make_shared<const sim::PreparedBody>(make_body(options, store));
+    prepared->collider({}, store);
+    prepared->own_collider({}, store);
+    return prepared;
 }
 
 void LastBody::prepare(const BodyOptions& options) {
@@ -46,13 +45,13 @@ void LastBody::prepare(const BodyOptions& options) {
     const sim::ThreadLimit alone(1);  // a process with more threads cannot be copied
     entry_ = Entry{options, written, nullptr};
     try {
-        entry_->body = make_ready_body(options, store_);
+        entry_->body = prepare_body(options, store_);
     } catch (const sim::InputError&) {
     } catch (const std::bad_alloc&) {
     }
 }
 
-std::shared_ptr<const ReadyBody> LastBody::find(const BodyOptions& options) const {
+std::shared_ptr<const sim::PreparedBody> LastBody::find(const BodyOptions& options) const {
     const bool has_it = entry_ && is_same(entry_->options, options) && entry_->written == times_of(options);
     return has_it ? entry_->body : nullptr;
 }

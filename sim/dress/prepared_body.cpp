@@ -1,0 +1,76 @@
+#include "sim/dress/prepared_body.h"
+
+#include <utility>
+
+#include "sim/core/assert.h"
+#include "sim/dress/dressing_pose.h"
+#include "sim/dress/own_pose.h"
+
+namespace selvedge::sim {
+namespace {
+
+struct ColliderOfBody {
+    std::shared_ptr<const Body> body;
+    BodyCollider collider;
+};
+
+// It keeps the body alive.
+std::shared_ptr<const BodyCollider> shared_collider_of(std::shared_ptr<const Body> body,
+                                                       const std::function<void()>& interrupt,
+                                                       const ContentStore* store) {
+    const Body& surface = *body;
+    const std::shared_ptr<const ColliderOfBody> made(
+        new ColliderOfBody{std::move(body), BodyCollider(surface, {}, interrupt, store)});
+    return {made, &made->collider};
+}
+
+// Null unless it is wanted and the body can be posed.
+std::shared_ptr<const Pose> pose_if(bool is_wanted, const std::shared_ptr<const Body>& body,
+                                    Pose (*pose_of)(const Body&)) {
+    SELVEDGE_ASSERT(body);
+    const bool has_it = is_wanted && !body->bones.empty() && !body->skin.empty();
+    return has_it ? std::make_shared<const Pose>(pose_of(*body)) : nullptr;
+}
+
+std::shared_ptr<const Body> standing(const std::shared_ptr<const Body>& body, const Pose* pose) {
+    SELVEDGE_ASSERT(body);
+    return pose && needs_other_pose(*body, *pose) ? std::make_shared<const Body>(posed(*body, *pose)) : body;
+}
+
+}  // namespace
+
+PreparedBody::PreparedBody(MadeBody made) : PreparedBody(std::move(made), Arms::Lowered) {}
+
+PreparedBody::PreparedBody(MadeBody made, Arms arms)
+    : made_(std::move(made)),
+      own_pose_(pose_if(arms == Arms::Lowered, made_.body, rest_pose)),
+      dressing_pose_(pose_if(arms == Arms::Lowered, made_.body, sim::dressing_pose)),
+      stands_(standing(made_.body, dressing_pose_.get())),
+      measured_(*stands_) {}
+
+std::shared_ptr<const PreparedBody> PreparedBody::in_given_pose(std::shared_ptr<const Body> body) {
+    return std::shared_ptr<const PreparedBody>(new PreparedBody({.body = std::move(body)}, Arms::AsGiven));
+}
+
+std::shared_ptr<const BodyCollider> PreparedBody::collider(const std::function<void()>& interrupt,
+                                                           const ContentStore* store) const {
+    const std::scoped_lock lock(building_);
+    if (!collider_) collider_ = shared_collider_of(stands_, interrupt, store);
+    return collider_;
+}
+
+std::shared_ptr<const BodyCollider> PreparedBody::own_collider(const std::function<void()>& interrupt,
+                                                               const ContentStore* store) const {
+    if (!stands_otherwise()) return nullptr;
+    const std::scoped_lock lock(building_);
+    if (!own_collider_)
+        own_collider_ = shared_collider_of(std::make_shared<const Body>(posed(body(), *own_pose_)), interrupt, store);
+    return own_collider_;
+}
+
+bool PreparedBody::has_colliders() const {
+    const std::scoped_lock lock(building_);
+    return collider_ && (own_collider_ || !stands_otherwise());
+}
+
+}  // namespace selvedge::sim

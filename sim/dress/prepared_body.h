@@ -1,0 +1,60 @@
+#pragma once
+// A body that is ready to be dressed, as often as one likes: where it came from, how it stands while it is dressed and
+// afterwards, its measures, and its colliders.
+#include <functional>
+#include <memory>
+#include <mutex>
+
+#include "sim/body/body.h"
+#include "sim/body/pose.h"
+#include "sim/collide/body_collider.h"
+#include "sim/dress/made_body.h"
+#include "sim/place/measured_body.h"
+
+namespace selvedge::sim {
+
+// Several threads may ask at the same time.
+class PreparedBody {
+ public:
+    // Finds how it stands, which is quick. made.body: not null.
+    explicit PreparedBody(MadeBody made);
+    PreparedBody(const PreparedBody&) = delete;
+    PreparedBody& operator=(const PreparedBody&) = delete;
+
+    // One that is dressed in the pose in which it is given, whatever its arms do. body: not null.
+    static std::shared_ptr<const PreparedBody> in_given_pose(std::shared_ptr<const Body> body);
+
+    const MadeBody& made() const { return made_; }
+    const Body& body() const { return *made_.body; }  // in its own pose
+    // In the pose in which it is dressed: the same body if that is its own pose.
+    const std::shared_ptr<const Body>& stands() const { return stands_; }
+    bool stands_otherwise() const { return stands_ != made_.body; }
+    // Its own pose, and dressing_pose(); null for a body without bones, or one that is dressed as it is given.
+    const std::shared_ptr<const Pose>& own_pose() const { return own_pose_; }
+    const std::shared_ptr<const Pose>& dressing_pose() const { return dressing_pose_; }
+    const MeasuredBody& measured() const { return measured_; }  // stands()
+
+    // The collider of stands(), which it keeps alive. It is built when first asked for, which takes up to seconds.
+    // interrupt: called regularly meanwhile; its exceptions propagate, and the next caller builds it. store: where the
+    // body's field may be found and is kept; null for none.
+    std::shared_ptr<const BodyCollider> collider(const std::function<void()>& interrupt = {},
+                                                 const ContentStore* store = nullptr) const;
+    // The same of body(), as move_to_own_pose() leaves it; null if it is dressed in its own pose.
+    std::shared_ptr<const BodyCollider> own_collider(const std::function<void()>& interrupt = {},
+                                                     const ContentStore* store = nullptr) const;
+    // Whether all of them are built that dressing needs.
+    bool has_colliders() const;
+
+ private:
+    enum class Arms { Lowered, AsGiven };
+    PreparedBody(MadeBody made, Arms arms);
+
+    MadeBody made_;
+    std::shared_ptr<const Pose> own_pose_, dressing_pose_;
+    std::shared_ptr<const Body> stands_;
+    MeasuredBody measured_;
+    mutable std::mutex building_;
+    mutable std::shared_ptr<const BodyCollider> collider_, own_collider_;
+};
+
+}  // namespace selvedge::sim
