@@ -29,12 +29,12 @@
 #include "sim/core/file.h"
 #include "sim/core/parallel.h"
 #include "sim/core/printable.h"
-#include "sim/dress/animation.h"
-#include "sim/dress/animation_report.h"
 #include "sim/dress/dressing_pose.h"
 #include "sim/exchange/mesh_cache.h"
 #include "sim/exchange/pc2_file.h"
 #include "sim/mesh/draw_mesh.h"
+#include "sim/session/animation.h"
+#include "sim/session/animation_report.h"
 
 namespace selvedge::app {
 namespace {

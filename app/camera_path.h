@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sim/core/math.h"
-#include "sim/dress/animation.h"
+#include "sim/session/animation.h"
 
 namespace selvedge::app {
 

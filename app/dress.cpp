@@ -1,5 +1,5 @@
 // selvedge dress GARMENT: puts a garment on a body; writes pictures, meshes and a report.
-#include "sim/dress/dress.h"
+#include "sim/session/dress.h"
 
 #include <algorithm>
 #include <chrono>
@@ -31,9 +31,9 @@
 #include "sim/core/passing_error.h"
 #include "sim/core/printable.h"
 #include "sim/dress/anchor.h"
-#include "sim/dress/report.h"
 #include "sim/exchange/garmentcode_element.h"
 #include "sim/exchange/mesh_file.h"
+#include "sim/inspection/report.h"
 #include "sim/pattern/garments.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/tartan/match.h"

@@ -8,10 +8,10 @@
 #include "sim/core/error.h"
 #include "sim/core/printable.h"
 #include "sim/dress/anchor.h"
-#include "sim/dress/dress_check.h"
 #include "sim/pattern/garments.h"
 #include "sim/pattern/named_file.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/session/dress_check.h"
 #include "sim/tartan/tartan_file.h"
 
 namespace selvedge::app {

@@ -10,7 +10,7 @@
 #include "app/options.h"
 #include "app/picture.h"
 #include "sim/dress/dress_options.h"
-#include "sim/dress/report.h"
+#include "sim/inspection/report.h"
 #include "sim/pattern/limits.h"
 #include "sim/pattern/pattern.h"
 

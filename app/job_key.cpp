@@ -10,7 +10,7 @@
 #include "sim/core/json.h"
 #include "sim/core/sha256.h"
 #include "sim/core/simd_level.h"
-#include "sim/dress/report.h"
+#include "sim/inspection/report.h"
 #include "sim/pattern/named_file.h"
 #include "sim/pattern/pattern.h"
 #include "sim/pattern/pattern_file.h"

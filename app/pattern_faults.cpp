@@ -6,9 +6,9 @@
 #include "render/looks/cloth_looks.h"
 #include "sim/core/error.h"
 #include "sim/core/json.h"
-#include "sim/dress/dress_check.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/pattern/sources.h"
+#include "sim/session/dress_check.h"
 #include "sim/tartan/tartan_file.h"
 
 namespace selvedge::app {

@@ -9,7 +9,7 @@
 #include "sim/core/file.h"
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
-#include "sim/dress/report.h"
+#include "sim/inspection/report.h"
 
 namespace selvedge::app {
 namespace {

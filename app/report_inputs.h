@@ -5,7 +5,7 @@
 
 #include "app/garment_options.h"
 #include "app/options.h"
-#include "sim/dress/report.h"
+#include "sim/inspection/report.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::app {

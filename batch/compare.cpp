@@ -8,7 +8,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/file_path.h"
-#include "sim/dress/report.h"
+#include "sim/inspection/report.h"
 
 namespace selvedge::batch {
 namespace {

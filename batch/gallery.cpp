@@ -8,7 +8,7 @@
 #include "batch/job_folder.h"
 #include "batch/results.h"
 #include "sim/core/file.h"
-#include "sim/dress/report.h"
+#include "sim/inspection/report.h"
 
 namespace selvedge::batch {
 

@@ -21,7 +21,7 @@
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/core/printable.h"
-#include "sim/dress/report.h"
+#include "sim/inspection/report.h"
 
 namespace selvedge::batch {
 namespace {

@@ -15,8 +15,8 @@
 #include "python/meshes.h"
 #include "python/views.h"
 #include "sim/core/error.h"
-#include "sim/dress/report.h"
 #include "sim/exchange/garmentcode_element.h"
+#include "sim/inspection/report.h"
 #include "sim/place/fit.h"
 
 namespace selvedge::python {

@@ -13,8 +13,8 @@
 #include "python/bodies.h"
 #include "python/patterns.h"
 #include "sim/core/parallel.h"
-#include "sim/dress/contact_pressure.h"
-#include "sim/dress/dress.h"
+#include "sim/inspection/contact_pressure.h"
+#include "sim/session/dress.h"
 
 namespace selvedge::python {
 

@@ -17,7 +17,7 @@
 #include "python/results.h"
 #include "python/views.h"
 #include "sim/core/parallel.h"
-#include "sim/dress/session.h"
+#include "sim/session/session.h"
 
 namespace selvedge::python {
 namespace {

@@ -10,11 +10,11 @@
 #include "sim/cloth/contact.h"
 #include "sim/cloth/standoff.h"
 #include "sim/collide/body_collider.h"
-#include "sim/dress/animation.h"
 #include "sim/dress/dressing_pose.h"
-#include "sim/dress/live_motion.h"
 #include "sim/dress/motion_run.h"
-#include "sim/dress/session.h"
+#include "sim/session/animation.h"
+#include "sim/session/live_motion.h"
+#include "sim/session/session.h"
 
 namespace selvedge::bench {
 namespace {

@@ -8,8 +8,8 @@
 #include "sim/body/body.h"
 #include "sim/body/clip.h"
 #include "sim/core/parallel.h"
-#include "sim/dress/motion_quality.h"
 #include "sim/dress/motion_run.h"
+#include "sim/inspection/motion_quality.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::bench {

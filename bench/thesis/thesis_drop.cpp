@@ -17,7 +17,7 @@
 #include "sim/collide/collider.h"
 #include "sim/core/parallel.h"
 #include "sim/dress/drape.h"
-#include "sim/dress/report.h"
+#include "sim/inspection/report.h"
 #include "sim/mesh/square.h"
 
 namespace selvedge::bench {

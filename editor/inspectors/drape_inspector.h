@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "sim/dress/session.h"
+#include "sim/session/session.h"
 
 namespace selvedge::editor {
 

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "render/surface/curve.h"
-#include "sim/dress/session.h"
 #include "sim/mesh/draw_mesh.h"
+#include "sim/session/session.h"
 
 namespace selvedge::editor {
 

@@ -13,9 +13,9 @@
 #include "editor/geometry/draft.h"
 #include "editor/viewport3d/cloth_outline.h"
 #include "render/scene/scene.h"
-#include "sim/dress/session.h"
 #include "sim/pattern/pattern.h"
 #include "sim/place/placement.h"
+#include "sim/session/session.h"
 
 namespace selvedge::editor {
 

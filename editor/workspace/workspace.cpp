@@ -6,12 +6,12 @@
 
 #include "sim/core/error.h"
 #include "sim/dress/anchor.h"
-#include "sim/dress/dress.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/motion/grounding.h"
 #include "sim/pattern/garments.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/place/free_place.h"
+#include "sim/session/dress.h"
 
 namespace selvedge::editor {
 std::set<std::string> undrawn_panels(const sim::Pattern& pattern, const ViewOptions& look, const PanelStates& states) {

@@ -19,10 +19,10 @@
 #include "sim/body/body.h"
 #include "sim/body/clip.h"
 #include "sim/dress/prepared_body.h"
-#include "sim/dress/session.h"
 #include "sim/motion/joint_angles.h"
 #include "sim/motion/motion_file.h"
 #include "sim/place/placement.h"
+#include "sim/session/session.h"
 
 namespace selvedge::editor {
 

@@ -6,7 +6,6 @@
 
 #include "sim/cloth/cloth_penetration.h"
 #include "sim/collide/body_collider.h"
-#include "sim/dress/inspection.h"
 #include "sim/mesh/sew.h"
 #include "sim/place/limb_pieces.h"
 #include "sim/place/limbs.h"
@@ -22,7 +21,7 @@ constexpr int kStepsToClose = 60;         // 0.5 s, in which seams close that th
 
 // Where cloth is in the body, and the middles of links that are open.
 std::vector<Vec3f> find_faults(const SewingRun& done, const SurfaceBvh& surface) {
-    const auto depth = static_cast<float>(FaultLimits{}.face_depth);
+    const auto depth = static_cast<float>(kFaceDip);
     const Penetration found = find_penetration(done.cloth(), surface, {.depth = depth});
     std::vector<Vec3f> points;
     for (const PassingEdge& edge : found.passing) points.push_back(edge.at);

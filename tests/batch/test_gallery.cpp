@@ -13,7 +13,7 @@
 #include "render/image/image.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
-#include "sim/dress/report.h"
+#include "sim/inspection/report.h"
 #include "tests/support/temporary_folder.h"
 
 namespace selvedge::batch {

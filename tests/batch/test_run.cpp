@@ -21,7 +21,7 @@
 #include "batch/run.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
-#include "sim/dress/report.h"
+#include "sim/inspection/report.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 

@@ -11,11 +11,11 @@
 #include "render/surface/curve.h"
 #include "sim/cloth/cloth.h"
 #include "sim/collide/collider.h"
-#include "sim/dress/dress.h"
-#include "sim/dress/report.h"
+#include "sim/inspection/report.h"
 #include "sim/mesh/sew.h"
+#include "sim/session/dress.h"
 #include "tests/editor/viewport3d/viewport_support.h"
-#include "tests/sim/dress/session_support.h"
+#include "tests/sim/session/session_support.h"
 
 namespace selvedge::editor {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "editor/workspace/workspace.h"
 #include "sim/core/error.h"
-#include "sim/dress/animation.h"
 #include "sim/motion/motion_file.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/session/animation.h"
 #include "tests/support/checkout.h"
 
 namespace selvedge::editor {

@@ -6,7 +6,7 @@
 #include "sim/adaptive/check.h"
 #include "sim/collide/collider.h"
 #include "sim/core/error.h"
-#include "sim/dress/report.h"
+#include "sim/inspection/report.h"
 #include "tests/sim/cloth/fixtures.h"
 #include "tests/support/right_wrong.h"
 

@@ -2,7 +2,7 @@
 // Shared by the tests of sim/dress.
 #include <string>
 
-#include "sim/dress/report.h"
+#include "sim/inspection/report.h"
 
 namespace selvedge::sim::test {
 

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "sim/adaptive/panel_lines.h"
-#include "sim/dress/dress.h"
 #include "sim/dress/dressing.h"
+#include "sim/session/dress.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/sim/dress/support.h"
 #include "tests/support/bodies.h"

@@ -11,12 +11,12 @@
 
 #include "sim/cloth/cloth_penetration.h"
 #include "sim/collide/body_collider.h"
-#include "sim/dress/dress.h"
 #include "sim/dress/dressing.h"
 #include "sim/dress/garment_sewing.h"
 #include "sim/mesh/sew.h"
 #include "sim/pattern/garments.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/session/dress.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/checkout.h"
 #include "tests/support/mannequin.h"

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "sim/dress/dress.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/place/fit.h"
+#include "sim/session/dress.h"
 #include "tests/support/bodies.h"
 #include "tests/support/checkout.h"
 

@@ -8,11 +8,11 @@
 
 #include "sim/collide/body_collider.h"
 #include "sim/collide/surface_bvh.h"
-#include "sim/dress/dress.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/mesh/sew.h"
 #include "sim/place/limbs.h"
 #include "sim/place/placement.h"
+#include "sim/session/dress.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
 #include "tests/support/posed_body.h"

@@ -1,0 +1,233 @@
+#include "sim/session/dress.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <optional>
+
+#include "sim/core/math.h"
+#include "sim/core/stopwatch.h"
+#include "sim/dress/own_pose.h"
+#include "sim/inspection/inspection.h"
+#include "sim/inspection/wearing.h"
+#include "sim/mesh/garment_mesh.h"
+#include "sim/place/fit_table.h"
+#include "sim/session/animation.h"
+#include "sim/session/session_frame.h"
+
+namespace selvedge::sim {
+namespace {
+
+// Measures the wall time of each phase of a dressing.
+class PhaseTimer {
+ public:
+    explicit PhaseTimer(DressTiming& timing) : timing_(timing) {}
+
+    void done(const std::string& phase) {
+        timing_.wall_s = seconds_since(start_);
+        timing_.phases_s[phase] = seconds_since(phase_start_);
+        phase_start_ = Clock::now();
+    }
+
+ private:
+    DressTiming& timing_;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point phase_start_ = start_;
+};
+
+double peak_memory_mb() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+void record_drape(DressReport& report, const DrapeResult& result) {
+    report.settled = result.settled;
+    report.stopped_because = result.stopped_because();
+    report.simulated_seconds = result.simulated_seconds;
+    report.mesh.splits = result.splits;
+    report.mesh.rejoins = result.rejoins;
+    report.mesh.transitions = result.transitions;
+    report.timing.ms_per_adaptation = quantile(result.adaptation_ms, 0.5);
+    report.timing.ms_per_step = quantile(result.step_ms, 0.5);
+    report.timing.ms_adapt_plus_4_steps = report.timing.ms_per_adaptation + 4 * report.timing.ms_per_step;
+}
+
+void record_mesh(DressReport& report, const Pattern& pattern, const GarmentMesh& mesh) {
+    const MeshReport found = report_mesh(pattern, mesh);
+    report.mesh.base_triangles = found.triangles;
+    report.mesh.min_angle_deg = found.min_angle_deg;
+    report.seams.count = static_cast<int>(pattern.seams.size());
+    report.seams.worst_length_mismatch = found.worst_mismatch ? found.worst_mismatch->ratio - 1 : 0;
+}
+
+// Runs the dressing to the end of this stage.
+void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phase, const Progress& progress) {
+    while (dressing.stage() == stage) {
+        dressing.advance();
+        if (dressing.stage() == stage) report(progress, phase, dressing.fraction());
+    }
+}
+
+// A garment that is not part of an outfit.
+bool is_single(const Dressing& dressing) {
+    return garments_of(dressing.pattern()).size() == 1;
+}
+
+// Runs the fall to its end, or until the garment slips down the body or was too small for it at two tests. What is
+// `known_too_small` is given up at once, for it would only crumple; an outfit hangs first.
+// Pre: there is a check if it falls.
+void fall_or_give_up(Dressing& dressing, bool known_too_small, const std::optional<WearingCheck>& wearing,
+                     const Progress& progress) {
+    // s of simulated time, in which cloth that hangs calmly slides into place, and what slips does not get far
+    constexpr double kBetweenTests = 0.5;
+    const bool is_one = is_single(dressing);       // others of an outfit are waited for
+    double next_fit_test = 0, next_slip_test = 0;  // s
+    bool was_too_small = false;
+    while (dressing.stage() == DressingStage::Fall) {
+        dressing.advance();
+        report(progress, "draping", dressing.fraction());
+        if (!dressing.falls()) continue;  // finer sub-steps at the end
+        const double now = dressing.simulated_seconds();
+        const bool tests_slip = is_one && now >= next_slip_test;
+        if (tests_slip) next_slip_test = now + kBetweenTests;
+        if (known_too_small && (is_one || dressing.hangs())) {
+            dressing.give_up(GiveUp::TooSmall);
+        } else if (tests_slip && wearing->slips(*dressing.cloth())) {
+            dressing.give_up(GiveUp::SlipsDown);
+        } else if (dressing.hangs_calmly() && now >= next_fit_test) {
+            next_fit_test = now + kBetweenTests;
+            const bool is_small = is_too_small(*dressing.cloth(), *dressing.body());
+            if (is_small && was_too_small) dressing.give_up(GiveUp::TooSmall);
+            was_too_small = is_small;
+        }
+    }
+}
+
+// A garment that is too small is not waited for: it crumples and stretches without coming to rest. Nor is one that
+// slips down: it would fall to the floor. One that could not be pulled over the body, or slipped while it was sewn,
+// stays as it was sewn; an outfit hangs, for the sake of its other garments. Returns what of the sewn garment fits
+// nowhere. If the end shows that a verdict was wrong, it falls on.
+std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional<WearingCheck>& wearing,
+                                         const Progress& progress) {
+    std::optional<TightLevel> too_small;
+    if (dressing.stage() == DressingStage::Relax) too_small = fits_nowhere(*dressing.cloth(), *dressing.body());
+    const bool is_one = is_single(dressing);
+    if (is_one && too_small && excess_stretch(*too_small) > FaultLimits{}.stretch_max) {
+        dressing.give_up(GiveUp::TooSmall);
+    } else if (is_one && dressing.stage() == DressingStage::Relax && wearing->slips(*dressing.cloth())) {
+        dressing.give_up(GiveUp::SlipsDown);
+    }
+    finish_stage(dressing, DressingStage::Relax, "draping", progress);
+    fall_or_give_up(dressing, too_small.has_value(), wearing, progress);
+    const Cloth& cloth = *dressing.cloth();
+    const std::optional<GiveUp> given_up = dressing.result().given_up;
+    if (!given_up || dressing.result().bad_vertex) return std::nullopt;
+    if (given_up == GiveUp::SlipsDown && wearing->slips(cloth)) return std::nullopt;
+    const bool shows_it = is_too_small(cloth, *dressing.body()) || (too_small && is_overstretched(cloth));
+    if (given_up == GiveUp::TooSmall && shows_it) return too_small;
+    dressing.reactivate();
+    finish_stage(dressing, DressingStage::Fall, "draping", progress);
+    return std::nullopt;
+}
+
+// None for cloth that is not finite: nothing is checked of it.
+std::optional<WearingCheck> check_wearing(Dressing& dressing, const MeasuredBody& wearer) {
+    if (dressing.result().bad_vertex) return std::nullopt;
+    return WearingCheck(dressing.sewn_mesh(), {.unsewn = dressing.designed(), .body = &dressing.designed_for()},
+                        wearer);
+}
+
+// Fills in the report's faults and fit. `wearing`, the collider and its measured body have the wearer in the same pose.
+void inspect(DressedGarment& dressed, Dressing& dressing, const std::optional<WearingCheck>& wearing,
+             const BodyCollider& collider, const MeasuredBody& measured, const DrapeResult& result,
+             const std::optional<TightLevel>& too_small) {
+    const Cloth& cloth = dressed.cloth();
+    validate(cloth, collider, dressing.anchored(), dressing.open_seams(), result, dressed.report,
+             {.may_cross_itself = !dressing.options().self_collision}, too_small);
+    if (result.bad_vertex) return;
+    wearing->validate(cloth, dressed.report);
+    dressed.report.fit = measure_fit(dressed.mesh, measured);
+}
+
+DressReport report_of(const Pattern& pattern, const Body& body, const DressOptions& options) {
+    DressReport report;
+    report.options = options;
+    report.garment = pattern.name;
+    report.garments = garment_names(pattern);
+    report.body = body.name;
+    return report;
+}
+
+}  // namespace
+
+DressedGarment dress(const Pattern& pattern, const Body& body, const DressOptions& options, const Progress& progress,
+                     const ContentStore* store) {
+    const std::shared_ptr<const Body> unowned(std::shared_ptr<void>(), &body);
+    return dress(pattern, std::make_shared<const PreparedBody>(MadeBody{.body = unowned}), options, progress, store);
+}
+
+DressedGarment dress(const Pattern& pattern, const std::shared_ptr<const PreparedBody>& prepared,
+                     const DressOptions& options, const Progress& progress, const ContentStore* store) {
+    check_layers(pattern, options);
+    check_size(pattern);
+    const Body& body = prepared->body();
+    DressedGarment dressed;
+    dressed.report = report_of(pattern, body, options);
+    DressReport& report = dressed.report;
+    PhaseTimer timer(report.timing);
+    Dressing dressing({}, store);
+    dressing.set_options(options);
+    dressing.set_body(prepared);
+    if (!prepared->has_colliders()) selvedge::sim::report(progress, "reading the body", 0);
+    dressing.collider();
+    const std::shared_ptr<const BodyCollider> own_collider = prepared->own_collider({}, store);
+    timer.done("body");
+
+    dressing.set_pattern(pattern);
+    dressing.sew();
+    report.notes = dressing.take_notes();
+    timer.done("mesh");
+
+    finish_stage(dressing, DressingStage::Sew, "sewing", progress);
+    selvedge::sim::report(progress, "sewing", 1);
+    std::ranges::move(dressing.take_notes(), std::back_inserter(report.notes));
+    record_mesh(report, pattern, dressing.sewn_mesh());
+    timer.done("sewing");
+
+    selvedge::sim::report(progress, "draping", 0);
+    std::optional<WearingCheck> wearing = check_wearing(dressing, dressing.measured());
+    std::optional<TightLevel> too_small = relax_and_fall(dressing, wearing, progress);
+    selvedge::sim::report(progress, "draping", 1);
+    Simulation& simulation = dressed.simulation.emplace(dressing.take_simulation());
+    const Cloth& cloth = simulation.cloth();
+    DrapeResult result = dressing.result();
+    const BodyCollider* const own = result.bad_vertex ? nullptr : own_collider.get();
+    const MeasuredBody as_given(body);
+    if (own != nullptr) {
+        result =
+            move_to_own_pose(simulation, body, *prepared->dressing_pose(), *own, options, result.given_up, progress);
+        too_small.reset();  // it was found in the other pose
+        wearing = check_wearing(dressing, as_given);
+        // What slipped may not slip in this pose. Then nothing excuses that it is not at rest.
+        const bool slipped = result.given_up == GiveUp::SlipsDown && !result.bad_vertex;
+        if (slipped && !wearing->slips(cloth)) result.given_up.reset();
+        report.notes.emplace_back("dressed with lowered arms, which then moved into the pose of the body");
+    }
+    record_drape(report, result);
+    timer.done("draping");
+
+    dressed.mesh = draw_mesh(cloth, dressing.sewn_mesh().panel_names);
+    const BodyCollider& collider = own ? *own : dressing.collider();
+    const MeasuredBody at_rest(collider.body());
+    inspect(dressed, dressing, wearing, collider, own ? at_rest : dressing.measured(), result, too_small);
+    dressed.hierarchy = triangle_hierarchy(cloth);
+    dressed.meshing = dressing.drape().meshing;
+    timer.done("inspection");
+    report.timing.peak_memory_mb = peak_memory_mb();
+    return dressed;
+}
+
+}  // namespace selvedge::sim

@@ -1,0 +1,43 @@
+#pragma once
+// Facade for the batch program and tests: dresses a body in a pattern, drapes the garment until it is at rest, and
+// reports every fault.
+#include <memory>
+#include <optional>
+
+#include "sim/body/body.h"
+#include "sim/cloth/cloth.h"
+#include "sim/core/parallel.h"
+#include "sim/dress/dressing.h"
+#include "sim/dress/prepared_body.h"
+#include "sim/inspection/report.h"
+#include "sim/mesh/draw_mesh.h"
+#include "sim/mesh/garment_mesh.h"
+#include "sim/pattern/pattern.h"
+
+namespace selvedge::sim {
+
+class ContentStore;
+
+// The draped garment: its leaf triangles, their refinement hierarchy, the simulation of its cloth, how its panels were
+// meshed, and the report.
+struct DressedGarment {
+    DrawMesh mesh;
+    TriangleHierarchy hierarchy;
+    std::optional<Simulation> simulation;  // never empty: of the cloth, which goes on on a body that moves
+    MeshOptions meshing{};
+    DressReport report;
+
+    const Cloth& cloth() const { return simulation->cloth(); }
+};
+
+// Throws InputError for a pattern that cannot be meshed, or an unknown fabric or body. Later problems are faults in the
+// report. store: where the bodies' fields, and the body that the pattern names, may be found and are kept; null for
+// none.
+DressedGarment dress(const Pattern& pattern, const std::shared_ptr<const PreparedBody>& prepared,
+                     const DressOptions& options = {}, const Progress& progress = {},
+                     const ContentStore* store = nullptr);
+// The same, with a body that is prepared first.
+DressedGarment dress(const Pattern& pattern, const Body& body, const DressOptions& options = {},
+                     const Progress& progress = {}, const ContentStore* store = nullptr);
+
+}  // namespace selvedge::sim

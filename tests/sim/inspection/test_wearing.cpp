@@ -1,0 +1,305 @@
+// Whether a garment is worn as it was placed, on mannequins and small tubes.
+#include "sim/inspection/wearing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/cloth_penetration.h"
+#include "sim/collide/collider.h"
+#include "sim/collide/surface_bvh.h"
+#include "sim/mesh/sew.h"
+#include "sim/place/limbs.h"
+#include "tests/sim/dress/shapes.h"
+#include "tests/support/bodies.h"
+#include "tests/support/mannequin.h"
+#include "tests/support/posed_body.h"
+
+namespace selvedge::sim::test {
+namespace {
+
+const Body& mannequin_in_t_pose() {
+    static const Body body = shapes::in_t_pose(mannequin());
+    return body;
+}
+
+std::string list(const DressReport& report) {
+    std::string text;
+    for (const DressFault& fault : report.faults) text += fault.kind + ": " + fault.place + "\n";
+    return text;
+}
+
+using Move = std::function<Vec3d(const Vec3d&)>;
+
+// The report on a garment whose vertices, down to a level, ended where `move` brought them from where they were placed.
+DressReport report_on(const GarmentMesh& unsewn, const Move& move, const Body& wearer, int level = 0,
+                      const Fabric& fabric = {}) {
+    GarmentMesh sewn = unsewn;
+    merge_seams(sewn);
+    Cloth cloth = make_cloth(sewn, std::vector<Fabric>(sewn.panel_names.size(), fabric), {.max_level = level});
+    std::vector<MinimumLevelDisc> everywhere;
+    for (std::uint16_t p = 0; p < sewn.panel_names.size(); ++p)
+        everywhere.push_back({.panel = p, .radius = 10, .level = level});
+    adapt_cloth(cloth, NoBody(), {.minimum_levels = everywhere, .max_level = level});
+    for (const VertexId v : cloth.mesh.leaf_vertices())
+        cloth.x[v.value].head<3>() = move(cloth.x[v.value].head<3>().cast<double>()).cast<float>();
+    DressReport report;
+    report.contact.faces_in_body = find_penetration(cloth, SurfaceBvh(wearer), {.depth = 0.0005F}).faces;
+    const MeasuredBody designed_for(mannequin()), worn_by(wearer);
+    WearingCheck(sewn, {.unsewn = unsewn, .body = &designed_for}, worn_by).validate(cloth, report);
+    return report;
+}
+
+DressReport report_on(const Pattern& pattern, const Move& move, const Body& wearer, const Fabric& fabric = {}) {
+    return report_on(assemble(pattern), move, wearer, 0, fabric);
+}
+
+Pattern skirt() {
+    return tube(0.5, 0.5, 0.5, 0.2);
+}
+
+Pattern narrow_skirt() {
+    return tube(0.3, 0.5, 0.5, 0.2);
+}
+
+// Round the left forearm, front and back of it.
+Pattern sleeve() {
+    Pattern pattern = tube(0.2, 0.2, 0, 0.1);
+    const std::vector<LimbJoint> joints = find_limbs(mannequin())[LimbKind::LeftArm].joints;
+    const Vec3d middle = (joints[1].centre + joints[2].centre) / 2, up = (joints[1].centre - joints[2].centre);
+    const Eigen::AngleAxisd turn(std::atan2(-up.x(), up.y()), Vec3d::UnitZ());
+    for (Panel& panel : pattern.panels) {
+        const double side = panel.translation.z();
+        panel.rotation = turn.toRotationMatrix();
+        panel.translation = middle - turn * Vec3d(0, 0.1, 0) + Vec3d(0, 0, side);
+    }
+    return pattern;
+}
+
+Vec3d stays(const Vec3d& x) {
+    return x;
+}
+
+bool has_note(const DressReport& report, const std::string& text) {
+    return std::ranges::any_of(report.notes,
+                               [&](const std::string& note) { return note.find(text) != std::string::npos; });
+}
+
+TEST(Wearing, of_a_garment_where_it_was_placed_has_no_fault) {
+    for (const Pattern& pattern : {skirt(), sleeve()}) {
+        const DressReport report = report_on(pattern, stays, mannequin());
+        EXPECT_EQ(list(report), "");
+        EXPECT_TRUE(report.notes.empty());
+    }
+}
+
+TEST(Wearing, of_a_garment_that_settled_by_a_few_centimetres_has_no_fault) {
+    const DressReport report = report_on(
+        skirt(), [](const Vec3d& x) { return Vec3d(x - Vec3d(0, 0.06, 0)); }, mannequin());
+    EXPECT_EQ(list(report), "");
+    EXPECT_TRUE(has_note(report, "the waist of 'front' lies 6 cm lower than it was placed"));
+    const auto less = [](const Vec3d& x) { return Vec3d(x - Vec3d(0, 0.03, 0)); };
+    EXPECT_TRUE(report_on(skirt(), less, mannequin()).notes.empty());
+}
+
+TEST(Wearing, finds_a_skirt_at_the_ankles) {
+    const DressReport report = report_on(
+        narrow_skirt(), [](const Vec3d& x) { return Vec3d(x.x(), 0.05 + 0.2 * (x.y() - 0.5), x.z()); }, mannequin());
+    ASSERT_EQ(report.faults.size(), 3U) << list(report);
+    EXPECT_EQ(report.faults[0].kind, "displaced");
+    EXPECT_NE(report.faults[0].place.find("'front' lies 65 cm lower than it was placed"), std::string::npos)
+        << report.faults[0].place;
+    EXPECT_NEAR(report.faults[0].value, 0.65, 0.03);
+    EXPECT_EQ(report.faults[2].kind, "displaced");
+    EXPECT_EQ(report.faults[2].place, "the waist of 'front' lies 85 cm lower than it was placed, below the hips");
+}
+
+// Its panels are not also said to be displaced, or on the floor: that follows.
+TEST(Wearing, of_a_skirt_that_is_too_large_says_that_it_does_not_fit) {
+    const auto slips = [](const Vec3d& x) { return Vec3d(x.x(), 0.004 + 0.4 * (x.y() - 0.5), x.z()); };
+    const DressReport report = report_on(skirt(), slips, mannequin());
+    ASSERT_EQ(report.faults.size(), 1U) << list(report);
+    EXPECT_EQ(report.faults[0].kind, "does_not_fit");
+    EXPECT_NE(report.faults[0].place.find("too large above the hips by"), std::string::npos) << list(report);
+    EXPECT_GT(report.faults[0].value, 0.2) << "1 m long";
+}
+
+// Each panel still covers most of the heights over which it was placed.
+TEST(Wearing, finds_a_strapless_dress_whose_upper_edge_slipped_below_the_bust) {
+    const double chest = find_limbs(mannequin()).torso[2].centre.y();
+    const Pattern dress = tube(0.36, 0.7, chest + 0.02 - 0.7, 0.2);
+    const auto lower = [](double by) { return [by](const Vec3d& x) { return Vec3d(x - Vec3d(0, by, 0)); }; };
+    EXPECT_EQ(list(report_on(dress, lower(0.01), mannequin())), "");
+    EXPECT_EQ(list(report_on(dress, lower(0.03), mannequin())), "");  // settled by less than a waistband's width
+    const DressReport slipped = report_on(dress, lower(0.07), mannequin());
+    ASSERT_EQ(slipped.faults.size(), 1U) << list(slipped);
+    EXPECT_EQ(slipped.faults[0].kind, "displaced") << "72 cm long, less than the body is round";
+    EXPECT_NEAR(slipped.faults[0].value, 0.07, 1e-3);
+    EXPECT_EQ(slipped.faults[0].place, "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest");
+}
+
+TEST(Wearing, does_not_take_the_hem_of_a_shirt_for_a_waist) {
+    const double hips = find_limbs(mannequin()).torso[0].centre.y();
+    const auto longer = [&](const Vec3d& x) {  // by 8 cm at the hem, which was placed at the hips
+        return Vec3d(x - Vec3d(0, 0.08 * std::clamp((1.1 - x.y()) / (1.1 - hips), 0.0, 1.0), 0));
+    };
+    EXPECT_EQ(list(report_on(shipped("tshirt"), longer, mannequin())), "");
+}
+
+// It weighs 4.9 N in both fabrics.
+TEST(Wearing, of_an_edge_that_slipped_names_cloth_that_is_too_stretchy_to_carry_the_garment) {
+    const double chest = find_limbs(mannequin()).torso[2].centre.y();
+    const Pattern dress = tube(0.36, 0.7, chest + 0.02 - 0.7, 0.2);
+    const auto slips = [](const Vec3d& x) { return Vec3d(x - Vec3d(0, 0.07, 0)); };
+    const Fabric stiff{.area_density = 1};
+    const Fabric weak{.area_density = 1, .stretch_warp = 6, .stretch_weft = 6, .shear = 3};
+    ASSERT_EQ(report_on(dress, slips, mannequin(), stiff).faults.size(), 1U);
+    EXPECT_EQ(report_on(dress, slips, mannequin(), stiff).faults[0].kind, "displaced");
+    EXPECT_EQ(list(report_on(dress, stays, mannequin(), weak)), "") << "it did not slide";
+    const DressReport slipped = report_on(dress, slips, mannequin(), weak);
+    ASSERT_EQ(slipped.faults.size(), 1U) << list(slipped);
+    EXPECT_EQ(slipped.faults[0].kind, "does_not_fit");
+    EXPECT_NE(slipped.faults[0].place.find("too stretchy above the chest"), std::string::npos) << list(slipped);
+    EXPECT_NE(slipped.faults[0].place.find("of the garment's 4.9 N, and it lies 7 cm lower"), std::string::npos)
+        << list(slipped);
+    EXPECT_GT(slipped.faults[0].value, 4);
+}
+
+// GarmentCode places long skirts below the bodice that they are sewn to.
+TEST(Wearing, lets_seams_pull_a_panel_to_its_neighbour) {
+    Pattern pattern = narrow_skirt();
+    pattern.panels.push_back(rectangle("bodice", {.width = 0.3, .height = 0.3, .y = 1.0, .z = 0.2}));
+    pattern.seams.push_back({.first = {0, 2}, .second = {2, 0}});
+    for (const int p : {0, 1}) pattern.panels[std::size_t(p)].translation.y() -= 0.4;
+    const auto pulled_up = [](const Vec3d& x) { return x.y() < 0.9 ? Vec3d(x + Vec3d(0, 0.4, 0)) : x; };
+    EXPECT_EQ(list(report_on(pattern, pulled_up, mannequin())), "");
+    const auto fallen = [](const Vec3d& x) { return Vec3d(x.x(), 0.03 + 0.1 * x.y(), x.z()); };
+    EXPECT_NE(list(report_on(pattern, fallen, mannequin())), "");
+}
+
+// A long skirt still covers half of its heights, but it is no place to which the bodice was drawn.
+TEST(Wearing, finds_a_bodice_that_fell_with_its_long_skirt) {
+    Pattern pattern = tube(0.5, 0.7, 0.2, 0.2);
+    pattern.panels.push_back(rectangle("bodice", {.width = 0.5, .height = 0.3, .y = 0.9, .z = 0.2}));
+    pattern.seams.push_back({.first = {0, 2}, .second = {2, 0}});
+    const auto fallen = [](const Vec3d& x) { return Vec3d(x - Vec3d(0, 0.19, 0)); };
+    const DressReport report = report_on(pattern, fallen, mannequin());
+    ASSERT_EQ(report.faults.size(), 1U) << list(report);
+    EXPECT_EQ(report.faults[0].kind, "displaced");
+    EXPECT_NE(report.faults[0].place.find("'bodice' lies 19 cm lower"), std::string::npos) << list(report);
+}
+
+TEST(Wearing, finds_a_skirt_on_the_floor) {
+    const DressReport report = report_on(
+        narrow_skirt(), [](const Vec3d& x) { return Vec3d(x.x(), 0.004, x.z()); }, mannequin());
+    EXPECT_EQ(std::ranges::count(report.faults, "on_floor", &DressFault::kind), 1) << list(report);
+}
+
+TEST(Wearing, only_notes_a_hem_that_is_long_enough_to_lie_on_the_floor) {
+    const DressReport report = report_on(
+        tube(0.5, 1.0, 0.05, 0.2), [](const Vec3d& x) { return Vec3d(x.x(), std::max(0.004, x.y() - 0.1), x.z()); },
+        mannequin());
+    EXPECT_EQ(list(report), "");
+    EXPECT_EQ(report.notes.size(), 2U);
+    EXPECT_TRUE(has_note(report, "lies on the floor"));
+    EXPECT_TRUE(has_note(report, "the waist of 'front' lies 10 cm lower than it was placed"));
+}
+
+TEST(Wearing, finds_a_garment_beside_the_body) {
+    const DressReport report = report_on(
+        skirt(), [](const Vec3d& x) { return Vec3d(x + Vec3d(0, 0, 0.8)); }, mannequin());
+    // One fault, although the legs miss both openings.
+    ASSERT_EQ(report.faults.size(), 1U) << list(report);
+    EXPECT_EQ(report.faults[0].kind, "limb_missed");
+    EXPECT_EQ(report.faults[0].place,
+              "the left leg and the right leg do not pass through the hem of 'front' or the waist of 'front'");
+    EXPECT_EQ(report.faults[0].value, 2);
+}
+
+TEST(Wearing, finds_a_hem_that_holds_an_arm) {
+    const auto swallow = [](const Vec3d& x) {
+        const double low = std::clamp((1.0 - x.y()) / 0.2, 0.0, 1.0);
+        return Vec3d(x.x() > 0 ? x.x() * (1 + 3 * low) : x.x(), x.y(), x.z());
+    };
+    const DressReport report = report_on(skirt(), swallow, mannequin());
+    ASSERT_EQ(report.faults.size(), 1U) << list(report);
+    EXPECT_EQ(report.faults[0].kind, "limb_missed");
+    EXPECT_EQ(report.faults[0].place, "the hem of 'front' holds the left arm");
+    EXPECT_EQ(report.faults[0].value, 1);
+}
+
+// Its lower edge is as wide as the body with its arms.
+Pattern poncho() {
+    return tube(1.9, 0.8, 0.62, 0.25);
+}
+
+TEST(Wearing, finds_an_arm_that_a_hem_for_all_limbs_but_the_head_misses) {
+    EXPECT_EQ(list(report_on(poncho(), stays, mannequin())), "");
+    const auto narrower = [](const Vec3d& x) { return Vec3d(x.x() < 0 ? 0.3 * x.x() : x.x(), x.y(), x.z()); };
+    EXPECT_EQ(list(report_on(poncho(), narrower, mannequin())),
+              "limb_missed: the right arm does not pass through the hem of 'front'\n");
+}
+
+// The cloth bulges round the body and the hands between an upper edge and a hem of 1.5 m; its edges of level 0 go
+// straight from one to the other, inside of the hands.
+Vec3d bulge(const Vec3d& x) {
+    const double height = (x.y() - 0.62) / 0.8, side = x.x() / 0.95;
+    const double width = 0.25 + 0.75 * std::sin(std::numbers::pi * height), depth = 0.25 * std::sqrt(1 - side * side);
+    return {x.x() * width, x.y(), std::copysign(depth, x.z())};
+}
+
+TEST(Wearing, lets_limbs_pass_the_corners_that_level_0_cuts) {
+    const GarmentMesh unsewn = assemble(poncho(), {.target_edge = 0.8});
+    EXPECT_EQ(list(report_on(unsewn, bulge, mannequin(), 3)), "");
+    EXPECT_EQ(list(report_on(unsewn, bulge, mannequin(), 0)),
+              "limb_missed: the left arm and the right arm do not pass through the hem of 'front'\n");
+}
+
+TEST(Wearing, finds_an_empty_sleeve) {
+    const DressReport report = report_on(
+        sleeve(), [](const Vec3d& x) { return Vec3d(x + Vec3d(0, 0, 0.2)); }, mannequin());
+    ASSERT_GE(report.faults.size(), 1U) << list(report);
+    EXPECT_EQ(report.faults[0].kind, "limb_missed");
+    EXPECT_EQ(report.faults[0].place, "the left arm does not pass through the cuff of 'front'");
+}
+
+// The placed panels of a sleeve that stands open do not hold the arm.
+TEST(Wearing, lets_an_arm_go_through_the_sleeve_beside_which_it_was) {
+    Pattern beside = sleeve();
+    for (Panel& panel : beside.panels) panel.translation.z() += 0.12;
+    const auto onto_the_arm = [](const Vec3d& x) { return Vec3d(x - Vec3d(0, 0, 0.12)); };
+    EXPECT_EQ(std::ranges::count(report_on(beside, onto_the_arm, mannequin()).faults, "limb_missed", &DressFault::kind),
+              0);
+}
+
+// The garment was placed round an arm that hangs at an angle, and is worn on one that is level.
+TEST(Wearing, expects_the_same_arm_in_a_sleeve_whatever_the_pose) {
+    const DressReport missed = report_on(sleeve(), stays, mannequin_in_t_pose());
+    EXPECT_EQ(std::ranges::count(missed.faults, "limb_missed", &DressFault::kind), 1) << list(missed);
+    const auto turned = [](const Vec3d& x) {
+        const auto arm_a = find_limbs(mannequin())[LimbKind::LeftArm].joints;
+        static const auto arm_t = find_limbs(mannequin_in_t_pose())[LimbKind::LeftArm].joints;
+        const auto turn =
+            Eigen::Quaterniond::FromTwoVectors(arm_a[2].centre - arm_a[1].centre, arm_t[2].centre - arm_t[1].centre);
+        return Vec3d((arm_t[1].centre + arm_t[2].centre) / 2 + turn * (x - (arm_a[1].centre + arm_a[2].centre) / 2));
+    };
+    EXPECT_EQ(list(report_on(sleeve(), turned, mannequin_in_t_pose())), "");
+}
+
+TEST(Wearing, says_which_limbs_it_could_not_check) {
+    const Body column = shapes::box(Vec3d(-0.15, 0, -0.1), Vec3d(0.15, 1.7, 0.1), 8);
+    const DressReport report = report_on(skirt(), stays, column);
+    ASSERT_GE(report.notes.size(), 1U);
+    EXPECT_NE(report.notes[0].find("could not find the left arm and the right arm"), std::string::npos)
+        << report.notes[0];
+}
+
+}  // namespace
+}  // namespace selvedge::sim::test
