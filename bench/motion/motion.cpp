@@ -7,6 +7,7 @@
 #include "bench/tshirt/dressing.h"
 #include "bench/tshirt/tshirt.h"
 #include "sim/body/tented.h"
+#include "sim/body/yielding_flesh.h"
 #include "sim/cloth/contact.h"
 #include "sim/cloth/standoff.h"
 #include "sim/collide/body_collider.h"

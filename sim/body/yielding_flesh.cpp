@@ -401,4 +401,23 @@ void MovingFlesh::positions(const Body& body, const std::function<Pose(double)>&
     last_ = x;
 }
 
+Body posed(const Body& body, const Pose& pose) {
+    return posed(body, pose, FleshSurface(body));
+}
+
+Body posed(const Body& body, const Pose& pose, const FleshSurface& surface) {
+    Body result = body;
+    std::vector<Vec3f> x;
+    surface.positions(body, pose, x);
+    std::ranges::transform(x, result.x.begin(), [](const Vec3f& p) { return Vec3d(p.cast<double>()); });
+    const std::vector<Eigen::Affine3d> frames = bone_frames(body, pose);
+    for (std::size_t i = 0; i < result.bones.size(); ++i) {
+        result.bones[i].rest = pose.bones[i];
+        result.bones[i].joint = frames[i].translation();
+    }
+    if (result.bind.empty()) result.bind = body.x;
+    result.made_from.clear();  // of another surface
+    return result;
+}
+
 }  // namespace selvedge::sim

@@ -126,4 +126,9 @@ class MovingFlesh {
     std::vector<Vec3f> last_;    // positions that the last call gave, m
 };
 
+// A body in that pose, with flesh that gives way: its rest pose is the new one, so that everything that reads Body::x
+// sees it there. Pre: it has a skin.
+Body posed(const Body& body, const Pose& pose);
+Body posed(const Body& body, const Pose& pose, const FleshSurface& surface);  // of that body: it takes long to prepare
+
 }  // namespace selvedge::sim

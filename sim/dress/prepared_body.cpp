@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "sim/body/yielding_flesh.h"
 #include "sim/core/assert.h"
 #include "sim/dress/dressing_pose.h"
 #include "sim/dress/own_pose.h"

@@ -34,25 +34,6 @@ void BodyTimeline::positions(double seconds, const Region& region, std::vector<V
         *body_, [this](double at) { return pose(at); }, seconds, region, x);
 }
 
-Body posed(const Body& body, const Pose& pose) {
-    return posed(body, pose, FleshSurface(body));
-}
-
-Body posed(const Body& body, const Pose& pose, const FleshSurface& surface) {
-    Body result = body;
-    std::vector<Vec3f> x;
-    surface.positions(body, pose, x);
-    std::ranges::transform(x, result.x.begin(), [](const Vec3f& p) { return Vec3d(p.cast<double>()); });
-    const std::vector<Eigen::Affine3d> frames = bone_frames(body, pose);
-    for (std::size_t i = 0; i < result.bones.size(); ++i) {
-        result.bones[i].rest = pose.bones[i];
-        result.bones[i].joint = frames[i].translation();
-    }
-    if (result.bind.empty()) result.bind = body.x;
-    result.made_from.clear();  // of another surface
-    return result;
-}
-
 Animation::Animation(const Pattern& pattern, std::shared_ptr<const Body> body, Pose start, Clip clip,
                      const AnimationOptions& options, const Progress& progress)
     : timeline_(std::make_shared<const Body>(tented(*body)), std::move(start), std::move(clip), options),

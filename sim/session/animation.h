@@ -57,11 +57,6 @@ class BodyTimeline {
     MovingFlesh flesh_;
 };
 
-// A body in that pose, with flesh that gives way: its rest pose is the new one, so that everything that reads Body::x
-// sees it there. Pre: it has a skin.
-Body posed(const Body& body, const Pose& pose);
-Body posed(const Body& body, const Pose& pose, const FleshSurface& surface);  // of that body: it takes long to prepare
-
 class Animation {
  public:
     // Dresses the body in the pose `start`. Throws InputError as dress() does.

@@ -14,10 +14,12 @@ namespace {
 
 constexpr float kDrawing = 0.5F;  // 1/s: an elastic draws cloth in by half of its length per second at most
 // m that a sub-step may move a vertex where the body is given all of what presses on it. Steps move 5 mm, so it is
-// given a fifth: its friction still bears many times the weight of a garment. All of it would throw vertices of a light
-// hem into the body by millimetres in each sub-step, and the cloth beside them would not come to rest.
-constexpr float kAllPressing = 0.025F;
+// given half: its friction still bears many times the weight of a garment. All of it would throw vertices of a light
+// hem into the body by millimetres in each sub-step, and the cloth beside them comes to rest later or not at all.
+constexpr float kAllPressing = 0.01F;
 constexpr float kTouching = 0.0003F;  // m from where the body holds vertices
+
+constexpr int kLiftings = 3;  // per sub-step, of what leaves the body
 
 // Calls visit(edge, length) for the leaf edges inside of an edge of that length, in its direction.
 template <class Visit>
@@ -142,8 +144,13 @@ float ElasticBands::rest_length(const Spring& spring) const {
 void ElasticBands::solve(float* points, const float* before) {
     for (Band& band : bands_) band.drawn_to = std::max(band.share, band.drawn_to - kDrawing * substep_);
     for (const Chain& chain : chains_) {
+        is_lifted_.assign(chain.count + 1, false);
         set_up(chain, points, before);
         solve_nodes();
+        for (int pass = 0; pass < kLiftings && lift_off(chain); ++pass) {
+            set_up(chain, points, before);
+            solve_nodes();
+        }
         apply(chain, points);
     }
 }
@@ -161,10 +168,12 @@ void ElasticBands::set_up(const Chain& chain, const float* points, const float* 
         constexpr double kHeavy = 1e3;  // kg, of a vertex that cannot move
         const std::uint32_t v = springs_[spring].ends[end];
         const double w = static_cast<double>(points[4 * v + 3]), inertia = per_mass * (w > 0 ? 1 / w : kHeavy);
-        const Vec3d normal = held_[spring][end].cast<double>(), motion = point(points, v) - point(before, v);
+        const Vec3d normal = is_lifted_[i] ? Vec3d(Vec3d::Zero()) : Vec3d(held_[spring][end].cast<double>());
+        const Vec3d motion = point(points, v) - point(before, v);
         nodes_[i] = {
             .vertex = v,
             .held = normal,
+            .drive = inertia * motion,
             .stiffness = inertia * Eigen::Matrix3d::Identity() + kHeavy * per_mass * normal * normal.transpose(),
             .next = Eigen::Matrix3d::Zero(),
             .last = Eigen::Matrix3d::Zero(),
@@ -218,6 +227,22 @@ void ElasticBands::solve_nodes() {
         if (i + 2 < nodes_.size()) rest -= node.next * nodes_[i + 1].way;
         node.way = node.stiffness * rest;
     }
+}
+
+// A body holds what presses on it. What its elastic lifts off, as where the line is straighter than the body, is free.
+bool ElasticBands::lift_off(const Chain& chain) {
+    for (std::size_t i = 0; i < chain.count; ++i) {
+        Node &a = nodes_[i], &b = nodes_[(i + 1) % nodes_.size()];
+        const Vec3d force = pulls_[i].force + pulls_[i].stiffness * (b.way - a.way);
+        a.drive += force;
+        b.drive -= force;
+    }
+    bool is_any = false;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        if (nodes_[i].held.dot(nodes_[i].drive) <= 0) continue;
+        is_lifted_[i] = is_any = true;
+    }
+    return is_any;
 }
 
 // Elastics do not push.

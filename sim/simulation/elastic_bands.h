@@ -57,6 +57,7 @@ class ElasticBands : public ClothConstraint {
     struct Node {
         std::uint32_t vertex = 0;
         Vec3d held;                 // Held
+        Vec3d drive;                // N, of its motion before; then with the springs' forces
         Eigen::Matrix3d stiffness;  // row of the system: with itself ...
         Eigen::Matrix3d next;       // ... with the next node ...
         Eigen::Matrix3d last;       // ... and with the last one, as far as that is another
@@ -70,6 +71,7 @@ class ElasticBands : public ClothConstraint {
     void chain_up(std::vector<Spring> loose);
     void set_up(const Chain& chain, const float* points, const float* before);
     void solve_nodes();
+    bool lift_off(const Chain& chain);
     void apply(const Chain& chain, float* points) const;
     void push(const Node& node, const Vec3d& force, float* points) const;
     float rest_length(const Spring& spring) const;
@@ -84,7 +86,8 @@ class ElasticBands : public ClothConstraint {
 
     // Scratch of solve(), of a chain.
     std::vector<Node> nodes_;
-    std::vector<Pull> pulls_;  // by spring
+    std::vector<Pull> pulls_;      // by spring
+    std::vector<bool> is_lifted_;  // by node: it leaves the body that held it
 };
 
 }  // namespace selvedge::sim

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "editor/workspace/workspace.h"
+#include "sim/body/yielding_flesh.h"
 #include "sim/core/error.h"
 #include "sim/motion/motion_file.h"
 #include "sim/pattern/pattern_file.h"

@@ -5,6 +5,7 @@
 
 #include <thread>
 
+#include "sim/body/yielding_flesh.h"
 #include "sim/core/error.h"
 #include "sim/dress/dressing_pose.h"
 #include "sim/motion/motion_file.h"

@@ -1,4 +1,5 @@
 // Garments on bodies that move: what follows the body, what is counted, and a whole animation.
+#include "sim/body/yielding_flesh.h"
 #include "sim/cloth/solver_state.h"
 #include "sim/session/animation.h"
 

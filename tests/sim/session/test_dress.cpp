@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/body/yielding_flesh.h"
 #include "sim/collide/surface_bvh.h"
 #include "sim/core/error.h"
 #include "sim/dress/dressing.h"

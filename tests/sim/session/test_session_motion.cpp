@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "sim/body/yielding_flesh.h"
 #include "sim/motion/motion_file.h"
 #include "sim/place/fit.h"
 #include "sim/session/animation.h"
