@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/core/json.h"
-#include "sim/dress/dress.h"
+#include "sim/session/dress.h"
 
 namespace selvedge::test {
 
