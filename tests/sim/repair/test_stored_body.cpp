@@ -66,6 +66,7 @@ void write_turning_tetrahedron(const std::filesystem::path& file) {
     write_buffer(file, 1.7F);
     std::ifstream surface(file, std::ios::binary);
     std::string data(std::istreambuf_iterator<char>(surface), {});
+    std::swap_ranges(data.begin() + 50, data.begin() + 52, data.begin() + 52);  // one triangle faces inward: a note
     const auto add = [](std::string& bytes, const auto& items) {
         bytes.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof items[0]);
     };
