@@ -279,7 +279,9 @@ Sources sources_of(const Pattern& pattern) {
     for (const Seam& seam : pattern.seams) {
         const bool is_derived =
             seam.first.panel == seam.second.panel && link_of(pattern.panels[as_size(seam.first.panel)]);
-        SourceSeam& source = sources.seams.emplace_back(side_of(seam.first), side_of(seam.second), Seam{});
+        SourceSeam& source = sources.seams.emplace_back();
+        source.first = side_of(seam.first);
+        source.second = side_of(seam.second);
         if (is_derived) keep_names(source.properties, seam);
         if (!is_derived) source.properties = seam;
         source.properties.first = source.properties.second = {};
