@@ -52,7 +52,7 @@ class Includes(unittest.TestCase):
                          ["sim/core/math.h:2: sim/core may not include sim/mesh"])
 
     def test_the_simulation_may_not_ask_the_renderer(self):
-        self.assertEqual(len(self.directions("sim/session/dress.cpp", '#include "render/draw/renderer.h"\n')), 1)
+        self.assertEqual(len(self.directions("sim/dress/dress.cpp", '#include "render/draw/renderer.h"\n')), 1)
 
     def test_what_the_table_allows_passes(self):
         text = '#include "sim/mesh/sew.h"\n#include "sim/core/math.h"\n#include <vector>\n'
@@ -68,7 +68,7 @@ class Includes(unittest.TestCase):
 
     def test_an_allowance_that_nobody_uses_fails(self):
         sources = [Source("sim/mesh/sew.cpp", '#include "sim/core/math.h"\n'),
-                   Source("sim/session/dress.cpp", '#include "sim/core/math.h"\n#include "sim/mesh/sew.h"\n')]
+                   Source("sim/dress/dress.cpp", '#include "sim/core/math.h"\n#include "sim/mesh/sew.h"\n')]
         self.assertEqual(problems(check_includes.check_allowances(sources, MODULES)),
                          ["docs/modules.md:7: render/draw never includes sim/core"])
 
