@@ -179,11 +179,14 @@ void draw_elastic(const SheetLook& look, const PanelShape& shape, std::size_t in
         zigzag.push_back({on.at.x + inward * on.along.y, on.at.y - inward * on.along.x});
     }
     pen.list.AddPolyline(zigzag.data(), static_cast<int>(zigzag.size()), packed(pen.colours.ink), 0, pen.px(1.3));
+    const double rest = shape.panel.edges[index].elastic->share * length / pen.camera.scale;
+    const std::string text = "elastic " + in_cm(rest);
+    constexpr float kSmall = 0.8F;
+    if (static_cast<double>(kSmall * ImGui::CalcTextSize(text.c_str()).x) > length) return;  // it would cover others
     const EdgeShape& edge = shape.edges[index];
     const Vec2d along = edge.tangent(0.5), inward(-along.y(), along.x());
-    const double rest = shape.panel.edges[index].elastic->share * length / pen.camera.scale;
-    pen.text(shape.on_sheet(edge.at(0.5) + inward * (18 * double(pen.ui) / pen.camera.scale)), "elastic " + in_cm(rest),
-             pen.colours.ink, {0, 0}, 0.8F);
+    pen.text(shape.on_sheet(edge.at(0.5) + inward * (18 * double(pen.ui) / pen.camera.scale)), text, pen.colours.ink,
+             {0, 0}, kSmall);
 }
 
 void draw_pin(const SheetPen& pen, const Vec2d& at) {
