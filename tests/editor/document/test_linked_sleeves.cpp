@@ -245,9 +245,9 @@ sim::PatternDocument linked_tshirt() {
         return first == "front" && second == "left_sleeve_front";
     });
     EXPECT_NE(of_head, pattern.seams.end());
-    const int edge = of_head == pattern.seams.end() ? 0 : of_head->second.edge;
-    document.run(AddNotch{.panel = "left_sleeve_front", .edge = edge, .t = 0.4});
-    document.run(AddNotch{.panel = "front", .edge = of_head->first.edge, .t = 0.6});
+    const sim::Seam seam = of_head == pattern.seams.end() ? sim::Seam{} : *of_head;
+    document.run(AddNotch{.panel = "left_sleeve_front", .edge = seam.second.edge, .t = 0.4});
+    document.run(AddNotch{.panel = "front", .edge = seam.first.edge, .t = 0.6});
     document.run(SetTartan{.tartan = "black_watch"});
     document.run(MatchSetts{});
     return sim::parse_pattern(document.text(), "linked.json");
