@@ -103,8 +103,7 @@ bool is_inside_panel(const GarmentMesh& mesh, const Side& first, const Side& sec
     return a.panel == b.panel && is_same(a.vertices[corner]) && is_same(a.vertices[(corner + 1) % 3]);
 }
 
-void check_edges(const GarmentMesh& mesh, Faults& faults) {
-    const EdgeTable<int> table(mesh.triangles, &GarmentTriangle::vertices);
+void check_edges(const GarmentMesh& mesh, const EdgeTable<int>& table, Faults& faults) {
     for (const EdgeSides edge : table.edges()) {
         if (edge.size() > 2) {
             faults.push_back(name_of(edge) + ": " + std::to_string(edge.size()) + " triangles meet, first " +
@@ -118,13 +117,12 @@ void check_edges(const GarmentMesh& mesh, Faults& faults) {
 
 // Joins the corners of neighbouring triangles at their common vertices; corners of a vertex that stay separate belong
 // to separate fans.
-void check_fans(const GarmentMesh& mesh, Faults& faults) {
+void check_fans(const GarmentMesh& mesh, const EdgeTable<int>& table, Faults& faults) {
     DisjointSets corners(3 * mesh.triangles.size());
     const auto corner_at = [&](int triangle, int vertex) {
         const auto& v = mesh.triangles[static_cast<std::size_t>(triangle)].vertices;
         return 3 * triangle + static_cast<int>(std::ranges::find(v, vertex) - v.begin());
     };
-    const EdgeTable<int> table(mesh.triangles, &GarmentTriangle::vertices);
     for (const EdgeSides edge : table.edges()) {
         for (std::size_t i = 1; i < edge.size(); ++i) {
             for (int vertex : {edge[0].low, edge[0].high}) {
@@ -173,7 +171,7 @@ void check_pieces(const GarmentMesh& mesh, Faults& faults) {
     }
 }
 
-void check_lines(const GarmentMesh& mesh, Faults& faults) {
+void check_lines(const GarmentMesh& mesh, const EdgeTable<int>& table, Faults& faults) {
     std::vector<bool> has_lines(mesh.panel_names.size(), false);
     for (const GarmentTriangle& t : mesh.triangles) {
         if (!std::ranges::all_of(t.lines, &SideLine::is_none)) has_lines[static_cast<std::size_t>(t.panel)] = true;
@@ -183,7 +181,6 @@ void check_lines(const GarmentMesh& mesh, Faults& faults) {
             .lines[static_cast<std::size_t>(side.k)]
             .is_none();
     };
-    const EdgeTable<int> table(mesh.triangles, &GarmentTriangle::vertices);
     for (const EdgeSides edge : table.edges()) {
         const bool is_inside = edge.size() == 2 && is_inside_panel(mesh, edge[0], edge[1]);
         if (is_inside && has_none(edge[0]) != has_none(edge[1]))  // both lie on lines where a slit was sewn shut
@@ -207,9 +204,10 @@ std::vector<std::string> check_mesh(const GarmentMesh& mesh) {
     if (!faults.empty()) return faults;  // the other checks need valid indices
     check_shapes(mesh, faults);
     check_duplicates(mesh, faults);
-    check_edges(mesh, faults);
-    check_fans(mesh, faults);
-    check_lines(mesh, faults);
+    const EdgeTable<int> table(mesh.triangles, &GarmentTriangle::vertices);
+    check_edges(mesh, table, faults);
+    check_fans(mesh, table, faults);
+    check_lines(mesh, table, faults);
     return faults;
 }
 
