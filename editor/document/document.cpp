@@ -44,15 +44,9 @@ void keep_sheet_positions(sim::Pattern& pattern, const sim::Pattern& before) {
 
 // The other panel of the link, with what it is to the panel. Empty: the panel has none.
 std::string linked_to(const sim::Pattern& pattern, const sim::Panel& panel) {
-    const auto text = [](sim::Derivation kind, const std::string& name) {
-        return (kind == sim::Derivation::Mirror ? "its mirror image '" : "its copy '") + name + "'";
-    };
-    if (const auto link = sim::link_of(panel)) return text(link->kind, link->source);
-    for (const sim::Panel& other : pattern.panels) {
-        const auto link = sim::link_of(other);
-        if (link && link->source == panel.name) return text(link->kind, other.name);
-    }
-    return "";
+    const auto link = sim::link_with(pattern, panel);
+    if (!link) return "";
+    return (link->kind == sim::Derivation::Mirror ? "its mirror image '" : "its copy '") + link->source + "'";
 }
 
 std::vector<sim::Seam> dart_seams(const sim::Pattern& pattern, int panel) {

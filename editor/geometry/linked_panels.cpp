@@ -123,14 +123,8 @@ std::vector<EdgePieces> origins_of_edges(const EditedPanel& panel) {
     return origins;
 }
 
-Heirs turned(Heirs heirs) {
-    for (auto& [key, parts] : heirs) {
-        std::ranges::reverse(parts);
-        for (EdgeHeir& part : parts) {
-            part.from = 1 - std::exchange(part.to, 1 - part.from);
-            part.piece.from = 1 - std::exchange(part.piece.to, 1 - part.piece.from);
-        }
-    }
+Heirs turned_heirs(Heirs heirs) {
+    for (auto& [key, parts] : heirs) parts = turned(std::move(parts));
     return heirs;
 }
 
@@ -230,7 +224,7 @@ class LinkUpdate {
         is_seam_turned_[as_size(member)] = is_leader_turned != is_turned_over(*before, now);
         if (is_seam_turned_[as_size(member)]) families_.turn_on_cloth(member);
         const bool runs_alike = families_.is_turned(member) == families_.is_turned(leader);
-        const Heirs own = runs_alike ? heirs : turned(heirs);
+        const Heirs own = runs_alike ? heirs : turned_heirs(heirs);
         const std::vector<EdgePieces> origins = origins_of_edges({*before, now, draft_, member});
         for (std::size_t e = 0; e < origins.size(); ++e) {
             EdgePieces& pieces = pieces_[as_size(member)][e];

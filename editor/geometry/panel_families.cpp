@@ -13,14 +13,27 @@
 namespace selvedge::editor {
 namespace {
 
-// Pieces of an outline as those of one that runs the other way.
-EdgePieces turned(EdgePieces pieces) {
-    std::ranges::reverse(pieces);
-    for (EdgePiece& piece : pieces) piece.from = 1 - std::exchange(piece.to, 1 - piece.from);
-    return pieces;
+// An EdgePiece or an EdgeHeir.
+void turn_part(auto& part) {
+    part.from = 1 - std::exchange(part.to, 1 - part.from);
 }
 
 }  // namespace
+
+EdgePieces turned(EdgePieces pieces) {
+    std::ranges::reverse(pieces);
+    for (EdgePiece& piece : pieces) turn_part(piece);
+    return pieces;
+}
+
+std::vector<EdgeHeir> turned(std::vector<EdgeHeir> heirs) {
+    std::ranges::reverse(heirs);
+    for (EdgeHeir& heir : heirs) {
+        turn_part(heir);
+        turn_part(heir.piece);
+    }
+    return heirs;
+}
 
 bool EdgePiece::is_whole() const {
     return from <= kSameFraction && to >= 1 - kSameFraction;

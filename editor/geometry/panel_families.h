@@ -33,6 +33,10 @@ struct EdgeHeir {
     EdgePiece piece;
 };
 
+// Pieces, or heirs of an edge, of an outline as those of one that runs the other way.
+EdgePieces turned(EdgePieces pieces);
+std::vector<EdgeHeir> turned(std::vector<EdgeHeir> heirs);
+
 class PanelFamilies {
  public:
     // Pre: all panels have keys, and links lead to panels that are there.

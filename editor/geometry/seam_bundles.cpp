@@ -256,13 +256,7 @@ void SeamBundles::replace(int panel, const std::function<const EdgePieces*(const
             }
             std::vector<EdgeHeir> heirs =
                 heirs_by_length(*parts, [&](const EdgePiece& part) { return length_of(panel, part); });
-            if (families_.is_turned(side.panel) != families_.is_turned(panel)) {
-                std::ranges::reverse(heirs);
-                for (EdgeHeir& heir : heirs) {
-                    heir.from = 1 - std::exchange(heir.to, 1 - heir.from);
-                    heir.piece.from = 1 - std::exchange(heir.piece.to, 1 - heir.piece.from);
-                }
-            }
+            if (families_.is_turned(side.panel) != families_.is_turned(panel)) heirs = turned(std::move(heirs));
             for (const EdgePiece& heir : heirs_of(piece, heirs)) add_piece(pieces, heir);
         }
         for (EdgePiece& piece : pieces) piece.is_joined = piece.is_joined && !piece.is_whole();

@@ -170,19 +170,9 @@ void draw_cloth(InspectorContext& context, const sim::Panel& panel) {
     field_rows(context, {.part = FieldOwner::Panel, .panel = panel.name}, panel, standing);
 }
 
-// A panel that it is linked to.
-std::optional<sim::Link> link_with(const sim::Pattern& pattern, const sim::Panel& panel) {
-    if (const auto link = sim::link_of(panel)) return link;
-    for (const sim::Panel& other : pattern.panels) {
-        const auto link = sim::link_of(other);
-        if (link && link->source == panel.name) return sim::Link{link->kind, other.name};
-    }
-    return {};
-}
-
 void draw_links(InspectorContext& context, const sim::Panel& panel) {
     const std::string name = panel.name;
-    const std::optional<sim::Link> link = link_with(context.pattern(), panel);
+    const std::optional<sim::Link> link = sim::link_with(context.pattern(), panel);
     if (!panel.pins.empty()) {
         fact(context, "Pins", std::to_string(panel.pins.size()) + (panel.pins.size() == 1 ? " point" : " points"),
              "Points of the outline that stay where they are placed.");

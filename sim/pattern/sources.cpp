@@ -145,11 +145,16 @@ class SeamEvaluation {
     }
 
  private:
-    // The dart of the drawn panel that the panel is derived from. Null: it has none with these keys.
-    const SourceSeam* drawn_dart(const std::string& panel, const KeyPair& keys) const {
+    // The name of the drawn panel that the panel is, or is derived from.
+    const std::string& drawn(const std::string& panel) const {
         const Panel* at = &sources_.panels[index_.at(panel)];
         while (const auto link = link_of(*at)) at = &sources_.panels[index_.at(link->source)];
-        const auto darts = darts_.find(at->name);
+        return at->name;
+    }
+
+    // The dart of the drawn panel that the panel is derived from. Null: it has none with these keys.
+    const SourceSeam* drawn_dart(const std::string& panel, const KeyPair& keys) const {
+        const auto darts = darts_.find(drawn(panel));
         if (darts == darts_.end()) return nullptr;
         const auto dart = darts->second.find(keys);
         return dart == darts->second.end() ? nullptr : dart->second;
@@ -170,10 +175,9 @@ class SeamEvaluation {
 
     void add_missing_darts(const Panel& panel) {
         if (!link_of(panel)) return;
-        const Panel* root = &panel;
-        while (const auto link = link_of(*root)) root = &sources_.panels[index_.at(link->source)];
+        const std::string& root = drawn(panel.name);
         for (const SourceSeam& seam : sources_.seams) {
-            if (seam.first.panel != root->name || seam.second.panel != root->name) continue;
+            if (seam.first.panel != root || seam.second.panel != root) continue;
             const auto own = darts_.find(panel.name);
             if (own != darts_.end() && own->second.contains(sorted_keys(seam.first.edge, seam.second.edge))) continue;
             SourceSeam made = seam;
@@ -209,6 +213,15 @@ class SeamEvaluation {
 std::optional<Link> link_of(const Panel& panel) {
     if (!panel.mirror_of.empty()) return Link{Derivation::Mirror, panel.mirror_of};
     if (!panel.copy_of.empty()) return Link{Derivation::Copy, panel.copy_of};
+    return {};
+}
+
+std::optional<Link> link_with(const Pattern& pattern, const Panel& panel) {
+    if (const auto link = link_of(panel)) return link;
+    for (const Panel& other : pattern.panels) {
+        const auto link = link_of(other);
+        if (link && link->source == panel.name) return Link{link->kind, other.name};
+    }
     return {};
 }
 
@@ -344,17 +357,15 @@ bool is_near(const Part& one, const Part& other) {
 
 // Whether the panel has the darts of its source, wherever they are in the pattern.
 bool has_darts_of_source(const Pattern& pattern, const Panel& made, int panel, int source) {
-    std::set<KeyPair> darts, wanted;
-    for (const int dart : darts_of(pattern, panel)) {
-        const Seam& seam = pattern.seams[as_size(dart)];
-        darts.insert(sorted_keys(edge_key(made, seam.first.edge), edge_key(made, seam.second.edge)));
-    }
-    const Panel& drawn = pattern.panels[as_size(source)];
-    for (const int dart : darts_of(pattern, source)) {
-        const Seam& seam = pattern.seams[as_size(dart)];
-        wanted.insert(sorted_keys(edge_key(drawn, seam.first.edge), edge_key(drawn, seam.second.edge)));
-    }
-    return darts == wanted;
+    const auto darts_by = [&](int index, const Panel& keyed) {
+        std::set<KeyPair> darts;
+        for (const int dart : darts_of(pattern, index)) {
+            const Seam& seam = pattern.seams[as_size(dart)];
+            darts.insert(sorted_keys(edge_key(keyed, seam.first.edge), edge_key(keyed, seam.second.edge)));
+        }
+        return darts;
+    };
+    return darts_by(panel, made) == darts_by(source, pattern.panels[as_size(source)]);
 }
 
 // The panel as its source gives it, with the numbering that it has. None: it is not what its source gives.

@@ -25,6 +25,9 @@ struct Link {
 // How a panel is derived. None: it is drawn.
 std::optional<Link> link_of(const Panel& panel);
 
+// The link of the panel to its source, or else to the first that is derived from it, by the name of the other panel.
+std::optional<Link> link_with(const Pattern& pattern, const Panel& panel);
+
 // Whether a field of a derived panel is its own: names, the position on the sheet and where it lies on the cloth, of a
 // copy also its placement on the body.
 constexpr bool is_own_field(const auto& field, Derivation kind) {
