@@ -76,7 +76,7 @@ TEST(MatchCommand, side_seams_and_shoulders_of_what_ships_meet) {
     }
 }
 
-TEST(MatchCommand, leaves_a_file_of_a_newer_format_as_it_is) {
+TEST(MatchCommand, writes_nothing_when_the_file_has_a_newer_format) {
     const Copy copy("skirt.json");
     sim::Json newer = sim::read_json(copy.path());
     newer["selvedge"]["format"] = sim::Json(sim::kGarmentFormat + 1);

@@ -261,7 +261,7 @@ TEST(LinkedSleeves, are_sewn_alike_and_stay_linked_in_the_file) {
     EXPECT_EQ(panel_in(document.pattern(), "right_sleeve_front")->notches.size(), 1U);
 }
 
-TEST(LinkedSleeves, history_holds_what_was_done_to_the_drawn_one_only) {
+TEST(LinkedSleeves, change_only_the_drawn_panel_in_the_history_when_an_image_is_edited) {
     Document document(linked_tshirt());
     document.run(MoveVertices{.vertices = {{"right_sleeve_front", 0}}, .by = Vec2d(0.002, 0)});
     const SourcesPatch& patch = document.history().back().patch;

@@ -289,7 +289,7 @@ TEST(UpdateLinks, placement_grain_notches_and_lines_follow) {
     EXPECT_TRUE(pattern.panels[0].internal_lines.empty());
 }
 
-TEST(UpdateLinks, a_split_splits_the_image_and_what_it_is_sewn_to) {
+TEST(UpdateLinks, splits_the_image_and_the_edge_sewn_to_it_when_an_edge_is_split) {
     for (const int side : {0, 1}) {
         for (const int own_edge : {0, 2, 3, 4}) {
             const int edge = side == 0 ? own_edge : (5 - own_edge) % 5;

@@ -34,7 +34,7 @@ TEST(MadeBody, says_where_it_came_from_when_it_is_made_from_a_text) {
     EXPECT_THROW(make_body("mannequin:bust=0"), InputError);
 }
 
-TEST(PreparedBody, stands_as_it_is_when_its_arms_hang_as_patterns_expect) {
+TEST(PreparedBody, keeps_its_pose_when_its_arms_are_lowered_already) {
     const PreparedBody mannequin_body = prepared(mannequin());
     EXPECT_FALSE(mannequin_body.stands_otherwise());
     EXPECT_EQ(mannequin_body.stands().get(), &mannequin_body.body());

@@ -68,7 +68,7 @@ TEST(Sources, are_evaluated_in_milliseconds) {
     RecordProperty("slowest_ms", std::to_string(slowest));
 }
 
-TEST(Sources, of_derived_panels_hold_what_is_their_own) {
+TEST(Sources, hold_only_own_fields_of_a_panel_that_is_derived) {
     const Sources sources = sources_of(linked_sample());
     const Panel& image = sources.panels[2];
     const Panel& copy = sources.panels[3];
@@ -81,7 +81,7 @@ TEST(Sources, of_derived_panels_hold_what_is_their_own) {
     EXPECT_EQ(sources.seams[3].first, (SourceSide{"image", EdgeKey{4}}));
 }
 
-TEST(Sources, an_edit_of_a_source_reaches_what_is_derived_from_it) {
+TEST(Sources, change_derived_panels_when_their_source_is_edited) {
     Sources sources = sources_of(linked_sample());
     sources.panels[0].fabric = "silk";
     sources.panels[0].vertices[0].x() += 0.01;
