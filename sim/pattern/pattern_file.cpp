@@ -401,8 +401,12 @@ class Writer {
     }
 
     // The keys of derived panels are those of their sources, and plain ones are the edges' numbers.
+    static bool has_written_keys(const Panel& panel) {
+        return !link_of(panel) && has_keys(panel) && !has_plain_keys(panel);
+    }
+
     void write_by_hand(const ByHand<&Panel::last_key>&, Json& own, const Panel& panel) const {
-        if (link_of(panel) || !has_keys(panel) || has_plain_keys(panel)) return own.erase("edge_keys");
+        if (!has_written_keys(panel)) return own.erase("edge_keys");
         Json& keys = own["edge_keys"];
         if (!keys.is_object()) keys = Json::object();
         set_number(keys["last"], panel.last_key);
@@ -472,9 +476,8 @@ class Writer {
 
     // Older programs would misread links to copies, and keys of edges whose outline they change.
     void write_format(Json& own) const {
-        const bool is_needed = std::ranges::any_of(pattern_.panels, [](const Panel& panel) {
-            return !panel.copy_of.empty() || (!link_of(panel) && has_keys(panel) && !has_plain_keys(panel));
-        });
+        const bool is_needed = std::ranges::any_of(
+            pattern_.panels, [](const Panel& panel) { return !panel.copy_of.empty() || has_written_keys(panel); });
         if (newer_format(root_)) return;
         Json* found = own.find("format");
         if (is_needed) own["format"] = Json(kGarmentFormat);
