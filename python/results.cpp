@@ -136,10 +136,12 @@ const sim::ContactPressure& contact_of(Result& result) {
     return result.contact.get([&] {
         if (result.dressed.report.stopped_because == "bad number")
             throw sim::InputError("", "pressure", "a position is not finite");
-        const sim::BodyCollider collider(result.body->body());
+        const sim::PreparedBody& body = *result.body;
+        const auto collider = body.stands_otherwise() ? std::make_shared<const sim::BodyCollider>(body.body())
+                                                      : body.collider();  // which dressing has built
         sim::Simulation simulation = *result.dressed.simulation;
         forget_contacts(simulation.cloth());
-        return measure_contact_pressure(std::move(simulation), collider);
+        return measure_contact_pressure(std::move(simulation), *collider);
     });
 }
 
