@@ -380,10 +380,19 @@ void try_command(Document& document, const Command& command, RandomRun& run) {
     if (!effect.moves && !effect.removes) expect_same_points(before, after);
 }
 
-TEST(LinkedSleeves, keep_all_references_at_their_places_through_ten_thousand_random_commands) {
+constexpr unsigned kRounds = 10;
+
+// A tenth of ten thousand random commands.
+class RandomSleeves : public ::testing::TestWithParam<unsigned> {};
+
+// scripts/checks leaves out the rest, for the address sanitizer takes 20 times as long.
+INSTANTIATE_TEST_SUITE_P(FirstTenth, RandomSleeves, ::testing::Values(0U));
+INSTANTIATE_TEST_SUITE_P(Rest, RandomSleeves, ::testing::Range(1U, 10U));
+
+TEST_P(RandomSleeves, keep_all_references_at_their_places_through_a_thousand_random_commands) {
     const sim::PatternDocument source = linked_tshirt();
     RandomRun run;
-    for (unsigned round = 0; round < 100; ++round) {
+    for (unsigned round = GetParam() * kRounds; round < (GetParam() + 1) * kRounds; ++round) {
         Document document(source);
         const std::string first = document.text();
         std::string journal = journal_head("linked.json", first) + "\n";
@@ -402,9 +411,9 @@ TEST(LinkedSleeves, keep_all_references_at_their_places_through_ten_thousand_ran
         document.go_to(0);
         ASSERT_EQ(document.text(), first) << round;
     }
-    EXPECT_GT(run.done, 3000);
-    EXPECT_GT(run.on_linked, 2000);
-    EXPECT_GT(run.divided, 300);
+    EXPECT_GT(run.done, 300);
+    EXPECT_GT(run.on_linked, 200);
+    EXPECT_GT(run.divided, 30);
     RecordProperty("done", run.done);
     RecordProperty("on_linked", run.on_linked);
     RecordProperty("divided", run.divided);
