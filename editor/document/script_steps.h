@@ -1,7 +1,7 @@
 #pragma once
 // Scripts: user input as text, one step per line, for automated tests and images.
 //
-//   open FILE | new | save FILE | do COMMAND-AS-JSON | action file.undo | key ctrl+z | type TEXT
+//   open FILE | new | save FILE | do COMMAND-AS-JSON | action edit.undo | key ctrl+z | type TEXT
 //   move PLACE | press PLACE | release PLACE | click PLACE | double PLACE | drag PLACE to PLACE | wheel PLACE NOTCHES
 //   where PLACE (prints its px) | wear BODY | frames COUNT | settle SECONDS | expect WORDS | screenshot FILE
 //   export FILE [thickness MM|fabric] | import FILE (a drawing of another program) | print FILE (.pdf, .svg, .dxf)

@@ -218,13 +218,15 @@ class Reader : private FaultReader {
         for (const Mirror& copy : copies_) check_copy(copy);
     }
 
-    // The panel that it leads to, over others, must exist and not be itself.
+    // The panel that it names must exist, and not be derived from this one. A fault of the panels that it leads to is
+    // said of them.
     void check_copy(const Mirror& copy) {
-        std::set<std::string> passed{copy.panel};
-        for (std::string at = copy.of; !at.empty();) {
+        if (!panel_index_.contains(copy.of)) return error(copy.node, "no panel '" + copy.of + "'");
+        std::set<std::string> passed;
+        for (std::string at = copy.of; passed.insert(at).second;) {
+            if (at == copy.panel) return error(copy.node, "a panel is no copy of itself");
             const auto found = panel_index_.find(at);
-            if (found == panel_index_.end()) return error(copy.node, "no panel '" + at + "'");
-            if (!passed.insert(at).second) return error(copy.node, "a panel is no copy of itself");
+            if (found == panel_index_.end()) return;
             const Panel& panel = out_.pattern.panels[static_cast<std::size_t>(found->second)];
             at = panel.mirror_of.empty() ? panel.copy_of : panel.mirror_of;
         }

@@ -142,7 +142,8 @@ float ElasticBands::rest_length(const Spring& spring) const {
 }
 
 void ElasticBands::solve(float* points, const float* before) {
-    for (Band& band : bands_) band.drawn_to = std::max(band.share, band.drawn_to - kDrawing * substep_);
+    for (Band& band : bands_)
+        if (band.drawn_to > 0) band.drawn_to = std::max(band.share, band.drawn_to - kDrawing * substep_);
     for (const Chain& chain : chains_) {
         is_lifted_.assign(chain.count + 1, false);
         set_up(chain, points, before);

@@ -40,7 +40,7 @@ class ElasticBands : public ClothConstraint {
     struct Band {
         int panel = 0, edge = 0;
         float share = 1, stiffness = 0;  // N
-        float drawn_to = 0;              // share of its length that it has now; 0: not known yet
+        float drawn_to = 0;              // share of its length that it has now; 0: it is in no cloth yet
     };
     struct Spring {
         std::array<std::uint32_t, 2> ends{};

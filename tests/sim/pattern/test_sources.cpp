@@ -142,6 +142,20 @@ TEST(Sources, links_in_a_file_are_checked) {
               at + "a panel is no copy of itself");
     EXPECT_EQ(faults_of(replaced(text, R"("copy_of": "front")", R"("copy_of": "front", "mirror_of": "front")")).front(),
               at + "a panel has mirror_of or copy_of, not both");
+    EXPECT_EQ(faults_of(replaced(text, R"("copy_of": "front")", R"("copy_of": "")")).front(), at + "no panel ''");
+}
+
+// The image and the copy are derived from the front.
+TEST(Sources, a_fault_of_a_link_is_said_of_the_panel_that_has_it) {
+    Pattern pattern = linked_sample();
+    pattern.seams.clear();
+    const auto faults_of_front = [&](const std::string& source) {
+        pattern.panels[0].copy_of = source;
+        return faults_of(write_pattern({pattern, {}}));
+    };
+    const std::string at = "f.json: pattern.panels.front.selvedge.copy_of: ";
+    EXPECT_EQ(faults_of_front("front"), std::vector{at + "a panel is no copy of itself"});
+    EXPECT_EQ(faults_of_front("fornt"), std::vector{at + "no panel 'fornt'"});
 }
 
 }  // namespace

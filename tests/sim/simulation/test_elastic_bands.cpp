@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "sim/adaptive/panel_lines.h"
 #include "sim/cloth/contact.h"
@@ -163,16 +164,6 @@ TEST(ElasticBands, press_on_a_body_with_their_tension_and_hold_the_cloth_up) {
         ElasticBands bands(pattern);
         bands.make(simulation.cloth());
         const double tension = mean(bands.tensions(simulation.cloth(), 0, 2));
-        if (getenv("DBG")) {
-            for (float t : bands.tensions(simulation.cloth(), 0, 2)) printf("%.3f ", double(t));
-            printf("  low %g rms %g phase %d\n", double(lowest_height(simulation.cloth())),
-                   double(run.result().rms_speed), int(run.result().settled));
-            for (const VertexId v : simulation.cloth().mesh.leaf_vertices()) {
-                const Vec3f x = simulation.cloth().x[v.value].head<3>();
-                if (x.y() > 1.15F) printf("(%.4f %.3f) ", std::hypot(double(x.x()), double(x.z())), double(x.y()));
-            }
-            printf("\n");
-        }
         EXPECT_NEAR(tension, elastic.stiffness * strain, 0.05 * elastic.stiffness * strain) << "level " << level;
         const ContactPressure pressure = measure_contact_pressure(simulation, column());
         double sum = 0;
@@ -184,6 +175,31 @@ TEST(ElasticBands, press_on_a_body_with_their_tension_and_hold_the_cloth_up) {
         EXPECT_NEAR(sum, 2 * std::numbers::pi * tension, 0.1 * 2 * std::numbers::pi * tension) << "level " << level;
         EXPECT_GT(lowest_height(simulation.cloth()), 0.97F) << "it has slipped";
     }
+}
+
+// As one of an outer garment, which is sewn last.
+TEST(ElasticBands, start_without_tension_when_their_panel_comes_into_the_cloth) {
+    Pattern pattern = loaded_strip({.share = 0.4, .stiffness = 0.4});
+    ElasticBands bands(pattern);
+    const auto solve = [&](const Pattern& worn) {
+        GarmentMesh mesh = assemble(worn);
+        merge_seams(mesh);
+        const Cloth cloth = make_cloth(mesh, limp_and_heavy());
+        bands.make(cloth);
+        std::vector<float> points;
+        for (std::size_t v = 0; v < cloth.x.size(); ++v) {
+            points.insert(points.end(), {cloth.x[v].x(), cloth.x[v].y(), cloth.x[v].z(), cloth.inverse_mass[v]});
+        }
+        const std::vector<float> before = points;
+        bands.solve(points.data(), before.data());
+    };
+    Pattern without_strip = pattern;
+    without_strip.panels[0].is_worn = false;
+    without_strip.seams.clear();
+    solve(without_strip);
+    EXPECT_TRUE(bands.is_at_rest());
+    solve(pattern);
+    EXPECT_FALSE(bands.is_at_rest()) << "the strip lies flat, and is drawn in from then on";
 }
 
 TEST(ElasticBands, rest_when_they_have_drawn_the_cloth_in) {
