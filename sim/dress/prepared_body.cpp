@@ -5,7 +5,6 @@
 #include "sim/body/yielding_flesh.h"
 #include "sim/core/assert.h"
 #include "sim/dress/dressing_pose.h"
-#include "sim/dress/own_pose.h"
 
 namespace selvedge::sim {
 namespace {
