@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <string>
 #include <vector>
 
@@ -48,24 +47,6 @@ TEST(Sources, give_the_pattern_again) {
         EXPECT_EQ(sources_of(pattern), sources_of(evaluate(sources_of(pattern)))) << entry.path();
     }
     EXPECT_EQ(evaluate(sources_of(linked_sample())), linked_sample());
-}
-
-TEST(Sources, are_evaluated_in_milliseconds) {
-    using Clock = std::chrono::steady_clock;
-    double slowest = 0;  // ms, of the shipped patterns, each the quickest of some runs
-    for (const auto& entry : std::filesystem::directory_iterator(source_folder() + "/patterns")) {
-        if (entry.path().extension() != ".json") continue;
-        const Sources sources = sources_of(load_pattern(entry.path()).pattern);
-        double quickest = 1e9;
-        for (int run = 0; run < 20; ++run) {
-            const auto start = Clock::now();
-            evaluate(sources);
-            quickest = std::min(quickest, std::chrono::duration<double, std::milli>(Clock::now() - start).count());
-        }
-        slowest = std::max(slowest, quickest);
-    }
-    EXPECT_LT(slowest, 10);
-    RecordProperty("slowest_ms", std::to_string(slowest));
 }
 
 TEST(Sources, hold_only_own_fields_of_a_panel_that_is_derived) {
