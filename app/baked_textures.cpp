@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "render/draw/cloth_vertices.h"
-#include "render/image/texture_png.h"
+#include "render/image/image.h"
 #include "render/scene/colour.h"
 #include "sim/core/assert.h"
 #include "sim/core/parallel.h"

@@ -12,7 +12,7 @@
 #include "render/scene/camera.h"
 #include "render/surface/curve.h"
 #include "sim/body/body.h"
-#include "sim/dress/made_body.h"
+#include "sim/dress/prepared_body.h"
 #include "sim/repair/load_body.h"
 
 namespace selvedge::app {

@@ -21,7 +21,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/step.h"
 #include "sim/collide/moving_body.h"
-#include "sim/dress/pinned_followers.h"
+#include "sim/dress/motion_run.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/pattern.h"
 

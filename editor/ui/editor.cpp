@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <set>
+#include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "editor/frame/item.h"
@@ -18,12 +22,13 @@
 #include "editor/ui/bars.h"
 #include "editor/ui/fabric_files.h"
 #include "editor/ui/files.h"
-#include "editor/ui/shown_text.h"
 #include "editor/ui/timeline.h"
 #include "editor/ui/tool_bar.h"
 #include "editor/ui/ui_input.h"
 #include "editor/ui/widgets.h"
 #include "editor/viewport3d/viewport.h"
+#include "sim/pattern/field_visit.h"
+#include "sim/pattern/pattern_fields.h"
 
 namespace selvedge::editor {
 namespace {
@@ -109,6 +114,39 @@ void keep_last(std::vector<Request>& requests) {
     }
     std::reverse(kept.begin(), kept.end());
     requests = std::move(kept);
+}
+
+using VisitText = std::function<void(std::string_view)>;
+
+void visit_pattern(const sim::Pattern& pattern, const VisitText& visit) {
+    visit_values(pattern, [&]<class T>(const auto&, const T& value) {
+        if constexpr (std::is_same_v<T, std::string>) visit(value);
+    });
+}
+
+void visit_drape(const Drape& drape, const VisitText& visit) {
+    const CurrentBody& body = drape.current_body();
+    visit(body.made().source);
+    for (const std::string& note : body.made().notes) visit(note);
+    for (const sim::Clip& clip : body.made().clips) visit(clip.name);
+    for (const BodyJoint& joint : body.joints) visit(joint.title);
+    for (const std::string& file : drape.pose_files()) visit(file);
+    visit(drape.activity().motion);
+    visit(drape.frame()->problem);
+}
+
+// The text on screen that is not the editor's own: names in the garment, of files, bodies and motions, and messages.
+// Texts that a control holds while they are typed are not among them.
+void visit_shown_text(const AppState& state, const VisitText& visit) {
+    visit_pattern(state.workspace.document->pattern(), visit);
+    visit_drape(state.workspace.drape, visit);
+    visit(state.workspace.file);
+    for (const std::string& file : state.workspace.fabrics.files()) visit(file);
+    if (const Message* message = state.workspace.messages.shown()) visit(message->text);
+    for (const Question& question : state.questions) visit(question.text);
+    state.browser.visit_text(visit);
+    if (!state.shows_start_page) return;
+    for (const std::string& file : state.services.recent_files()) visit(file);
 }
 
 }  // namespace

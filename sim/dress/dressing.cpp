@@ -12,7 +12,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 #include "sim/dress/carry_over.h"
-#include "sim/dress/limbs_aside.h"
+#include "sim/dress/limb_detour.h"
 #include "sim/pattern/field_moves.h"
 #include "sim/place/placement.h"
 #include "sim/simulation/elastic_bands.h"
@@ -144,7 +144,7 @@ void Dressing::begin_sewing(std::optional<WornGarments> worn) {
     GarmentSewing sewing(
         std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),
         [this](const GarmentMesh& next, const GarmentMesh& all) {
-            return LimbsAside::plan(next, all, anchored(), measured(), interrupt_, store_);
+            return plan_raised_arms(next, all, anchored(), measured(), interrupt_, store_);
         },
         std::move(worn));
     clear();

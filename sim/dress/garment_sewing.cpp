@@ -117,9 +117,17 @@ void GarmentSewing::start_next(const BodyCollider& body) {
         }
         all.mesh.links = std::move(to_close);
     }
-    if (plan_limbs_) limbs_aside_ = plan_limbs_(next, all.mesh);
+    if (plan_limbs_) detour_ = plan_limbs_(next, all.mesh);
     ++next_;
-    run_.emplace(std::move(all.mesh), fabrics_, options_);
+    start_run(std::move(all.mesh));
+}
+
+void GarmentSewing::start_run(GarmentMesh unsewn) {
+    if (detour_) {
+        run_ = detour_->start(std::move(unsewn), fabrics_, options_);
+    } else {
+        run_.emplace(std::move(unsewn), fabrics_, options_);
+    }
 }
 
 bool GarmentSewing::advance(const BodyCollider& body) {
@@ -127,11 +135,10 @@ bool GarmentSewing::advance(const BodyCollider& body) {
         relax(body);
         return true;
     }
-    if (advance_run(body)) return true;
-    if (sew_round_thin_limbs(body)) return true;
+    if (detour_ ? detour_->advance(*run_) : run_->advance(body)) return true;
+    if (sew_again(body)) return true;
     take_better(body);
-    limbs_aside_.reset();
-    thin_limbs_.reset();
+    detour_.reset();
     wear();
     if (is_last() || done_.bad_vertex) return false;
     relaxing_.emplace(make_cloth(done_.sewn, fabrics_, {.max_level = 0}), options_.simulation);
@@ -141,32 +148,23 @@ bool GarmentSewing::advance(const BodyCollider& body) {
     return true;
 }
 
-bool GarmentSewing::advance_run(const BodyCollider& body) {
-    if (limbs_aside_) return limbs_aside_->advance(*run_);
-    if (thin_limbs_) return thin_limbs_->advance(*run_);
-    return run_->advance(body);
-}
-
 // Starts the run again, from where the panels were placed, if it closed seams through limbs.
-bool GarmentSewing::sew_round_thin_limbs(const BodyCollider& body) {
-    if (limbs_aside_ || thin_limbs_ || run_->has_bad_number()) return false;
-    thin_limbs_ = ThinLimbs::plan(*run_, body, options_.interrupt, options_.store);
-    if (!thin_limbs_) return false;
-    GarmentMesh unsewn = run_->unsewn();
-    SewingOptions options = options_;
-    options.simulation.contact = ThinLimbs::contact(options.simulation.contact);
-    without_thin_limbs_ = std::move(run_);
-    run_.emplace(std::move(unsewn), fabrics_, options);
+bool GarmentSewing::sew_again(const BodyCollider& body) {
+    if (detour_ || run_->has_bad_number()) return false;
+    detour_ = plan_thin_limbs(*run_, body, options_.interrupt, options_.store);
+    if (!detour_) return false;
+    first_run_ = std::move(run_);
+    start_run(first_run_->unsewn());
     return true;
 }
 
 // Thin limbs do not help where a seam cannot close anyway.
 void GarmentSewing::take_better(const BodyCollider& body) {
-    if (!without_thin_limbs_) return;
-    const bool is_worse = run_->has_bad_number() ||
-                          ThinLimbs::count_faults(*run_, body) > ThinLimbs::count_faults(*without_thin_limbs_, body);
-    if (is_worse) run_ = std::move(without_thin_limbs_);
-    without_thin_limbs_.reset();
+    if (!first_run_) return;
+    const bool is_worse =
+        run_->has_bad_number() || count_sewing_faults(*run_, body) > count_sewing_faults(*first_run_, body);
+    if (is_worse) run_ = std::move(first_run_);
+    first_run_.reset();
 }
 
 // Takes over what was sewn.

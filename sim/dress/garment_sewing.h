@@ -12,9 +12,8 @@
 #include <vector>
 
 #include "sim/cloth/cloth.h"
-#include "sim/dress/limbs_aside.h"
+#include "sim/dress/limb_detour.h"
 #include "sim/dress/sewing.h"
-#include "sim/dress/thin_limbs.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/garments.h"
@@ -32,8 +31,8 @@ struct WornGarments {
 
 class GarmentSewing {
  public:
-    // Plans what to do with arms in the way of panels (LimbsAside::plan).
-    using PlanLimbs = std::function<std::unique_ptr<LimbsAside>(const GarmentMesh& unsewn, const GarmentMesh& sewing)>;
+    // Plans what to do with arms in the way of panels (plan_raised_arms).
+    using PlanLimbs = std::function<std::unique_ptr<LimbDetour>(const GarmentMesh& unsewn, const GarmentMesh& sewing)>;
 
     // `unsewn`: all panels of the garments, where they are placed. Moves panels to where they can be sewn
     // (make_sewable). Several garments are always kept apart, whatever the options say. Pre: not all of them are worn.
@@ -55,8 +54,8 @@ class GarmentSewing {
     void map_sewn_vertices();
     GarmentMesh place_next(const BodyCollider& body);
     void start_next(const BodyCollider& body);
-    bool advance_run(const BodyCollider& body);
-    bool sew_round_thin_limbs(const BodyCollider& body);
+    void start_run(GarmentMesh unsewn);
+    bool sew_again(const BodyCollider& body);
     void take_better(const BodyCollider& body);
     void wear();
     void relax(const BodyCollider& body);
@@ -67,16 +66,15 @@ class GarmentSewing {
     std::vector<Fabric> fabrics_;
     SewingOptions options_;
     PlanLimbs plan_limbs_;
-    std::vector<bool> is_worn_;     // per panel
-    std::size_t next_ = 0;          // garment
-    std::vector<int> sewn_vertex_;  // per vertex of unsewn_ that is worn: its vertex in the cloth; others -1
-    std::optional<SewingRun> run_;  // of the garment before next_
-    std::unique_ptr<LimbsAside> limbs_aside_{};      // during that run; none: no arm is in the way
-    std::unique_ptr<ThinLimbs> thin_limbs_{};        // during that run, when its seams closed through limbs at first
-    std::optional<SewingRun> without_thin_limbs_{};  // that first run
-    std::optional<Simulation> relaxing_;             // the garments so far, when it is done
-    double relaxed_ = 0;                             // s
-    SewingResult done_;                              // of the garments so far
+    std::vector<bool> is_worn_;             // per panel
+    std::size_t next_ = 0;                  // garment
+    std::vector<int> sewn_vertex_;          // per vertex of unsewn_ that is worn: its vertex in the cloth; others -1
+    std::optional<SewingRun> run_;          // of the garment before next_
+    std::unique_ptr<LimbDetour> detour_{};  // of that run; null: no limb is in the way
+    std::optional<SewingRun> first_run_{};  // without a detour, if its seams closed through limbs
+    std::optional<Simulation> relaxing_;    // the garments so far, when it is done
+    double relaxed_ = 0;                    // s
+    SewingResult done_;                     // of the garments so far
     std::vector<std::string> notes_;
 };
 

@@ -1,13 +1,19 @@
 #pragma once
 // A dressed garment that moves with its body: each frame the body goes on to its next pose, the cloth steps fall
 // between, and the mesh adapts. (thesis 5.3.5, 5.4)
+#include <array>
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "sim/body/body.h"
+#include "sim/cloth/cloth.h"
+#include "sim/cloth/step.h"
 #include "sim/collide/moving_body.h"
+#include "sim/collide/surface_bvh.h"
+#include "sim/core/math.h"
 #include "sim/core/region.h"
-#include "sim/dress/pinned_followers.h"
 #include "sim/simulation/simulation.h"
 
 namespace selvedge::sim {
@@ -31,6 +37,29 @@ struct MotionFrame {
     bool has_bad_number = false;
     float rms_speed = 0;  // m/s, since the last adaptation
     AdaptReport adapted{};
+};
+
+// Pinned vertices of a cloth on a body that moves: each keeps its place in the frame of the triangle of the body that
+// it is nearest to.
+class PinnedFollowers {
+ public:
+    // Where the pinned vertices of the cloth are when the surface, which is now where they are, has moved to `end`, m.
+    // Valid until the next call.
+    std::span<const KinematicVertex> follow(const Cloth& cloth, const SurfaceBvh& surface, std::span<const Vec3f> end);
+
+ private:
+    struct Follower {
+        bool is_bound = false;
+        std::uint32_t triangle = 0;
+        std::array<float, 3> shares{};
+        float height = 0;  // m, along the triangle's normal
+    };
+
+    static Follower bound(const Vec3f& x, const SurfaceBvh& surface);
+    static Vec3f place_of(const Follower& follower, const SurfaceBvh& surface, std::span<const Vec3f> x);
+
+    std::vector<Follower> followers_;  // by vertex
+    std::vector<KinematicVertex> places_;
 };
 
 class MotionRun {

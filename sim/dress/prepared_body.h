@@ -1,17 +1,40 @@
 #pragma once
-// A body that is ready to be dressed, as often as one likes: where it came from, how it stands while it is dressed and
-// afterwards, its measures, and its colliders.
+// Bodies made from a text or a file, with what is known of where they came from (MadeBody), and ready to be dressed, as
+// often as one likes (PreparedBody): how one stands while it is dressed and afterwards, its measures, and its
+// colliders.
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "sim/body/body.h"
+#include "sim/body/clip.h"
 #include "sim/body/pose.h"
 #include "sim/collide/body_collider.h"
-#include "sim/dress/made_body.h"
+#include "sim/core/content_store.h"
+#include "sim/mannequin/mannequin.h"
 #include "sim/place/measured_body.h"
+#include "sim/repair/load_body.h"
 
 namespace selvedge::sim {
+
+// A body with what is known of where it came from, for whoever dresses, moves or draws it.
+struct MadeBody {
+    std::string source{};  // "mannequin:sex=female,bust=92", or a file; empty: made of what has no text
+    std::shared_ptr<const Body> body{};
+    std::vector<std::string> notes{};             // one sentence per deviation from what was asked for, or per change
+    std::optional<MannequinReadings> readings{};  // of a mannequin
+    std::vector<Clip> clips{};                    // motions of its file
+};
+
+// From the text of a mannequin, or a file. store: where it may be found and is kept; null for none. Throws InputError
+// as parse_mannequin(), make_mannequin() and load_moving_body() do.
+MadeBody make_body(const std::string& source, const LoadBodyOptions& load = {}, const ContentStore* store = nullptr);
+
+// A mannequin; its source is empty. Reads no file.
+MadeBody make_body(const MannequinOptions& options, const ContentStore* store = nullptr);
 
 // Several threads may ask at the same time.
 class PreparedBody {

@@ -1,7 +1,9 @@
 #pragma once
 // What the texts on a pattern say of how a part is cut: how often, mirrored, on the fold, of what. In English, German,
 // French, Spanish and Dutch, as FreeSewing and Valentina write them and as labels of DXF do.
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/paper/drawing.h"
 
@@ -12,5 +14,9 @@ namespace selvedge::sim {
 // get their English names where they are known. Adds to what is known, of which main fabric goes before other
 // materials; returns false for texts about other things, which change nothing.
 bool read_cut_text(std::string_view text, CutInstructions& cut);
+
+// The words of texts and classes in drawings: runs of letters and digits; ASCII in small letters, other letters as they
+// are.
+std::vector<std::string> words_of(std::string_view text);
 
 }  // namespace selvedge::sim

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/core/lower_case.h"
-#include "sim/paper/drawing_words.h"
+#include "sim/paper/cut_text.h"
 
 namespace selvedge::sim {
 namespace {

@@ -16,7 +16,6 @@
 #include "sim/pattern/outline.h"
 #include "sim/place/body_anchors.h"
 #include "sim/place/limbs.h"
-#include "sim/place/panel_clearance.h"
 #include "sim/place/panel_cones.h"
 #include "sim/place/panel_flanks.h"
 #include "sim/place/placement.h"

@@ -56,4 +56,7 @@ std::vector<ArrangementPoint> arrangement_points(const Body& body);
 // wraps the panel around the cylinder.
 void arrange(Panel& panel, const ArrangementPoint& point);
 
+// From the nearest of a net of points on the panel, its outline among them, to the body, m; negative inside.
+float clearance_of(const Panel& panel, const BodyCollider& body);
+
 }  // namespace selvedge::sim

@@ -10,7 +10,6 @@
 
 #include "sim/core/math.h"
 #include "sim/pattern/outline.h"
-#include "sim/proposals/chain_fit.h"
 #include "sim/proposals/chain_shape.h"
 #include "sim/proposals/twin_evidence.h"
 

@@ -3,8 +3,8 @@
 // (The weights were set by hand on shipped garments and on published GarmentCode patterns, whose seams are known.)
 #include <vector>
 
+#include "sim/proposals/chain_fit.h"
 #include "sim/proposals/chain_view.h"
-#include "sim/proposals/evidence.h"
 #include "sim/proposals/open_boundary.h"
 #include "sim/proposals/panel_facts.h"
 

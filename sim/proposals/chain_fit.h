@@ -1,11 +1,36 @@
 #pragma once
 // How well two chains fit each other, whatever they are: their lengths, their notches, the angles at their ends, and
 // the seams that end at both.
+#include <algorithm>
+#include <initializer_list>
+#include <string>
+
 #include "sim/proposals/chain_view.h"
-#include "sim/proposals/evidence.h"
 #include "sim/proposals/open_boundary.h"
+#include "sim/proposals/panel_role.h"
 
 namespace selvedge::sim {
+
+// What speaks for and against a seam, as the logarithm of odds and in words.
+struct Evidence {
+    double odds = 0;  // natural logarithm
+    std::string reason;
+    bool is_dart = false;     // both sides are the legs of a dart
+    bool is_possible = true;  // false: whatever the odds are, it is no seam
+};
+
+inline void add(Evidence& evidence, double odds, const std::string& reason = {}) {
+    evidence.odds += odds;
+    if (!reason.empty()) evidence.reason += (evidence.reason.empty() ? "" : "; ") + reason;
+}
+
+inline bool is_one_of(GarmentPart part, std::initializer_list<GarmentPart> parts) {
+    return std::ranges::find(parts, part) != parts.end();
+}
+
+inline bool are_parts(GarmentPart a, GarmentPart b, GarmentPart one, GarmentPart other) {
+    return (a == one && b == other) || (a == other && b == one);
+}
 
 // are_of_one_kind: each side lies on one panel, or on halves of one.
 void weigh_lengths(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b,

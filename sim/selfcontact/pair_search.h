@@ -2,19 +2,38 @@
 // Finds the pairs of mesh elements that can touch soon: boxes of triangles in packets of sixteen, overlapping boxes,
 // then the vertices and edges of two triangles against each other. Every vertex and every edge is owned by one
 // triangle, so that no pair is found twice. A search asks some of the packets, and keeps what is known of the others.
+#include <emmintrin.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "sim/core/math.h"
-#include "sim/selfcontact/boxes.h"
 #include "sim/selfcontact/kernels.h"
 #include "sim/selfcontact/pairs.h"
 #include "sim/selfcontact/surface.h"
 
 namespace selvedge::sim {
+
+// An axis-aligned box, with four floats per corner, of which the fourth is ignored: one comparison per corner.
+struct ContactBox {
+    Vec4f low = Vec4f::Constant(std::numeric_limits<float>::max());  // m
+    Vec4f high = Vec4f::Constant(std::numeric_limits<float>::lowest());
+};
+
+inline ContactBox around(const ContactBox& a, const ContactBox& b) {
+    return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+}
+
+inline bool overlap(const ContactBox& a, const ContactBox& b) {
+    constexpr int kXyz = 7;
+    const __m128 above = _mm_cmpgt_ps(_mm_load_ps(a.low.data()), _mm_load_ps(b.high.data()));
+    const __m128 below = _mm_cmplt_ps(_mm_load_ps(a.high.data()), _mm_load_ps(b.low.data()));
+    return (_mm_movemask_ps(_mm_or_ps(above, below)) & kXyz) == 0;
+}
 
 // The candidates of self-contact.
 struct ContactPairs {

@@ -9,7 +9,7 @@
 
 #include "sim/core/math.h"
 #include "sim/core/stopwatch.h"
-#include "sim/dress/own_pose.h"
+#include "sim/dress/dressing_pose.h"
 #include "sim/inspection/inspection.h"
 #include "sim/inspection/wearing.h"
 #include "sim/mesh/garment_mesh.h"

@@ -1,4 +1,4 @@
-#include "render/image/texture_png.h"
+#include "render/image/image.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "sim/collide/body_collider.h"
-#include "sim/collide/stored_field.h"
 #include "sim/core/content_store.h"
 #include "sim/core/simd_level.h"
 #include "sim/mannequin/stored_mannequin.h"

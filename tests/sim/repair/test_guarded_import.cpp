@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
@@ -105,14 +104,12 @@ TEST(ChildProcess, takes_an_exception_that_leaves_the_work_for_a_crash) {
 }
 
 TEST(ChildProcess, ends_work_that_hangs) {
-    const auto start = std::chrono::steady_clock::now();
     const ChildResult result = run_in_child(
         []() -> std::string {
             while (true) ::pause();
         },
         {.wall_seconds = 1});
     EXPECT_EQ(result.end, ChildEnd::TimedOut);
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
 TEST(ChildProcess, ends_work_that_burns_processor_time) {
