@@ -359,7 +359,7 @@ sim::Panel panel_of_record(const RecordReader& reader) {
     if (reader.text("name").empty()) throw sim::InputError("", path(reader.place, "name"), "is empty");
     const std::vector<sim::OutlineEdge> edges = panel.edges;
     read_fields(reader, &panel, panel);
-    if (panel.edges.size() != edges.size()) panel.last_key = 0;
+    if (panel.edges.size() != edges.size()) panel.last_key = panel.fold_key = 0;
     for (std::size_t e = 0; panel.last_key > 0 && e < edges.size(); ++e) panel.edges[e].key = edges[e].key;
     return panel;
 }

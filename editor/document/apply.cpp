@@ -350,7 +350,8 @@ Outcome run(sim::Pattern& pattern, const MergePanels& command) {
 }
 
 Outcome run(sim::Pattern& pattern, const UnfoldPanel& command) {
-    unfold_panel(pattern, edge_of(pattern, {command.panel, command.edge}));
+    unfold_panel(pattern, edge_of(pattern, {command.panel, command.edge}),
+                 command.is_linked ? CopyLink::Linked : CopyLink::None);
     return {.selection = only(command.panel)};
 }
 

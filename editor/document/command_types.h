@@ -234,7 +234,8 @@ struct SymmetricCopy {
     }
 };
 
-// Ends the links of the panel: to the one that it is derived from, and of those that are derived from it.
+// Ends the links of the panel: to the one that it is derived from, of those that are derived from it, and of its
+// halves.
 struct UnlinkPanel {
     static constexpr const char* name = "unlink_panel";
     std::string panel{};
@@ -381,11 +382,13 @@ struct UnfoldPanel {
     static constexpr const char* name = "unfold_panel";
     std::string panel{};
     int edge = 0;
+    bool is_linked = false;  // its halves stay mirror images of each other
 
     template <class Visitor>
     void fields(Visitor&& visit) {
         visit("panel", panel);
         visit("edge", edge);
+        visit("is_linked", is_linked);
     }
 };
 

@@ -126,8 +126,9 @@ std::vector<std::string> moved_images(const sim::Pattern& in_file, const sim::Pa
     for (std::size_t i = 0; i < in_file.panels.size(); ++i) {
         const sim::Panel& was = in_file.panels[i];
         const sim::Panel& now = evaluated.panels[i];
-        const bool has_moved = std::ranges::any_of(
-            now.vertices, [&](const Vec2d& u) { return (was.place(u) - now.place(u)).norm() > kMoved; });
+        const bool has_moved = sim::link_of(now) && std::ranges::any_of(now.vertices, [&](const Vec2d& u) {
+                                   return (was.place(u) - now.place(u)).norm() > kMoved;
+                               });
         if (has_moved) notes.push_back("'" + now.name + "' was moved to where the mirror image of its source stands");
     }
     return notes;

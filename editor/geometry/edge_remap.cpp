@@ -219,6 +219,7 @@ void unlink(sim::Pattern& pattern, int panel) {
     sim::Panel& own = pattern.panels[as_size(panel)];
     own.mirror_of.clear();
     own.copy_of.clear();
+    own.fold_key = 0;
     for (sim::Panel& other : pattern.panels) {
         for (std::string* source : {&other.mirror_of, &other.copy_of}) {
             if (*source == own.name) source->clear();

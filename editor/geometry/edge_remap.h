@@ -54,7 +54,7 @@ bool is_smooth(const sim::Panel& panel, int vertex);
 // Removes panels and their seams from the pattern, and ends their mirror links.
 void drop_panels(sim::Pattern& pattern, const std::vector<int>& panels);
 
-// Ends the mirror links of the panel: its own, and those of the panels that mirror it.
+// Ends the links of the panel: its own, those of the panels that are derived from it, and that of its halves.
 void unlink(sim::Pattern& pattern, int panel);
 
 }  // namespace selvedge::editor

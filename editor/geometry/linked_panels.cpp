@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "editor/geometry/draft.h"
+#include "editor/geometry/linked_halves.h"
 #include "editor/geometry/panel_families.h"
 #include "editor/geometry/seam_bundles.h"
 #include "sim/pattern/edge_keys.h"
 #include "sim/pattern/field_moves.h"
+#include "sim/pattern/halves.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_fields.h"
 #include "sim/pattern/sources.h"
@@ -128,6 +130,36 @@ Heirs turned_heirs(Heirs heirs) {
     return heirs;
 }
 
+// The panel that has this half (linked_halves.h), or the panel itself.
+int index_of_whole(const sim::Pattern& pattern, int panel) {
+    const std::string& name = pattern.panels[as_size(panel)].name;
+    const std::string whole = whole_name(name);
+    if (whole == name) return panel;
+    return static_cast<int>(std::ranges::find(pattern.panels, whole, &sim::Panel::name) - pattern.panels.begin());
+}
+
+// Whether a seam joins the two halves of one panel.
+bool is_across(const sim::Pattern& pattern, const sim::Seam& seam) {
+    return seam.first.panel != seam.second.panel &&
+           whole_name(sim::panel_of(pattern, seam.first).name) == whole_name(sim::panel_of(pattern, seam.second).name);
+}
+
+// The seams from one half of the panel to the other, with the edges that they join: those of the panel first.
+std::vector<sim::Seam> seams_across(const sim::Pattern& pattern, int panel) {
+    std::vector<sim::Seam> found;
+    for (const sim::Seam& seam : pattern.seams) {
+        if (!is_across(pattern, seam)) continue;
+        if (seam.first.panel != panel && seam.second.panel != panel) continue;
+        sim::Seam& added = found.emplace_back(sim::copy_of(seam));
+        if (seam.second.panel == panel) {
+            std::swap(added.first, added.second);
+            reverse_fields(added);
+        }
+        added.first.panel = added.second.panel = 0;
+    }
+    return found;
+}
+
 class LinkUpdate {
  public:
     LinkUpdate(sim::Pattern& draft, const sim::Pattern& before)
@@ -135,6 +167,7 @@ class LinkUpdate {
         is_seam_turned_.resize(draft.panels.size(), false);
         for (std::size_t i = 0; i < draft.panels.size(); ++i) {
             const sim::Panel& panel = draft.panels[i];
+            whole_.push_back(index_of_whole(draft, static_cast<int>(i)));
             leader_.push_back(families_.root_of(static_cast<int>(i)));
             for (int e = 0; e < edge_count(panel); ++e) pieces_[i].push_back({{edge_key(panel, e)}});
         }
@@ -152,6 +185,8 @@ class LinkUpdate {
         collect();
         for (int panel = 0; panel < static_cast<int>(draft_.panels.size()); ++panel) {
             if (leader_[as_size(panel)] != panel) follow_darts(panel, old);
+            const bool is_half = whole_[as_size(panel)] != panel;
+            if (!is_half && whole_[as_size(leader_[as_size(panel)])] != panel) follow_seams_across(panel, old);
         }
         collect();
     }
@@ -173,10 +208,19 @@ class LinkUpdate {
     bool is_changed(int panel, const sim::Panel& before) const {
         const int old = static_cast<int>(&before - before_.panels.data());
         if (!is_alike(before, draft_.panels[as_size(panel)])) return true;
+        if (seams_across(draft_, panel) != seams_across(before_, old)) return true;
         const std::vector<int> darts = sim::darts_of(draft_, panel), had = sim::darts_of(before_, old);
         return !std::ranges::equal(darts, had, [&](int one, int other) {
             return sim::copy_of(draft_.seams[as_size(one)]) == with_panel(before_.seams[as_size(other)], panel);
         });
+    }
+
+    // The other half of a panel. -1: it is not divided.
+    int other_half(int panel) const {
+        for (std::size_t i = 0; i < whole_.size(); ++i) {
+            if (whole_[i] == panel && static_cast<int>(i) != panel) return static_cast<int>(i);
+        }
+        return -1;
     }
 
     static sim::Seam with_panel(const sim::Seam& dart, int panel) {
@@ -254,7 +298,9 @@ class LinkUpdate {
     }
 
     bool is_followed(const sim::Seam& seam) const {
-        return seam.first.panel == seam.second.panel && leader_[as_size(seam.first.panel)] != seam.first.panel;
+        const int panel = seam.first.panel, leader = leader_[as_size(panel)];
+        if (is_across(draft_, seam)) return whole_[as_size(leader)] != whole_[as_size(panel)];
+        return panel == seam.second.panel && leader != panel;
     }
 
     const EdgePieces& pieces_at(const sim::SeamSide& side) const {
@@ -273,30 +319,43 @@ class LinkUpdate {
     // names and their places among the seams.
     void follow_darts(int panel, const std::vector<sim::Seam>& old) {
         const int leader = leader_[as_size(panel)];
-        const sim::Panel& from = draft_.panels[as_size(leader)];
-        const sim::Panel& own = draft_.panels[as_size(panel)];
-        for (const int dart : sim::darts_of(draft_, leader)) {
-            sim::Seam made = sim::copy_of(draft_.seams[as_size(dart)]);
-            for (sim::SeamSide* side : {&made.first, &made.second}) {
-                *side = {panel, find_edge(own, edge_key(from, side->edge)).value()};
-                if (!seam_at(draft_, *side)) continue;
-                throw GeometryError("Panel " + own.name + " is linked to " + from.name +
-                                        ", and is sewn already where a seam within it would be.",
-                                    {place_of(draft_, *side)});
-            }
-            add_dart(std::move(made), old);
+        for (const int dart : sim::darts_of(draft_, leader))
+            follow_dart(draft_.seams[as_size(dart)], {{leader, panel}}, old);
+    }
+
+    // The same for seams from one half of a panel to the other.
+    void follow_seams_across(int panel, const std::vector<sim::Seam>& old) {
+        const int leader = whole_[as_size(leader_[as_size(panel)])];
+        const std::map<int, int> images{{leader, panel}, {other_half(leader), other_half(panel)}};
+        for (const sim::Seam& seam : draft_.seams) {
+            if (is_across(draft_, seam) && whole_[as_size(seam.first.panel)] == leader) follow_dart(seam, images, old);
         }
     }
 
+    // images: the panel for each panel of the seam.
+    void follow_dart(const sim::Seam& dart, const std::map<int, int>& images, const std::vector<sim::Seam>& old) {
+        sim::Seam made = sim::copy_of(dart);
+        for (sim::SeamSide* side : {&made.first, &made.second}) {
+            const sim::Panel& from = draft_.panels[as_size(side->panel)];
+            const sim::Panel& own = draft_.panels[as_size(images.at(side->panel))];
+            *side = {images.at(side->panel), find_edge(own, edge_key(from, side->edge)).value()};
+            if (!seam_at(draft_, *side)) continue;
+            throw GeometryError("Panel " + own.name + " is linked to " + from.name +
+                                    ", and is sewn already where a seam within it would be.",
+                                {place_of(draft_, *side)});
+        }
+        add_dart(std::move(made), old);
+    }
+
     void add_dart(sim::Seam made, const std::vector<sim::Seam>& old) {
-        const sim::Panel& panel = draft_.panels[as_size(made.first.panel)];
         const auto is_now = [&](const sim::SeamSide& was, const sim::SeamSide& now) {
             const EdgePieces& pieces = pieces_at(was);
-            return pieces.size() == 1 && pieces.front().key == edge_key(panel, now.edge);
+            const sim::Panel& panel = draft_.panels[as_size(now.panel)];
+            return was.panel == now.panel && pieces.size() == 1 && pieces.front().key == edge_key(panel, now.edge);
         };
         for (std::size_t i = 0; i < old.size(); ++i) {
             const sim::Seam& seam = old[i];
-            if (places_[i] || !is_followed(seam) || seam.first.panel != made.first.panel) continue;
+            if (places_[i] || !is_followed(seam)) continue;
             if (is_now(seam.first, made.second) && is_now(seam.second, made.first)) {
                 std::swap(made.first, made.second);
                 reverse_fields(made);
@@ -315,12 +374,51 @@ class LinkUpdate {
     std::vector<std::vector<EdgePieces>> pieces_;     // per panel and edge of the draft: of the families' edges
     std::vector<bool> is_seam_turned_;                // per panel
     std::vector<int> leader_;                         // per panel
+    std::vector<int> whole_;                          // per panel: the drawn half, of one that is another half
     std::vector<std::optional<sim::Seam>> places_{};  // what became of the draft's seams
     std::vector<sim::Seam> more_{};                   // and those that are new
 };
 
 bool has_links(const sim::Pattern& pattern) {
-    return std::ranges::any_of(pattern.panels, [](const sim::Panel& panel) { return sim::link_of(panel).has_value(); });
+    return std::ranges::any_of(pattern.panels, [](const sim::Panel& panel) {
+        return sim::link_of(panel).has_value() || sim::has_linked_halves(panel);
+    });
+}
+
+// Halves were unfolded in derived panels too: these become what their sources give, to the last bit.
+void derive_again(sim::Pattern& pattern) {
+    PanelFamilies families(pattern);
+    for (int root = 0; root < static_cast<int>(pattern.panels.size()); ++root) {
+        if (families.root_of(root) == root && families.members(root).size() > 1)
+            families.put(root, sim::Panel(families.panel(root)));
+    }
+    for (sim::Seam& seam : pattern.seams) {
+        for (sim::SeamSide* side : {&seam.first, &seam.second}) {
+            const sim::EdgeKey key = edge_key(pattern.panels[as_size(side->panel)], side->edge);
+            side->edge = find_edge(families.panel(side->panel), key).value();
+        }
+    }
+    pattern.panels = families.panels();
+}
+
+// The error of an edit of divided panels, about those that a person knows.
+GeometryError about_wholes(const GeometryError& error) {
+    std::vector<PartLocation> places;
+    for (const PartLocation& place : error.places()) places.push_back({whole_name(place.panel), -1, -1});
+    return GeometryError(without_half_names(error.what()), places);
+}
+
+void update_divided(sim::Pattern& draft, const sim::Pattern& before) {
+    DividedPattern parts = divide_halves(draft, before);
+    if (parts.divided.empty()) return LinkUpdate(draft, before).update();
+    const DividedPattern was = divide_halves(before, before);
+    try {
+        LinkUpdate(parts.pattern, was.pattern).update();
+    } catch (const GeometryError& error) {
+        throw about_wholes(error);
+    }
+    draft = joined_halves(parts);
+    derive_again(draft);
 }
 
 }  // namespace
@@ -329,7 +427,7 @@ void update_links(sim::Pattern& pattern, const sim::Pattern& before) {
     if (!has_links(pattern)) return;
     edit_pattern(pattern, [&](sim::Pattern& draft) {
         for (sim::Panel& panel : draft.panels) give_keys(panel);
-        LinkUpdate(draft, before).update();
+        update_divided(draft, before);
     });
 }
 

@@ -14,6 +14,9 @@ namespace selvedge::editor {
 // to are no part of one that is there, or where edges were joined and those sewn to them meet in a corner. Darts are
 // those of the panel that leads.
 //
+// The halves of a panel that are linked (sim/pattern/halves.h) are such a family too, that of the drawn half first.
+// Points where they meet may move, and the axis with them; an edit that removes one is refused.
+//
 // Throws GeometryError, with the pattern unchanged, if that is not possible. Pre: the panels of `before` have keys, and
 // its linked panels are alike, as evaluate() gives them.
 void update_links(sim::Pattern& pattern, const sim::Pattern& before);

@@ -74,8 +74,8 @@ int merge_panels(sim::Pattern& pattern, int seam);
 // Unfolds a panel that was cut on the fold: joins it to its mirror image over a straight edge. Edges before the fold
 // keep their indices; then come the images of all edges, in reverse order from the edge before the fold on; then the
 // edges after the fold. Seams stay with the original half, darts are copied to the other; the seam at the fold and the
-// mirror links are removed.
-void unfold_panel(sim::Pattern& pattern, sim::SeamSide fold);
+// links are removed. Linked: update_links keeps the halves mirror images of each other from then on.
+void unfold_panel(sim::Pattern& pattern, sim::SeamSide fold, CopyLink link = CopyLink::None);
 
 // Cuts a wedge (width and depth in m) out of the panel, centred at the fraction t of an edge, and sews its legs
 // together. Edge e becomes edges e, leg, leg, e + 3. If it was sewn, its two parts stay sewn to the whole other side,

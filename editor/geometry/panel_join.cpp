@@ -196,8 +196,20 @@ bool is_straight(const sim::Panel& panel, const sim::OutlineEdge& edge) {
                        [&](const Vec2d& p) { return std::abs(sim::cross2(along, p - start)) < 1e-5; });
 }
 
-void unfold(sim::Pattern& draft, const sim::SeamSide& fold) {
+// Keys with which no edge is an image: that is what its own images will be.
+void give_drawn_keys(sim::Panel& panel) {
+    give_keys(panel);
+    for (sim::OutlineEdge& edge : panel.edges) {
+        if (edge.key.role != sim::EdgeRole::Drawn) edge.key = sim::new_key(panel);
+    }
+}
+
+void unfold(sim::Pattern& draft, const sim::SeamSide& fold, CopyLink link) {
     sim::Panel& panel = draft.panels[as_size(fold.panel)];
+    if (link == CopyLink::Linked) {
+        give_drawn_keys(panel);
+        panel.fold_key = panel.edges[as_size(fold.edge)].key.number;
+    }
     const int count = edge_count(panel);
     const auto image_of = [&](int e) { return sim::unfolded_image(e, fold.edge, count); };
     const auto stays_at = [&](int e) { return sim::unfolded_index(e, fold.edge, count); };
@@ -226,7 +238,7 @@ int open_wedge(sim::Pattern& draft, const sim::SeamSide& mouth, double depth) {
     const Vec2d along = (to - from).normalized();
     const int apex = static_cast<int>(panel.vertices.size());
     panel.vertices.push_back((from + to) / 2 + depth * Vec2d(-along.y(), along.x()));
-    const sim::OutlineEdge second{.start = apex, .end = edge.end, .key = sim::new_key(panel)};
+    const sim::OutlineEdge second{.start = apex, .end = edge.end, .key = sim::new_part_key(panel, edge)};
     edge = {.start = edge.start, .end = apex, .key = edge.key};
     panel.edges.insert(panel.edges.begin() + mouth.edge + 1, second);
     std::erase_if(panel.notches, [&](const sim::Notch& notch) { return notch.edge == mouth.edge; });
@@ -245,13 +257,13 @@ int merge_panels(sim::Pattern& pattern, int seam) {
     return edit_pattern(pattern, [&](sim::Pattern& draft) { return Merger(draft, joint).merge(); });
 }
 
-void unfold_panel(sim::Pattern& pattern, sim::SeamSide fold) {
+void unfold_panel(sim::Pattern& pattern, sim::SeamSide fold, CopyLink link) {
     if (!is_straight(panel_of(pattern, fold.panel), edge_of(pattern, fold))) {
         throw GeometryError("A fold is straight; this edge is curved.", {place_of(pattern, fold)});
     }
     edit_pattern(pattern, [&](sim::Pattern& draft) {
         unlink(draft, fold.panel);
-        unfold(draft, fold);
+        unfold(draft, fold, link);
     });
 }
 

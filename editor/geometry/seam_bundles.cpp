@@ -21,6 +21,10 @@ bool has_ended(const SeamBundle& bundle) {
     return bundle.first.pieces.empty() || bundle.second.pieces.empty();
 }
 
+[[noreturn]] void throw_unlike() {
+    throw GeometryError("Linked panels are sewn to each other so that their seams cannot be split alike.");
+}
+
 // Pieces that together are the whole edge, as its heirs by their lengths.
 std::vector<EdgeHeir> heirs_by_length(const EdgePieces& parts, const std::function<double(const EdgePiece&)>& length) {
     std::vector<double> reached{0};
@@ -54,8 +58,7 @@ BundledSeams SeamBundles::seams() {
     int steps_left = 2 * static_cast<int>(bundles_.size());
     for (const sim::Panel& panel : families_.panels()) steps_left += 2 * edge_count(panel);
     while (merge_joined() || split_partial() || even_one()) {
-        if (steps_left-- > 0) continue;
-        throw GeometryError("Linked panels are sewn to each other so that their seams cannot be split alike.");
+        if (steps_left-- <= 0) throw_unlike();
     }
     BundledSeams found;
     for (const SeamBundle& bundle : bundles_) {
@@ -193,8 +196,7 @@ bool SeamBundles::even_one() {
         if (divide(first, second, bundle.seam.is_reversed) || divide(second, first, bundle.seam.is_reversed))
             return true;
         if (first.pieces.size() == second.pieces.size()) continue;
-        end(bundle);
-        return true;
+        throw_unlike();  // what is left to divide is too short
     }
     return false;
 }

@@ -17,6 +17,7 @@
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/garments.h"
+#include "sim/pattern/halves.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern.h"
 #include "sim/pattern/sources.h"
@@ -180,11 +181,14 @@ void draw_links(InspectorContext& context, const sim::Panel& panel) {
     if (link)
         fact(context, link->kind == sim::Derivation::Mirror ? "Mirror of" : "Copy of", link->source,
              "Both are kept alike: what is done to one is done to both.");
+    const bool has_halves = sim::has_linked_halves(panel);
+    if (has_halves) fact(context, "Halves", "linked", "They are mirror images: what is done to one is done to both.");
     ButtonRow row(context);
     const bool has_pins = !panel.pins.empty();
-    if (link && row.button({.name = "panel.unlink",
-                            .title = "Unlink",
-                            .tip = with_key(context, "Both go their own ways", "panel.unlink")})) {
+    const bool is_linked = link || has_halves;
+    if (is_linked && row.button({.name = "panel.unlink",
+                                 .title = "Unlink",
+                                 .tip = with_key(context, "Both go their own ways", "panel.unlink")})) {
         context.workspace.run(UnlinkPanel{name});
     } else if (has_pins && row.button({.name = "panel.unpin", .title = "Unpin", .tip = "No point of it is held."})) {
         context.workspace.run(SetPins{.panel = name});

@@ -13,6 +13,7 @@
 #include "editor/ui/app_state.h"
 #include "editor/ui/files.h"
 #include "sim/core/assert.h"
+#include "sim/pattern/halves.h"
 #include "sim/pattern/sources.h"
 
 namespace selvedge::editor {
@@ -424,6 +425,7 @@ bool is_linked(const AppState& state) {
         const auto link = sim::link_of(panel);
         const std::set<std::string>& chosen = selected(state).panels;
         if (link && (chosen.contains(panel.name) || chosen.contains(link->source))) return true;
+        if (sim::has_linked_halves(panel) && chosen.contains(panel.name)) return true;
     }
     return false;
 }
@@ -450,6 +452,15 @@ void add_clipboard(std::vector<Action>& actions) {
                        .can = has_panels});
 }
 
+bool has_one_edge(const AppState& state) {
+    return state.workspace.document->changeable().edges.size() == 1;
+}
+
+void unfold_selected(AppState& state, bool has_linked_halves) {
+    const PartRef edge = *state.workspace.document->changeable().edges.begin();
+    state.workspace.run(UnfoldPanel{.panel = edge.panel, .edge = edge.index, .is_linked = has_linked_halves});
+}
+
 void add_panels(std::vector<Action>& actions) {
     const auto add = [&](const char* id, const char* title, const char* tip, std::function<void(AppState&)> run) {
         actions.push_back({.id = id, .menu = "Panel", .title = title, .tip = tip, .run = run, .can = has_panels});
@@ -464,7 +475,7 @@ void add_panels(std::vector<Action>& actions) {
         [](AppState& state) { duplicate_selected(state, true); });
     actions.push_back({.id = "panel.unlink",
                        .menu = "Panel",
-                       .title = "Unlink from its mirror image or copy",
+                       .title = "Unlink from its mirror image or copy, or its halves",
                        .run =
                            [](AppState& state) {
                                for_each_panel(state,
@@ -474,17 +485,13 @@ void add_panels(std::vector<Action>& actions) {
     add("panel.mirror_across", "Mirror left to right", "", [](AppState& state) { mirror_panels(state, Vec2d(0, 1)); });
     actions.back().begins_group = true;
     add("panel.mirror_upright", "Mirror top to bottom", "", [](AppState& state) { mirror_panels(state, Vec2d(1, 0)); });
-    actions.push_back(
-        {.id = "panel.unfold",
-         .menu = "Panel",
-         .title = "Unfold over the selected edge",
-         .tip = "What was drawn as a half on the fold is opened",
-         .run =
-             [](AppState& state) {
-                 const PartRef edge = *state.workspace.document->changeable().edges.begin();
-                 state.workspace.run(UnfoldPanel{edge.panel, edge.index});
-             },
-         .can = [](const AppState& state) { return state.workspace.document->changeable().edges.size() == 1; }});
+    add("panel.unfold", "Unfold over the selected edge", "What was drawn as a half on the fold is opened",
+        [](AppState& state) { unfold_selected(state, false); });
+    actions.back().can = has_one_edge;
+    add("panel.unfold_linked", "Unfold over the selected edge, linked",
+        "It stays symmetric: what is changed in one half is changed in both",
+        [](AppState& state) { unfold_selected(state, true); });
+    actions.back().can = has_one_edge;
 }
 
 void edit_seams(AppState& state) {

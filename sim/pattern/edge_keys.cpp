@@ -53,6 +53,12 @@ EdgeKey new_key(Panel& panel) {
     return has_keys(panel) ? EdgeKey{++panel.last_key} : EdgeKey{};
 }
 
+EdgeKey new_part_key(Panel& panel, const OutlineEdge& edge) {
+    EdgeKey key = new_key(panel);
+    if (panel.fold_key > 0) key.role = edge.key.role;
+    return key;
+}
+
 void give_keys(Panel& panel) {
     for (const OutlineEdge& edge : panel.edges) panel.last_key = std::max(panel.last_key, edge.key.number);
     std::set<EdgeKey> taken;

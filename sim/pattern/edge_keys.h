@@ -23,6 +23,9 @@ std::optional<int> find_edge(const Panel& panel, const EdgeKey& key);
 // A key that no edge of the panel ever had. Not given, if the panel has no keys.
 EdgeKey new_key(Panel& panel);
 
+// A key for a new part of the edge: as new_key(), but of a panel with linked halves in the half that the edge is of.
+EdgeKey new_part_key(Panel& panel, const OutlineEdge& edge);
+
 // Gives a key to each edge that has none. Of two edges with one key, the second gets another.
 void give_keys(Panel& panel);
 

@@ -188,7 +188,7 @@ SplitCurve split_curve(const Panel& panel, const OutlineEdge& edge, double t, in
 
 void split_edge(Panel& panel, int edge, double t) {
     SplitCurve split = split_curve(panel, panel.edges[as_size(edge)], t, static_cast<int>(panel.vertices.size()));
-    split.after.key = new_key(panel);
+    split.after.key = new_part_key(panel, split.before);
     panel.vertices.push_back(split.point);
     panel.edges[as_size(edge)] = split.before;
     panel.edges.insert(panel.edges.begin() + edge + 1, split.after);
@@ -320,9 +320,7 @@ Panel mapped_panel(const Panel& panel, const Eigen::Affine2d& map) {
     return mapped;
 }
 
-namespace {
-
-Eigen::Affine2d reflection(const Vec2d& from, const Vec2d& to) {
+Eigen::Affine2d reflection_in(const Vec2d& from, const Vec2d& to) {
     const Vec2d along = (to - from).normalized();
     Eigen::Affine2d map = Eigen::Affine2d::Identity();
     map.linear() = 2 * along * along.transpose() - Eigen::Matrix2d::Identity();
@@ -330,13 +328,11 @@ Eigen::Affine2d reflection(const Vec2d& from, const Vec2d& to) {
     return map;
 }
 
-}  // namespace
-
 Panel unfolded(const Panel& half, int fold) {
     Panel panel = half;
     const int count = static_cast<int>(half.edges.size());
     const OutlineEdge& axis = half.edges[as_size(fold)];
-    const Eigen::Affine2d map = reflection(start_of(half, axis), end_of(half, axis));
+    const Eigen::Affine2d map = reflection_in(start_of(half, axis), end_of(half, axis));
     std::vector<int> image(half.vertices.size());
     for (std::size_t v = 0; v < image.size(); ++v) image[v] = static_cast<int>(v);
     for (const OutlineEdge& edge : half.edges) {

@@ -66,6 +66,9 @@ inline int mirrored_edge(int e, int count) {
     return (count - e) % count;
 }
 
+// The reflection in the line through two points. Pre: from != to.
+Eigen::Affine2d reflection_in(const Vec2d& from, const Vec2d& to);
+
 // The whole of a panel that was cut on the fold: the half joined to its mirror image over a straight edge. Edges before
 // the fold keep their indices; then come the images of all edges, in reverse order from the edge before the fold on;
 // then the edges after the fold. Images have the keys of their edges, as EdgeRole::Image,

@@ -143,6 +143,8 @@ struct Panel {
     std::string mirror_of = {};                 // this panel is kept a mirror image of that panel; empty: of none
     std::string copy_of = {};                   // it is kept a copy of that panel, placed on its own; empty: of none
     int last_key = 0;                           // the last number that its edges were given as a key; 0: none has one
+    int fold_key = 0;                           // it was unfolded over the edge with this number, which is no more, and
+                                                // its halves are kept mirror images (sim/pattern/halves.h); 0: not so
     std::string label = {};                     // GarmentCode's part of the body: "body", "leg", "arm"; or anything
     std::optional<SurfaceDesign> surface = {};  // what it shows; none: its fabric's or the pattern's
     std::optional<Vec2d> sheet_position = {};   // m, of the panel's origin on the 2D sheet; none: automatic layout

@@ -163,6 +163,8 @@ inline constexpr std::tuple kPanelFields{
                                               .range = {0, kMostKeys},
                                               .descent = Descent::Key,
                                               .is_in_python = false},
+    Field<&Panel::fold_key>{
+        .name = "fold_key", .range = {0, kMostKeys}, .descent = Descent::Key, .is_in_python = false},
     Field<&Panel::sheet_position>{.name = "sheet_position", .measure = Measure::Length, .descent = Descent::Own},
     Field<&Panel::allowance>{.name = "allowance",
                              .measure = Measure::Length,
@@ -320,8 +322,8 @@ inline auto members(const SeamSide& part) {
     return counted(a, b);
 }
 inline auto members(const Panel& part) {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, a2] = part;
-    return counted(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, a2);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, a2, b2] = part;
+    return counted(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, a2, b2);
 }
 inline auto members(const Seam& part) {
     const auto& [a, b, c, d, e, f, g] = part;

@@ -12,6 +12,7 @@
 #include "sim/pattern/edge_keys.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/field_moves.h"
+#include "sim/pattern/halves.h"
 #include "sim/pattern/pattern_fields.h"
 
 namespace selvedge::sim {
@@ -99,6 +100,7 @@ class PanelEvaluation {
             panels_[i] = derived_panel(make(source->second), link->kind, own);
         } else {
             give_keys(panels_[i]);
+            if (fold_of(panels_[i])) panels_[i] = whole_of(panels_[i]);
         }
         state_[i] = State::Known;
         return panels_[i];
@@ -114,6 +116,21 @@ using KeyPair = std::pair<EdgeKey, EdgeKey>;
 
 KeyPair sorted_keys(const EdgeKey& one, const EdgeKey& other) {
     return std::minmax(one, other);
+}
+
+// Whether a seam within a panel with linked halves is the image of one in its drawn half.
+bool is_of_images(const Panel& panel, const KeyPair& keys) {
+    return has_linked_halves(panel) && keys.first.role == EdgeRole::Image && keys.second.role == EdgeRole::Image;
+}
+
+KeyPair with_role(KeyPair keys, EdgeRole role) {
+    keys.first.role = keys.second.role = role;
+    return sorted_keys(keys.first, keys.second);
+}
+
+// The seams within a panel with linked halves that its drawn half has, and their images.
+bool is_of_drawn(const Panel& panel, const KeyPair& keys) {
+    return has_linked_halves(panel) && keys.first.role == EdgeRole::Drawn && keys.second.role == EdgeRole::Drawn;
 }
 
 // Seams within panels, by their panel and keys.
@@ -145,46 +162,64 @@ class SeamEvaluation {
     }
 
  private:
-    // The name of the drawn panel that the panel is, or is derived from.
-    const std::string& drawn(const std::string& panel) const {
+    // The drawn panel that the panel is, or is derived from.
+    const Panel& drawn(const std::string& panel) const {
         const Panel* at = &sources_.panels[index_.at(panel)];
         while (const auto link = link_of(*at)) at = &sources_.panels[index_.at(link->source)];
-        return at->name;
+        return *at;
     }
 
-    // The dart of the drawn panel that the panel is derived from. Null: it has none with these keys.
+    bool is_derived(const SourceSeam& seam) const {
+        const auto panel = index_.find(seam.first.panel);
+        if (panel == index_.end() || seam.first.panel != seam.second.panel) return false;
+        const Panel& own = sources_.panels[panel->second];
+        return link_of(own) || is_of_images(own, sorted_keys(seam.first.edge, seam.second.edge));
+    }
+
+    // The dart of the drawn panel, or of its drawn half, that gives the panel this one. Null: there is none.
     const SourceSeam* drawn_dart(const std::string& panel, const KeyPair& keys) const {
-        const auto darts = darts_.find(drawn(panel));
+        const Panel& root = drawn(panel);
+        const auto darts = darts_.find(root.name);
         if (darts == darts_.end()) return nullptr;
-        const auto dart = darts->second.find(keys);
+        const auto dart = darts->second.find(is_of_images(root, keys) ? with_role(keys, EdgeRole::Drawn) : keys);
         return dart == darts->second.end() ? nullptr : dart->second;
     }
 
     SourceSeam with_properties(const SourceSeam& seam) const {
-        const auto panel = index_.find(seam.first.panel);
-        if (panel == index_.end() || seam.first.panel != seam.second.panel || !link_of(sources_.panels[panel->second]))
-            return seam;
-        const SourceSeam* dart = drawn_dart(seam.first.panel, sorted_keys(seam.first.edge, seam.second.edge));
+        if (!is_derived(seam)) return seam;
+        const KeyPair keys = sorted_keys(seam.first.edge, seam.second.edge);
+        const SourceSeam* dart = drawn_dart(seam.first.panel, keys);
         if (!dart) throw InputError("", "", "panel '" + seam.first.panel + "' has a seam that its source has not");
         SourceSeam made = *dart;
-        if (made.first.edge != seam.first.edge) swap_sides(made);
-        made.first.panel = made.second.panel = seam.first.panel;
+        EdgeKey first = seam.first.edge;
+        if (is_of_images(drawn(seam.first.panel), keys)) first.role = EdgeRole::Drawn;
+        if (made.first.edge != first) swap_sides(made);
+        made.first = seam.first;
+        made.second = seam.second;
         keep_names(made.properties, seam.properties);
         return made;
     }
 
     void add_missing_darts(const Panel& panel) {
-        if (!link_of(panel)) return;
-        const std::string& root = drawn(panel.name);
+        if (!link_of(panel) && !has_linked_halves(panel)) return;
+        const Panel& root = drawn(panel.name);
         for (const SourceSeam& seam : sources_.seams) {
-            if (seam.first.panel != root || seam.second.panel != root) continue;
-            const auto own = darts_.find(panel.name);
-            if (own != darts_.end() && own->second.contains(sorted_keys(seam.first.edge, seam.second.edge))) continue;
+            if (seam.first.panel != root.name || seam.second.panel != root.name) continue;
+            const KeyPair keys = sorted_keys(seam.first.edge, seam.second.edge);
+            if (is_of_images(root, keys)) continue;
             SourceSeam made = seam;
             made.first.panel = made.second.panel = panel.name;
             made.properties = copy_of(made.properties);
-            add(made);
+            add_missing(made);
+            made.first.edge.role = made.second.edge.role = EdgeRole::Image;
+            if (is_of_drawn(root, keys)) add_missing(made);
         }
+    }
+
+    void add_missing(const SourceSeam& dart) {
+        const auto own = darts_.find(dart.first.panel);
+        const KeyPair keys = sorted_keys(dart.first.edge, dart.second.edge);
+        if (own == darts_.end() || !own->second.contains(keys)) add(dart);
     }
 
     void add(const SourceSeam& seam) {
@@ -278,7 +313,7 @@ Sources sources_of(const Pattern& pattern) {
         Panel& source = sources.panels.emplace_back();
         const auto link = link_of(panel);
         if (link) take_own_fields(source, panel, link->kind);
-        if (!link) source = panel;
+        if (!link) source = half_of(panel, EdgeRole::Drawn).value_or(panel);
         if (!link) give_keys(source);
     }
     keep_numbering(sources, pattern);
@@ -290,11 +325,13 @@ Sources sources_of(const Pattern& pattern) {
         return SourceSide{panel.name, has_keys(shown) ? edge_key(shown, side.edge) : edge_key(panel, side.edge)};
     };
     for (const Seam& seam : pattern.seams) {
-        const bool is_derived =
-            seam.first.panel == seam.second.panel && link_of(pattern.panels[as_size(seam.first.panel)]);
         SourceSeam& source = sources.seams.emplace_back();
         source.first = side_of(seam.first);
         source.second = side_of(seam.second);
+        const Panel& panel = pattern.panels[as_size(seam.first.panel)];
+        const bool is_derived =
+            seam.first.panel == seam.second.panel &&
+            (link_of(panel) || is_of_images(panel, sorted_keys(source.first.edge, source.second.edge)));
         if (is_derived) keep_names(source.properties, seam);
         if (!is_derived) source.properties = seam;
         source.properties.first = source.properties.second = {};
@@ -383,17 +420,44 @@ std::optional<Panel> as_derived(const Pattern& pattern, int panel, int source, D
     return {};
 }
 
+// Whether the halves of the panel are mirror images of each other, with the seams within them.
+bool are_halves_alike(const Pattern& pattern, int index) {
+    const Panel& panel = pattern.panels[as_size(index)];
+    const std::optional<Panel> half = half_of(panel, EdgeRole::Drawn);
+    if (!half || 2 * (half->edges.size() - 1) != panel.edges.size() || find_edge(panel, {panel.fold_key})) return false;
+    const OutlineEdge& fold = half->edges[as_size(fold_of(*half).value())];
+    if (half->vertices[as_size(fold.start)] == half->vertices[as_size(fold.end)]) return false;
+    Panel whole = whole_of(*half);
+    renumber(whole, panel.edges);
+    std::map<EdgeRole, std::set<KeyPair>> darts;
+    for (const int dart : darts_of(pattern, index)) {
+        const Seam& seam = pattern.seams[as_size(dart)];
+        const EdgeKey one = edge_key(panel, seam.first.edge), other = edge_key(panel, seam.second.edge);
+        if (one.role == other.role) darts[one.role].insert(with_role({one, other}, EdgeRole::Drawn));
+    }
+    return is_near(whole, panel) &&
+           std::ranges::equal(whole.edges, panel.edges, {}, &OutlineEdge::key, &OutlineEdge::key) &&
+           darts[EdgeRole::Drawn] == darts[EdgeRole::Image];
+}
+
 void end_link(Panel& panel) {
     panel.mirror_of.clear();
     panel.copy_of.clear();
+    panel.fold_key = 0;
 }
 
 }  // namespace
 
 std::vector<std::string> end_broken_links(Pattern& pattern) {
     std::vector<std::string> messages;
-    for (Panel& panel : pattern.panels) {
-        if (!link_of(panel)) give_keys(panel);
+    for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
+        Panel& panel = pattern.panels[i];
+        if (link_of(panel)) continue;
+        give_keys(panel);
+        if (!has_linked_halves(panel) || are_halves_alike(pattern, static_cast<int>(i))) continue;
+        messages.push_back("the halves of '" + panel.name + "' are not mirror images any more, so that they are not " +
+                           "linked now");
+        panel.fold_key = 0;
     }
     const std::map<std::string, std::size_t> index = by_name(pattern.panels);
     // Sources before what is derived from them, which takes their keys.
@@ -412,6 +476,7 @@ std::vector<std::string> end_broken_links(Pattern& pattern) {
             if (const auto made = as_derived(pattern, static_cast<int>(i), source, link->kind)) {
                 for (std::size_t e = 0; e < panel.edges.size(); ++e) panel.edges[e].key = made->edges[e].key;
                 panel.last_key = made->last_key;
+                panel.fold_key = made->fold_key;
                 continue;
             }
             messages.push_back("'" + panel.name + "' is not the " +

@@ -42,8 +42,8 @@ struct SourceSide {
     bool operator==(const SourceSide&) const = default;
 };
 
-// A seam, and what it has besides its sides: the sides of `properties` say nothing. Of a seam within a derived panel,
-// which is derived itself, it has only names.
+// A seam, and what it has besides its sides: the sides of `properties` say nothing. Of a seam within a derived panel or
+// within the image of a half, which is derived itself, it has only names.
 struct SourceSeam {
     SourceSide first;
     SourceSide second;
@@ -54,7 +54,8 @@ struct SourceSeam {
 
 struct Sources {
     // In the order of the pattern's. Of a derived one its own fields (is_own_field), and its edges' ends and keys where
-    // they are numbered otherwise than its source gives.
+    // they are numbered otherwise than its source gives. Of one with linked halves the half that was drawn, with the
+    // fold as an edge (sim/pattern/halves.h).
     std::vector<Panel> panels;
     std::vector<SourceSeam> seams;
     Pattern rest;  // without panels and seams
@@ -72,8 +73,8 @@ Pattern evaluate(const Sources& sources);
 Sources sources_of(const Pattern& pattern);
 
 // Ends the links of panels that are not what their sources give, to within the rounding of a file, for example because
-// another program changed one of them: each keeps what it has. A mirror image may be placed otherwise. Returns a
-// message for each.
+// another program changed one of them: each keeps what it has. A mirror image may be placed otherwise. Likewise of the
+// halves of a panel that are not mirror images. Returns a message for each.
 std::vector<std::string> end_broken_links(Pattern& pattern);
 
 // The panel's reflection in the plane x = 0 of the world, with all its fields. Vertices keep their indices, and edges

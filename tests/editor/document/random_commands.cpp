@@ -129,7 +129,7 @@ Command RandomCommands::on_panel(const sim::Pattern& pattern, int kind) {
             return CutPanel{.panel = panel, .path = {from, from + some_shift(0.6)}, .is_sewn = pick(2) == 0};
         }
         default:
-            return UnfoldPanel{.panel = panel, .edge = pick(9)};
+            return UnfoldPanel{.panel = panel, .edge = pick(9), .is_linked = pick(2) == 0};
     }
 }
 

@@ -13,6 +13,7 @@
 #include "editor/geometry/draft.h"
 #include "sim/pattern/edge_keys.h"
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/halves.h"
 #include "sim/pattern/outline.h"
 #include "tests/editor/document/random_commands.h"
 #include "tests/editor/document/support.h"
@@ -253,6 +254,39 @@ sim::PatternDocument linked_tshirt() {
     return sim::parse_pattern(document.text(), "linked.json");
 }
 
+// The unfolded sleeve: over its hem, with linked halves.
+void unfold_over_hem(Document& document, const std::string& sleeve) {
+    const sim::Pattern& pattern = document.pattern();
+    const int panel = static_cast<int>(panel_in(pattern, sleeve) - pattern.panels.data());
+    for (int e = 0; e < static_cast<int>(pattern.panels[as_size(panel)].edges.size()); ++e) {
+        if (!seam_at(pattern, {panel, e})) return document.run(UnfoldPanel{sleeve, e, true});
+    }
+    ADD_FAILURE() << sleeve << " is sewn all round";
+}
+
+// The same with sleeves that are twice as long: each part is unfolded over the hem and has linked halves, and its image
+// is sewn as it is.
+sim::PatternDocument halved_tshirt() {
+    Document document(shipped("tshirt.json"));
+    document.run(RemoveParts{.panels = {"right_sleeve_front", "right_sleeve_back"}});
+    for (const char* sleeve : {"left_sleeve_front", "left_sleeve_back"}) unfold_over_hem(document, sleeve);
+    const std::vector<sim::Seam> seams = document.pattern().seams;
+    for (const sim::Seam& seam : seams) {
+        const sim::Panel one = sim::panel_of(document.pattern(), seam.first);
+        const sim::Panel other = sim::panel_of(document.pattern(), seam.second);
+        if (!one.name.starts_with("left_sleeve") || !other.name.starts_with("left_sleeve")) continue;
+        const auto image = [](const sim::Panel& panel, int edge) {
+            return PartRef{panel.name, *find_edge(panel, {edge_key(panel, edge).number, sim::EdgeRole::Image})};
+        };
+        document.run(SewEdges{image(one, seam.first.edge), image(other, seam.second.edge), seam.is_reversed});
+    }
+    document.run(SymmetricCopy{.panels = {"left_sleeve_front", "left_sleeve_back"}, .is_linked = true});
+    document.run(AddNotch{.panel = "right_sleeve_front", .edge = 0, .t = 0.4});
+    document.run(SetTartan{.tartan = "black_watch"});
+    document.run(MatchSetts{});
+    return sim::parse_pattern(document.text(), "halved.json");
+}
+
 TEST(LinkedSleeves, are_sewn_alike_and_stay_linked_in_the_file) {
     Document document(linked_tshirt());
     EXPECT_TRUE(document.take_notes().empty());
@@ -349,10 +383,31 @@ TEST(Document, of_a_newer_format_says_why_it_is_not_to_be_saved) {
     EXPECT_TRUE(Document(source).read_only_reason());
 }
 
+// The halves of a panel that are linked are mirror images.
+void expect_halves_alike(const sim::Pattern& pattern) {
+    for (const sim::Panel& panel : pattern.panels) {
+        if (!sim::has_linked_halves(panel)) continue;
+        const auto half = half_of(panel, sim::EdgeRole::Drawn), other = half_of(panel, sim::EdgeRole::Image);
+        ASSERT_TRUE(half && other) << panel.name;
+        ASSERT_EQ(half->edges.size(), other->edges.size()) << panel.name;
+        ASSERT_EQ(panel.notches.size(), 2 * half->notches.size()) << panel.name;
+        for (const sim::OutlineEdge& edge : half->edges) {
+            const auto image = find_edge(*other, edge.key);
+            ASSERT_TRUE(image) << panel.name << " " << edge.key.number;
+            for (const double t : {0.0, 0.3, 0.8}) {
+                const Vec2d there = outline_point(*other, other->edges[as_size(*image)], 1 - t);
+                ASSERT_LT((fold_reflection(*half) * outline_point(*half, edge, t) - there).norm(), 1e-9) << panel.name;
+            }
+        }
+    }
+}
+
 struct RandomRun {
     int done = 0;
     int on_linked = 0;  // with linked panels in the pattern
     int divided = 0;    // and edges split or joined
+    int on_halves = 0;  // with linked halves in the pattern
+    int divided_halves = 0;
 };
 
 void try_command(Document& document, const Command& command, RandomRun& run) {
@@ -374,6 +429,10 @@ void try_command(Document& document, const Command& command, RandomRun& run) {
     ++run.done;
     run.on_linked += is_linked ? 1 : 0;
     run.divided += is_linked && !has_same_edges(before, after) ? 1 : 0;
+    const bool has_halves = std::ranges::any_of(after.panels, sim::has_linked_halves);
+    run.on_halves += has_halves ? 1 : 0;
+    run.divided_halves += has_halves && !has_same_edges(before, after) ? 1 : 0;
+    expect_halves_alike(after);
     if (std::holds_alternative<RenamePanel>(command)) return;
     expect_same_places(before, after, effect);
     expect_same_selected(before, after);
@@ -383,16 +442,9 @@ void try_command(Document& document, const Command& command, RandomRun& run) {
 constexpr unsigned kRounds = 10;
 
 // A tenth of ten thousand random commands.
-class RandomSleeves : public ::testing::TestWithParam<unsigned> {};
-
-// scripts/checks leaves out what is named so, for the address sanitizer takes 20 times as long.
-INSTANTIATE_TEST_SUITE_P(WithoutSanitizers, RandomSleeves, ::testing::Range(1U, 10U));
-INSTANTIATE_TEST_SUITE_P(FirstTenth, RandomSleeves, ::testing::Values(0U));
-
-TEST_P(RandomSleeves, keep_all_references_at_their_places_through_a_thousand_random_commands) {
-    const sim::PatternDocument source = linked_tshirt();
+RandomRun run_random_commands(const sim::PatternDocument& source, unsigned tenth) {
     RandomRun run;
-    for (unsigned round = GetParam() * kRounds; round < (GetParam() + 1) * kRounds; ++round) {
+    for (unsigned round = tenth * kRounds; round < (tenth + 1) * kRounds; ++round) {
         Document document(source);
         const std::string first = document.text();
         std::string journal = journal_head("linked.json", first) + "\n";
@@ -404,19 +456,41 @@ TEST_P(RandomSleeves, keep_all_references_at_their_places_through_a_thousand_ran
             const Command command = commands.next(document.pattern());
             SCOPED_TRACE("round " + std::to_string(round) + ", step " + std::to_string(i) + ": " + label_of(command));
             try_command(document, command, run);
-            if (::testing::Test::HasFatalFailure()) return;
+            if (::testing::Test::HasFatalFailure()) return run;
         }
-        ASSERT_EQ(recover(journal)->text, document.text()) << round;
-        ASSERT_FALSE(sim::has_error(sim::check_pattern_text(document.text(), "linked.json"))) << round;
+        EXPECT_EQ(recover(journal)->text, document.text()) << round;
+        EXPECT_FALSE(sim::has_error(sim::check_pattern_text(document.text(), "linked.json"))) << round;
         document.go_to(0);
-        ASSERT_EQ(document.text(), first) << round;
+        EXPECT_EQ(document.text(), first) << round;
+        if (::testing::Test::HasFailure()) return run;
     }
+    return run;
+}
+
+class RandomSleeves : public ::testing::TestWithParam<unsigned> {};
+
+// scripts/checks leaves out what is named so, for the address sanitizer takes 20 times as long.
+INSTANTIATE_TEST_SUITE_P(WithoutSanitizers, RandomSleeves, ::testing::Range(1U, 10U));
+INSTANTIATE_TEST_SUITE_P(FirstTenth, RandomSleeves, ::testing::Values(0U));
+
+TEST_P(RandomSleeves, keep_all_references_at_their_places_through_a_thousand_random_commands) {
+    const RandomRun run = run_random_commands(linked_tshirt(), GetParam());
     EXPECT_GT(run.done, 300);
     EXPECT_GT(run.on_linked, 200);
     EXPECT_GT(run.divided, 30);
     RecordProperty("done", run.done);
     RecordProperty("on_linked", run.on_linked);
     RecordProperty("divided", run.divided);
+}
+
+TEST_P(RandomSleeves, with_linked_halves_keep_all_references_through_a_thousand_random_commands) {
+    const RandomRun run = run_random_commands(halved_tshirt(), GetParam());
+    EXPECT_GT(run.done, 300);
+    EXPECT_GT(run.on_halves, 200);
+    EXPECT_GT(run.divided_halves, 10);
+    RecordProperty("done", run.done);
+    RecordProperty("on_halves", run.on_halves);
+    RecordProperty("divided_halves", run.divided_halves);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ std::string link_to(const std::string& text, const std::string& heading) {
 
 std::string number(double value) {
     std::ostringstream text;
-    text.precision(8);
+    text.precision(10);
     text << value;
     return std::regex_replace(text.str(), std::regex("e-0*"), "e-");  // 1e-05
 }

@@ -1,0 +1,201 @@
+#include "editor/geometry/linked_halves.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "editor/geometry/draft.h"
+#include "sim/pattern/edge_keys.h"
+#include "sim/pattern/edge_shape.h"
+#include "sim/pattern/halves.h"
+#include "sim/pattern/sources.h"
+
+namespace selvedge::editor {
+namespace {
+
+constexpr double kSameHalf = 1e-9;           // m, points of halves that are closer to each other's images are the same
+const std::string kHalf = "\n(other half)";  // no panel's name has a line break
+
+// Of a list of parts of a panel, those of each half.
+template <class T>
+struct SharedList {
+    std::vector<T> drawn;
+    std::vector<T> other;
+};
+
+// The half of each part of `now`: that of the equal part of `before`, in order, or what `is_drawn` tells. Where both
+// have as many, parts were at most changed, and stay in their halves.
+template <class T, class IsDrawn>
+SharedList<T> shared_out(const std::vector<T>& now, const std::vector<T>& before, IsDrawn is_drawn) {
+    SharedList<T> shared;
+    std::size_t next = 0;  // part of `before`
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const auto same = std::find(before.begin() + static_cast<std::ptrdiff_t>(next), before.end(), now[i]);
+        const auto found = static_cast<std::size_t>(same - before.begin());
+        const bool is_known = now.size() == before.size() || found < before.size();
+        const std::size_t at = now.size() == before.size() ? i : found;
+        if (is_known) next = at + 1;
+        const bool is_of_drawn = is_known ? 2 * at < before.size() : is_drawn(now[i]);
+        (is_of_drawn ? shared.drawn : shared.other).push_back(now[i]);
+    }
+    return shared;
+}
+
+Vec2d middle_of(const Vec2d& point) {
+    return point;
+}
+Vec2d middle_of(const sim::InternalLine& line) {
+    Vec2d sum = Vec2d::Zero();
+    for (const Vec2d& point : line.points) sum += point;
+    return line.points.empty() ? sum : Vec2d(sum / static_cast<double>(line.points.size()));
+}
+
+// Takes the other point where both are the same but for rounding.
+void meet(Vec2d& point, const Vec2d& other) {
+    if ((point - other).cwiseAbs().maxCoeff() < kSameHalf) point = other;
+}
+
+// Gives a half the very numbers of the image of the drawn half, where it is that image.
+void meet_image(sim::Panel& half, const sim::Panel& image) {
+    for (sim::OutlineEdge& edge : half.edges) {
+        const std::optional<int> found = find_edge(image, edge.key);
+        if (!found) continue;
+        const sim::OutlineEdge& same = image.edges[as_size(*found)];
+        meet(half.vertices[as_size(edge.start)], image.vertices[as_size(same.start)]);
+        meet(half.vertices[as_size(edge.end)], image.vertices[as_size(same.end)]);
+        if (edge.kind != same.kind) continue;
+        meet(edge.control[0], same.control[0]);
+        meet(edge.control[1], same.control[1]);
+        if (std::abs(edge.arc_radius - same.arc_radius) < kSameHalf) edge.arc_radius = same.arc_radius;
+    }
+    for (std::size_t i = 0; i < std::min(half.drill_points.size(), image.drill_points.size()); ++i)
+        meet(half.drill_points[i], image.drill_points[i]);
+    for (std::size_t i = 0; i < std::min(half.internal_lines.size(), image.internal_lines.size()); ++i) {
+        std::vector<Vec2d>& points = half.internal_lines[i].points;
+        const std::vector<Vec2d>& others = image.internal_lines[i].points;
+        for (std::size_t p = 0; p < std::min(points.size(), others.size()); ++p) meet(points[p], others[p]);
+    }
+}
+
+struct Halves {
+    sim::Panel drawn;
+    sim::Panel other;  // as a mirror image of `drawn`
+};
+
+// Whether the halves of a panel still meet at both ends of its fold. The first edges of both, round the outline, are
+// known by their keys: splits and joins within a half keep these.
+bool has_fold_of(const sim::Panel& now, const sim::Panel& before) {
+    for (int e = 0; e < edge_count(before); ++e) {
+        const sim::EdgeKey key = edge_key(before, e);
+        const bool is_first = key.role != edge_key(before, edge_before(before, e)).role;
+        if (is_first && !find_edge(now, key)) return false;
+    }
+    return true;
+}
+
+// `before`: the panel as it was, or null. None: it has no halves that are linked.
+std::optional<Halves> halves_of(const sim::Panel& panel, const sim::Panel* before) {
+    std::optional<sim::Panel> drawn = half_of(panel, sim::EdgeRole::Drawn);
+    std::optional<sim::Panel> other = half_of(panel, sim::EdgeRole::Image);
+    const bool had_halves = before != nullptr && before->fold_key == panel.fold_key;
+    if (had_halves && (!drawn || !other || !has_fold_of(panel, *before))) {
+        throw GeometryError(
+            "The halves of panel " + panel.name + " are linked and meet in this point: unlink the panel first.",
+            {{panel.name, -1, -1}});
+    }
+    if (!drawn || !other) return {};
+    const sim::OutlineEdge& fold = drawn->edges[as_size(fold_of(*drawn).value())];
+    const Vec2d from = drawn->vertices[as_size(fold.start)], along = drawn->vertices[as_size(fold.end)] - from;
+    if (along.norm() < kSameHalf) {
+        throw GeometryError("The halves of panel " + panel.name + " would meet in one point.", {{panel.name, -1, -1}});
+    }
+    if (had_halves) {
+        const auto is_drawn = [&](const auto& part) { return sim::cross2(along, middle_of(part) - from) >= 0; };
+        auto lines = shared_out(panel.internal_lines, before->internal_lines, is_drawn);
+        auto points = shared_out(panel.drill_points, before->drill_points, is_drawn);
+        drawn->internal_lines = std::move(lines.drawn);
+        drawn->drill_points = std::move(points.drawn);
+        other->internal_lines = std::move(lines.other);
+        other->drill_points = std::move(points.other);
+    }
+    const Eigen::Affine2d image(Eigen::Scaling(-1.0, 1.0));
+    sim::Panel placed = mapped_panel(*other, image * fold_reflection(*drawn));
+    Halves halves{.drawn = *drawn, .other = sim::mirror_image(*drawn)};
+    const sim::Panel alike = halves.other;
+    halves.other.vertices = std::move(placed.vertices);
+    halves.other.edges = std::move(placed.edges);
+    halves.other.notches = std::move(placed.notches);
+    halves.other.pins = std::move(placed.pins);
+    halves.other.internal_lines = std::move(placed.internal_lines);
+    halves.other.drill_points = std::move(placed.drill_points);
+    meet_image(halves.other, alike);
+    halves.other.copy_of.clear();
+    halves.other.mirror_of = panel.name;
+    halves.other.name = panel.name + kHalf;
+    return halves;
+}
+
+}  // namespace
+
+DividedPattern divide_halves(const sim::Pattern& pattern, const sim::Pattern& before) {
+    DividedPattern parts{.pattern = pattern, .divided = {}};
+    const auto was = [&](std::size_t panel) -> const sim::Panel* {
+        const auto found = std::ranges::find(before.panels, pattern.panels[panel].name, &sim::Panel::name);
+        if (found != before.panels.end()) return &*found;
+        return before.panels.size() == pattern.panels.size() ? &before.panels[panel] : nullptr;
+    };
+    std::vector<int> other(pattern.panels.size(), -1);
+    for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
+        if (!sim::has_linked_halves(pattern.panels[i])) continue;
+        std::optional<Halves> halves = halves_of(pattern.panels[i], was(i));
+        if (!halves) continue;
+        other[i] = static_cast<int>(parts.pattern.panels.size());
+        parts.divided.push_back(static_cast<int>(i));
+        parts.pattern.panels[i] = std::move(halves->drawn);
+        parts.pattern.panels.push_back(std::move(halves->other));
+    }
+    for (sim::Seam& seam : parts.pattern.seams) {
+        for (sim::SeamSide* side : {&seam.first, &seam.second}) {
+            const std::size_t panel = as_size(side->panel);
+            if (other[panel] < 0) continue;
+            const sim::EdgeKey key = edge_key(pattern.panels[panel], side->edge);
+            if (key.role == sim::EdgeRole::Image) side->panel = other[panel];
+            side->edge = find_edge(parts.pattern.panels[as_size(side->panel)], {.number = key.number}).value();
+        }
+    }
+    return parts;
+}
+
+sim::Pattern joined_halves(const DividedPattern& parts) {
+    sim::Pattern pattern = parts.pattern;
+    const std::size_t count = pattern.panels.size() - parts.divided.size();
+    pattern.panels.resize(count);
+    std::vector<bool> is_divided(count, false);
+    for (const int panel : parts.divided) {
+        is_divided[as_size(panel)] = true;
+        sim::Panel& own = pattern.panels[as_size(panel)];
+        own = whole_of(own);
+    }
+    for (sim::Seam& seam : pattern.seams) {
+        for (sim::SeamSide* side : {&seam.first, &seam.second}) {
+            const bool is_other = as_size(side->panel) >= count;
+            if (!is_other && !is_divided[as_size(side->panel)]) continue;
+            sim::EdgeKey key = edge_key(parts.pattern.panels[as_size(side->panel)], side->edge);
+            key.role = is_other ? sim::EdgeRole::Image : sim::EdgeRole::Drawn;
+            if (is_other) side->panel = parts.divided[as_size(side->panel) - count];
+            side->edge = find_edge(pattern.panels[as_size(side->panel)], key).value();
+        }
+    }
+    return pattern;
+}
+
+std::string whole_name(const std::string& name) {
+    return name.ends_with(kHalf) ? name.substr(0, name.size() - kHalf.size()) : name;
+}
+
+std::string without_half_names(std::string text) {
+    std::ranges::replace(text, '\n', ' ');
+    return text;
+}
+
+}  // namespace selvedge::editor

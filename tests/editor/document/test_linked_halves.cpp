@@ -1,0 +1,245 @@
+// A panel whose halves are linked: whatever is edited in one half happens in the other.
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "editor/document/document.h"
+#include "editor/document/journal.h"
+#include "editor/geometry/draft.h"
+#include "sim/pattern/edge_keys.h"
+#include "sim/pattern/edge_shape.h"
+#include "sim/pattern/halves.h"
+#include "sim/pattern/outline.h"
+#include "sim/pattern/sources.h"
+#include "tests/editor/document/support.h"
+
+namespace selvedge::editor {
+namespace {
+
+const sim::Panel& piece_named(const Document& document, const std::string& name) {
+    return *std::ranges::find(document.pattern().panels, name, &sim::Panel::name);
+}
+
+const sim::Panel& front_of(const Document& document) {
+    return piece_named(document, "front");
+}
+
+int edge_by_key(const Document& document, int number, sim::EdgeRole role = sim::EdgeRole::Drawn) {
+    return find_edge(front_of(document), {number, role}).value();
+}
+
+// Front and back, each with four edges.
+sim::PatternDocument two_pieces() {
+    sim::PatternDocument source = shipped("two_squares.json");
+    source.pattern.seams.clear();
+    for (sim::Panel& panel : source.pattern.panels) {
+        panel.vertices = {{-0.28, 0}, {0.28, 0}, {0.28, 0.56}, {-0.28, 0.56}};
+        panel.edges = {{.start = 0, .end = 1}, {.start = 1, .end = 2}, {.start = 2, .end = 3}, {.start = 3, .end = 0}};
+        panel.is_mirrored = false;
+    }
+    return sim::parse_pattern(sim::write_pattern(source), "pieces.json");
+}
+
+// The front, unfolded over its last edge: drawn edges 1, 2, 3 and their images.
+Document unfolded_front() {
+    Document document(two_pieces());
+    document.run(UnfoldPanel{.panel = "front", .edge = 3, .is_linked = true});
+    return document;
+}
+
+// The halves are mirror images, in all that is drawn on them, and the sources hold the one.
+void expect_alike(const Document& document) {
+    const sim::Panel& panel = front_of(document);
+    ASSERT_TRUE(sim::has_linked_halves(panel));
+    const sim::Panel half = *half_of(panel, sim::EdgeRole::Drawn);
+    EXPECT_EQ(whole_of(half), panel);
+    EXPECT_EQ(evaluate(document.sources()), document.pattern());
+    EXPECT_EQ(sources_of(document.pattern()), document.sources());
+    const std::string text = document.text("f.json");
+    Document again(sim::parse_pattern(text, "f.json"));
+    EXPECT_TRUE(again.take_notes().empty());
+    EXPECT_EQ(again.text("f.json"), text);
+}
+
+Vec2d image_in(const sim::Panel& panel, const Vec2d& point) {
+    return fold_reflection(*half_of(panel, sim::EdgeRole::Drawn)) * point;
+}
+
+// The commands that a test runs are one step each, and undoing them gives the same bytes.
+void expect_undone(Document& document, const std::string& before) {
+    const std::string after = document.text();
+    document.undo();
+    EXPECT_EQ(document.text(), before);
+    document.redo();
+    EXPECT_EQ(document.text(), after);
+}
+
+TEST(LinkedHalves, move_a_point_of_the_other_half_when_one_is_moved) {
+    for (const sim::EdgeRole role : {sim::EdgeRole::Drawn, sim::EdgeRole::Image}) {
+        Document document = unfolded_front();
+        const std::string before = document.text();
+        const int edge = edge_by_key(document, 2, role);
+        const int vertex = front_of(document).edges[as_size(edge)].start;
+        const Vec2d to = front_of(document).vertices[as_size(vertex)] + Vec2d(0.013, -0.007);
+        document.run(MoveVertices{.vertices = {{"front", vertex}}, .by = Vec2d(0.013, -0.007)});
+        const sim::Panel& panel = front_of(document);
+        const sim::EdgeRole other = role == sim::EdgeRole::Drawn ? sim::EdgeRole::Image : sim::EdgeRole::Drawn;
+        const sim::OutlineEdge& own = panel.edges[as_size(edge_by_key(document, 2, role))];
+        const sim::OutlineEdge& image = panel.edges[as_size(edge_by_key(document, 2, other))];
+        EXPECT_LT((panel.vertices[as_size(own.start)] - to).norm(), 1e-12);
+        EXPECT_LT((panel.vertices[as_size(image.end)] - image_in(panel, to)).norm(), 1e-12);
+        expect_alike(document);
+        expect_undone(document, before);
+    }
+}
+
+TEST(LinkedHalves, keep_what_was_not_edited_to_the_last_bit_when_the_image_is_edited) {
+    Document document(two_pieces());
+    document.run(TransformPanels{
+        .panels = {"front"}, .map = {.x_axis = Vec2d(0.96, 0.28), .y_axis = Vec2d(-0.28, 0.96)}, .what = "Turn"});
+    document.run(UnfoldPanel{.panel = "front", .edge = 3, .is_linked = true});
+    const sim::Panel was = front_of(document);
+    const int moved = was.edges[as_size(edge_by_key(document, 2, sim::EdgeRole::Image))].end;
+    document.run(MoveVertices{.vertices = {{"front", moved}}, .by = Vec2d(0.01, 0.01)});
+    const sim::Panel& panel = front_of(document);
+    int changed = 0;
+    for (std::size_t v = 0; v < panel.vertices.size(); ++v) changed += panel.vertices[v] == was.vertices[v] ? 0 : 1;
+    EXPECT_EQ(changed, 2);
+}
+
+TEST(LinkedHalves, turn_their_axis_when_a_point_of_the_fold_is_moved) {
+    Document document = unfolded_front();
+    const int vertex = front_of(document).edges[as_size(edge_by_key(document, 1))].start;
+    document.run(MoveVertices{.vertices = {{"front", vertex}}, .by = Vec2d(0.02, -0.03)});
+    expect_alike(document);
+}
+
+TEST(LinkedHalves, keep_a_seam_of_the_image_at_its_place_when_the_drawn_edge_is_split) {
+    Document document = unfolded_front();
+    document.run(SewEdges{.first = {"front", edge_by_key(document, 2, sim::EdgeRole::Image)}, .second = {"back", 1}});
+    const std::string before = document.text();
+    const std::size_t seams = document.pattern().seams.size(), back = piece_named(document, "back").edges.size();
+    document.run(AddVertex{.panel = "front", .edge = edge_by_key(document, 2), .t = 0.3});
+    expect_alike(document);
+    EXPECT_EQ(front_of(document).edges.size(), 8U);
+    ASSERT_EQ(document.pattern().seams.size(), seams + 1);
+    EXPECT_EQ(piece_named(document, "back").edges.size(), back + 1) << "split where the new point meets it";
+    for (const sim::Seam& seam : document.pattern().seams) {
+        if (sim::panel_of(document.pattern(), seam.first).name != "front") continue;
+        const sim::Panel& first = sim::panel_of(document.pattern(), seam.first);
+        const sim::Panel& second = sim::panel_of(document.pattern(), seam.second);
+        EXPECT_EQ(edge_key(first, seam.first.edge).role, sim::EdgeRole::Image);
+        EXPECT_NEAR(outline_length(first, first.edges[as_size(seam.first.edge)]),
+                    outline_length(second, second.edges[as_size(seam.second.edge)]), 1e-9);
+    }
+    expect_undone(document, before);
+}
+
+TEST(LinkedHalves, split_and_join_an_edge_and_its_image_together) {
+    for (const sim::EdgeRole role : {sim::EdgeRole::Drawn, sim::EdgeRole::Image}) {
+        for (const int number : {1, 2, 3}) {
+            Document document = unfolded_front();
+            const std::string before = document.text();
+            document.run(AddVertex{.panel = "front", .edge = edge_by_key(document, number, role), .t = 0.3});
+            expect_alike(document);
+            const sim::Panel& split = front_of(document);
+            ASSERT_EQ(split.edges.size(), 8U);
+            const sim::EdgeKey added{split.last_key, role};
+            const int vertex = split.edges[as_size(find_edge(split, added).value())].start;
+            EXPECT_EQ(split.edges[as_size(edge_by_key(document, number, role))].end, vertex);
+            expect_undone(document, before);
+            document.run(RemoveParts{.vertices = {{"front", vertex}}});
+            EXPECT_EQ(front_of(document).edges.size(), 6U);
+            expect_alike(document);
+        }
+    }
+}
+
+TEST(LinkedHalves, have_marks_and_curves_and_darts_alike) {
+    for (const sim::EdgeRole role : {sim::EdgeRole::Drawn, sim::EdgeRole::Image}) {
+        Document document = unfolded_front();
+        const auto edge = [&](int number) { return edge_by_key(document, number, role); };
+        document.run(AddNotch{.panel = "front", .edge = edge(1), .t = 0.2});
+        EXPECT_EQ(front_of(document).notches.size(), 2U);
+        expect_alike(document);
+        const sim::Panel half = *half_of(front_of(document), role);
+        const sim::OutlineEdge& third = half.edges[as_size(*find_edge(half, {3}))];
+        const Vec2d bow = outline_point(half, third, 0.5) + Vec2d(0, 0.02);
+        document.run(SetCurve{.panel = "front",
+                              .edge = edge(3),
+                              .curve = {.kind = sim::CurveKind::Quadratic, .control = {bow, Vec2d(0, 0)}}});
+        for (const sim::EdgeRole each : {sim::EdgeRole::Drawn, sim::EdgeRole::Image}) {
+            const int curved = edge_by_key(document, 3, each);
+            EXPECT_EQ(front_of(document).edges[as_size(curved)].kind, sim::CurveKind::Quadratic);
+        }
+        const Vec2d inside = outline_point(half, third, 0.5) + Vec2d(0, -0.05);
+        document.run(AddInternalLine{.panel = "front", .line = {"line", {inside, inside + Vec2d(0.01, -0.02)}}});
+        ASSERT_EQ(front_of(document).internal_lines.size(), 2U);
+        expect_alike(document);
+        document.run(AddDart{.panel = "front", .edge = edge(1), .t = 0.5, .width = 0.02, .depth = 0.05});
+        EXPECT_EQ(sim::darts_of(document.pattern(), 0).size(), 2U);
+        expect_alike(document);
+        const std::string before = document.text();
+        document.run(RemoveParts{.internal_lines = {{"front", role == sim::EdgeRole::Drawn ? 0 : 1}}});
+        EXPECT_TRUE(front_of(document).internal_lines.empty());
+        expect_undone(document, before);
+    }
+}
+
+TEST(LinkedHalves, of_a_linked_copy_are_sewn_to_each_other_as_those_of_its_source) {
+    Document document = unfolded_front();
+    document.run(DuplicatePanels{.panels = {"front"}, .move = Vec3d(0, 0, 0.3), .is_linked = true});
+    const std::string copy = document.pattern().panels.back().name;
+    const std::string before = document.text();
+    document.run(SewEdges{.first = {copy, edge_by_key(document, 1)},
+                          .second = {copy, edge_by_key(document, 3, sim::EdgeRole::Image)}});
+    EXPECT_EQ(sim::darts_of(document.pattern(), 0).size(), 1U);
+    EXPECT_EQ(piece_named(document, copy).copy_of, "front");
+    expect_alike(document);
+    expect_undone(document, before);
+}
+
+TEST(LinkedHalves, end_where_the_panel_is_cut) {
+    Document document = unfolded_front();
+    document.run(CutPanel{.panel = "front", .path = {Vec2d(-1, 0.3), Vec2d(1, 0.3)}});
+    for (const sim::Panel& panel : document.pattern().panels) EXPECT_FALSE(sim::has_linked_halves(panel)) << panel.name;
+}
+
+TEST(LinkedHalves, refuse_to_lose_a_point_where_they_meet) {
+    Document document = unfolded_front();
+    for (const int vertex : {front_of(document).edges[as_size(edge_by_key(document, 1))].start,
+                             front_of(document).edges[as_size(edge_by_key(document, 3))].end}) {
+        const std::string before = document.text();
+        try {
+            document.run(RemoveParts{.vertices = {{"front", vertex}}});
+            FAIL() << "no error";
+        } catch (const GeometryError& error) {
+            EXPECT_EQ(std::string(error.what()),
+                      "The halves of panel front are linked and meet in this point: unlink the panel first.");
+        }
+        EXPECT_EQ(document.text(), before);
+    }
+}
+
+TEST(LinkedHalves, go_their_own_ways_when_the_panel_is_unlinked) {
+    Document document = unfolded_front();
+    const std::string before = document.text();
+    document.run(UnlinkPanel{"front"});
+    EXPECT_FALSE(sim::has_linked_halves(front_of(document)));
+    expect_undone(document, before);
+    document.run(AddVertex{.panel = "front", .edge = edge_by_key(document, 2), .t = 0.3});
+    EXPECT_EQ(front_of(document).edges.size(), 7U);
+}
+
+TEST(LinkedHalves, are_unfolded_again_from_the_journal) {
+    Document document(two_pieces());
+    std::string journal = journal_head("f.json", document.text()) + "\n";
+    document.set_journal([&](std::string_view line) { journal += std::string(line) + "\n"; });
+    document.run(UnfoldPanel{.panel = "front", .edge = 3, .is_linked = true});
+    document.run(AddVertex{.panel = "front", .edge = edge_by_key(document, 2, sim::EdgeRole::Image), .t = 0.3});
+    EXPECT_EQ(recover(journal)->text, document.text());
+}
+
+}  // namespace
+}  // namespace selvedge::editor
