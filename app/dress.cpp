@@ -31,6 +31,7 @@
 #include "sim/core/passing_error.h"
 #include "sim/core/printable.h"
 #include "sim/dress/anchor.h"
+#include "sim/dress/dressing.h"
 #include "sim/exchange/garmentcode_element.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/inspection/report.h"

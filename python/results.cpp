@@ -14,10 +14,12 @@
 #include "python/errors.h"
 #include "python/meshes.h"
 #include "python/views.h"
+#include "sim/cloth/contact.h"
 #include "sim/core/error.h"
 #include "sim/exchange/garmentcode_element.h"
 #include "sim/inspection/report.h"
 #include "sim/place/fit.h"
+#include "sim/simulation/simulation.h"
 
 namespace selvedge::python {
 namespace {

@@ -12,6 +12,7 @@
 #include "app/picture.h"
 #include "python/bodies.h"
 #include "python/patterns.h"
+#include "sim/cloth/cloth.h"
 #include "sim/core/parallel.h"
 #include "sim/inspection/contact_pressure.h"
 #include "sim/session/dress.h"

@@ -7,6 +7,8 @@
 
 #include "sim/cloth/contact.h"
 #include "sim/cloth/solver_state.h"
+#include "sim/collide/collider.h"
+#include "sim/simulation/simulation.h"
 
 namespace selvedge::sim {
 namespace {

@@ -7,11 +7,12 @@
 // the garment.
 #include <vector>
 
-#include "sim/collide/collider.h"
 #include "sim/core/math.h"
-#include "sim/simulation/simulation.h"
 
 namespace selvedge::sim {
+
+class Collider;
+class Simulation;
 
 struct ContactPressureOptions {
     int settling_steps = 12;  // of 1/120 s, before it is measured

@@ -6,9 +6,12 @@
 #include <limits>
 #include <utility>
 
+#include "sim/adaptive/leaf_tracker.h"
+#include "sim/cloth/cloth.h"
 #include "sim/cloth/cloth_penetration.h"
 #include "sim/cloth/moving_contact.h"
 #include "sim/cloth/solver_state.h"
+#include "sim/collide/moving_body.h"
 #include "sim/core/math.h"
 #include "sim/inspection/inspection.h"
 

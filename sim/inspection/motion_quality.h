@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "sim/cloth/cloth.h"
-#include "sim/collide/moving_body.h"
 #include "sim/core/math.h"
 
 namespace selvedge::sim {
+
+class MovingBodyCollider;
+struct Cloth;
+struct LeafTriangle;
 
 // A vertex that the body pinches (sim/cloth/moving_contact.h) has no place outside of it. Its depth, and that of the
 // faces at it, is not counted; the vertex is.

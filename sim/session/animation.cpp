@@ -8,6 +8,7 @@
 #include "sim/body/tented.h"
 #include "sim/core/assert.h"
 #include "sim/dress/drape.h"
+#include "sim/dress/motion_run.h"
 #include "sim/motion/grounding.h"
 #include "sim/session/dress.h"
 
@@ -50,13 +51,19 @@ Animation::Animation(const Pattern& pattern, std::shared_ptr<const Body> body, P
     MotionOptions moving;
     const double frame_seconds = 1 / options_.frames_per_second;
     moving.step_seconds = frame_seconds / std::ceil(frame_seconds / moving.step_seconds - 1e-6);
-    run_.emplace(
+    run_ = std::make_unique<MotionRun>(
         *simulation_, met,
         [this](double seconds, const Region& region, std::vector<Vec3f>& x) {
             timeline_.positions(seconds, region, x);
         },
         moving);
     quality_.note(cloth(), run_->collider(), 0);
+}
+
+Animation::~Animation() = default;
+
+const Cloth& Animation::cloth() const {
+    return simulation_->cloth();
 }
 
 double Animation::seconds() const {

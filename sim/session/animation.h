@@ -14,14 +14,16 @@
 #include "sim/body/pose.h"
 #include "sim/body/yielding_flesh.h"
 #include "sim/core/parallel.h"
-#include "sim/dress/dressing.h"
-#include "sim/dress/motion_run.h"
+#include "sim/dress/dress_options.h"
 #include "sim/inspection/motion_quality.h"
 #include "sim/inspection/report.h"
 #include "sim/pattern/pattern.h"
-#include "sim/simulation/simulation.h"
 
 namespace selvedge::sim {
+
+class MotionRun;
+class Simulation;
+struct Cloth;
 
 struct AnimationOptions {
     DressOptions dress{};
@@ -65,6 +67,7 @@ class Animation {
 
     Animation(const Animation&) = delete;
     Animation& operator=(const Animation&) = delete;
+    ~Animation();
 
     int frame_count() const { return frame_count_; }  // with the first, which shows the dressed body
     int frame() const { return frame_; }              // that is shown, from 0
@@ -74,7 +77,7 @@ class Animation {
     // Goes on to the next frame. Returns false, and does nothing, at the end or if a coordinate is no longer finite.
     bool advance();
 
-    const Cloth& cloth() const { return simulation_->cloth(); }
+    const Cloth& cloth() const;
     const std::vector<std::string>& panel_names() const { return panel_names_; }
     const Body& body() const { return shown_; }                          // where it is in this frame
     std::span<const Vec3f> body_points() const { return body_points_; }  // of its surface, m
@@ -89,9 +92,9 @@ class Animation {
     Body shown_;
     std::vector<Vec3f> body_points_;
     DressReport report_;
-    std::optional<Simulation> simulation_;  // never empty
+    std::unique_ptr<Simulation> simulation_;  // never null
     std::vector<std::string> panel_names_;
-    std::optional<MotionRun> run_;
+    std::unique_ptr<MotionRun> run_;
     MotionQuality quality_;
     std::vector<double> frame_ms_;
     int frame_count_ = 1, frame_ = 0;

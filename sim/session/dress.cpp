@@ -9,6 +9,7 @@
 
 #include "sim/core/math.h"
 #include "sim/core/stopwatch.h"
+#include "sim/dress/dressing.h"
 #include "sim/dress/dressing_pose.h"
 #include "sim/inspection/inspection.h"
 #include "sim/inspection/wearing.h"
@@ -163,6 +164,15 @@ DressReport report_of(const Pattern& pattern, const Body& body, const DressOptio
 
 }  // namespace
 
+DressedGarment::DressedGarment() = default;
+DressedGarment::DressedGarment(DressedGarment&&) noexcept = default;
+DressedGarment& DressedGarment::operator=(DressedGarment&&) noexcept = default;
+DressedGarment::~DressedGarment() = default;
+
+const Cloth& DressedGarment::cloth() const {
+    return simulation->cloth();
+}
+
 DressedGarment dress(const Pattern& pattern, const Body& body, const DressOptions& options, const Progress& progress,
                      const ContentStore* store) {
     const std::shared_ptr<const Body> unowned(std::shared_ptr<void>(), &body);
@@ -201,7 +211,8 @@ DressedGarment dress(const Pattern& pattern, const std::shared_ptr<const Prepare
     std::optional<WearingCheck> wearing = check_wearing(dressing, dressing.measured());
     std::optional<TightLevel> too_small = relax_and_fall(dressing, wearing, progress);
     selvedge::sim::report(progress, "draping", 1);
-    Simulation& simulation = dressed.simulation.emplace(dressing.take_simulation());
+    dressed.simulation = std::make_unique<Simulation>(dressing.take_simulation());
+    Simulation& simulation = *dressed.simulation;
     const Cloth& cloth = simulation.cloth();
     DrapeResult result = dressing.result();
     const BodyCollider* const own = result.bad_vertex ? nullptr : own_collider.get();

@@ -2,12 +2,10 @@
 // Facade for the batch program and tests: dresses a body in a pattern, drapes the garment until it is at rest, and
 // reports every fault.
 #include <memory>
-#include <optional>
 
 #include "sim/body/body.h"
-#include "sim/cloth/cloth.h"
 #include "sim/core/parallel.h"
-#include "sim/dress/dressing.h"
+#include "sim/dress/dress_options.h"
 #include "sim/dress/prepared_body.h"
 #include "sim/inspection/report.h"
 #include "sim/mesh/draw_mesh.h"
@@ -17,17 +15,24 @@
 namespace selvedge::sim {
 
 class ContentStore;
+class Simulation;
+struct Cloth;
 
 // The draped garment: its leaf triangles, their refinement hierarchy, the simulation of its cloth, how its panels were
 // meshed, and the report.
 struct DressedGarment {
     DrawMesh mesh;
     TriangleHierarchy hierarchy;
-    std::optional<Simulation> simulation;  // never empty: of the cloth, which goes on on a body that moves
+    std::unique_ptr<Simulation> simulation;  // never null: of the cloth, which goes on on a body that moves
     MeshOptions meshing{};
     DressReport report;
 
-    const Cloth& cloth() const { return simulation->cloth(); }
+    DressedGarment();
+    DressedGarment(DressedGarment&&) noexcept;
+    DressedGarment& operator=(DressedGarment&&) noexcept;
+    ~DressedGarment();
+
+    const Cloth& cloth() const;
 };
 
 // Throws InputError for a pattern that cannot be meshed, or an unknown fabric or body. Later problems are faults in the

@@ -11,6 +11,7 @@
 #include "render/surface/curve.h"
 #include "sim/cloth/cloth.h"
 #include "sim/collide/collider.h"
+#include "sim/dress/dressing.h"
 #include "sim/inspection/report.h"
 #include "sim/mesh/sew.h"
 #include "sim/session/dress.h"
