@@ -1,5 +1,6 @@
 # Run after a test program was linked: asks it for its tests, and writes one test of ctest for each suite. A suite that
-# takes long is divided (DIVIDED: "SUITE PARTS" pairs), so that several processors share it.
+# takes long is divided (DIVIDED: "SUITE PARTS" pairs), so that several processors share it. An instantiation called
+# Thorough or WithoutSanitizers has the label thorough.
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE result TIMEOUT 60)
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "${PROGRAM} --gtest_list_tests: ${result}")
@@ -17,6 +18,10 @@ foreach(line IN LISTS lines)
   if(suite MATCHES "^DISABLED_")
     continue()
   endif()
+  set(own_labels ${labels})
+  if(suite MATCHES "^(Thorough|WithoutSanitizers)/")
+    list(APPEND own_labels thorough)
+  endif()
   set(parts 1)
   list(FIND divided ${suite} at)
   if(at GREATER_EQUAL 0)
@@ -33,7 +38,7 @@ foreach(line IN LISTS lines)
       set(environment " ENVIRONMENT \"GTEST_TOTAL_SHARDS=${parts};GTEST_SHARD_INDEX=${part}\"")
     endif()
     string(APPEND script "add_test([=[${name}]=] \"${PROGRAM}\" [=[--gtest_filter=${suite}.*]=])\n")
-    string(APPEND script "set_tests_properties([=[${name}]=] PROPERTIES LABELS \"${labels}\" TIMEOUT 900"
+    string(APPEND script "set_tests_properties([=[${name}]=] PROPERTIES LABELS \"${own_labels}\" TIMEOUT 900"
       " WORKING_DIRECTORY \"${FOLDER}\"${environment})\n")
   endforeach()
 endforeach()
