@@ -50,6 +50,15 @@ Vec2d nearest_vertex(const SheetGeometry& geometry, const std::set<std::string>&
     return best;
 }
 
+std::map<PartRef, Vec2d> all_vertices(const SheetGeometry& geometry) {
+    std::map<PartRef, Vec2d> vertices;
+    for (const PanelShape& shape : geometry.panels()) {
+        int index = 0;
+        for (const Vec2d& vertex : shape.panel.vertices) vertices[{shape.panel.name, index++}] = shape.on_sheet(vertex);
+    }
+    return vertices;
+}
+
 // The move in world space, m, after which copies of the panels stand beside all that is there.
 Vec3d move_beside(const ToolContext& context, const std::set<std::string>& panels) {
     std::vector<sim::Panel> copies;
@@ -112,6 +121,7 @@ void SelectTool::begin_move(ToolContext& context, const SheetPointer& pointer) {
     const std::vector<PartRef> vertices = selected_vertices(context.geometry, moved_);
     moving_.moving = {vertices.begin(), vertices.end()};
     moving_.moving_panels = moved_.panels;
+    before_ = all_vertices(context.geometry);
     is_copying_ = pointer.modifiers.alt && !moved_.panels.empty();
     if (is_copying_) copy_move_ = move_beside(context, moved_.panels);
     if (!moved_.panels.empty()) {
@@ -140,6 +150,12 @@ void SelectTool::drag(ToolContext& context, const SheetPointer& pointer) {
 void SelectTool::move_to(ToolContext& context, const SheetPointer& pointer) {
     SnapOptions options = snap_options(context, pointer.modifiers);
     options.moving = moving_.moving;
+    // So are those that the last preview has moved along, of linked panels and halves.
+    constexpr double kRounding = 1e-9;  // m
+    for (const auto& [vertex, at] : all_vertices(context.geometry)) {
+        const auto before = before_.find(vertex);
+        if (before != before_.end() && (at - before->second).norm() > kRounding) options.moving.insert(vertex);
+    }
     options.moving_panels = is_copying_ ? context.document.selection().panels : moving_.moving_panels;
     options.origin = held_;
     // Panels move by whole grid steps, so that they keep their offset from the grid.

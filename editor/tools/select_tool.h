@@ -1,5 +1,6 @@
 #pragma once
 // The tools select and move, edit point, rotate and scale; the commands that act on a selection; maps of the sheet.
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -59,6 +60,7 @@ class SelectTool : public Tool {
     Vec2d held_ = Vec2d::Zero();  // the point that snaps, at its position before the drag
     Vec2d by_ = Vec2d::Zero();
     SnapOptions moving_;
+    std::map<PartRef, Vec2d> before_;  // on the sheet, m: all vertices before the drag
     Snap snapped_;
     Selection moved_;                  // the dragged parts
     bool is_copying_ = false;          // an Alt-drag, which copies the panels of moved_

@@ -93,8 +93,10 @@ struct Stress {
 // Tension along the yarns alone may come from refined triangles or from leaves. If it occurs together with shear, the
 // shares matter: forces of coarse triangles act on all vertices that follow their corners, so at the edges of the cloth
 // they balance only if tension and shear have the same ratio as in the total stress. So the tension bias of a refined
-// triangle stops growing once it and its ancestors bear what the leaves cannot bear well; and it bears the same share
-// of shear as of tension.
+// triangle stops growing once it and its ancestors bear what the leaves cannot bear well: leaves bear some shear well
+// (LimitRecord::bearable_shear), and keep the tension that goes with it. Without this bound the levels together would
+// bear more than the total stress, and their leaves would push against them. And a refined triangle bears the same
+// share of shear as of tension.
 [[gnu::always_inline]] inline void move_biases(LimitRecord& record, std::size_t at, const Stress& stress,
                                                const Xyz& off, const BiasGains& gains) {
     const Floats one = lanes::broadcast(1.0F);

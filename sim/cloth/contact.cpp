@@ -119,6 +119,9 @@ class SampleLists {
     }
 
  private:
+    // Such edges need no samples. One case is not covered: a triangle with a side that is too short to be split is
+    // never divided evenly, so the edges inside of it stay as long as they are, also those that the limits allow to be
+    // split.
     bool is_split_on_contact(EdgeId e) const { return contacts_.split && contacts_.split->allow(cloth_.mesh, e); }
 
     // Samples an edge evenly, so that the distance between samples is at most the spacing.

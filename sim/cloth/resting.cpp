@@ -31,7 +31,8 @@ bool has_left_reach(const Cloth& cloth) {
     });
 }
 
-// A cloth at rest has x = x_prev = anchors; any difference means that something else moved it.
+// A cloth at rest has x = x_prev = anchors; any difference means that something else moved it. No criterion of stress
+// is needed: the whole cloth rests, so nothing that moves hangs from what rests.
 bool was_touched(const Cloth& cloth) {
     const std::vector<Vec4f>& anchors = cloth.solver->resting.anchors;
     return std::ranges::any_of(cloth.mesh.leaf_vertices(), [&](VertexId v) {

@@ -237,8 +237,9 @@ using Matrix = std::array<std::array<Floats, 3>, 3>;
     return gain;
 }
 
-// kCap: the maximum share of a mode's error that one iteration of a triangle may correct. kMaxStiffness: the resulting
-// maximum of trace(S Sigma), stiffness times response.
+// kCap: the maximum share of a mode's error that one iteration of a triangle may correct; with more, triangles
+// overshoot together with their neighbours (shares tried: docs/history/solver.md). kMaxStiffness: the resulting maximum
+// of trace(S Sigma), stiffness times response.
 constexpr float kCap = 0.7F;
 constexpr float kMaxStiffness = 2 * kCap / (2 - kCap);
 
@@ -247,7 +248,10 @@ constexpr float kMaxStiffness = 2 * kCap / (2 - kCap);
 // triangles of 4 mm pass so much up to coarser ones that their drapes are softer than those of larger triangles: for
 // cotton by 16 points at a ratio of 4, by 6 at 2.
 constexpr float kBendStick = 2;
-constexpr float kMinShare = 0.03F;  // share of the rigidity below which a triangle is not solved
+
+// Share of the rigidity below which a triangle is not solved. It is left out, and not passed up either: it is not worth
+// an iteration.
+constexpr float kMinShare = 0.03F;
 
 // A triangle is solved only every second sub-step, with twice the impulse, if that applies the whole requested rigidity
 // (impulse method of multiple time steps; Tuckerman et al. 1992).

@@ -21,7 +21,7 @@ constexpr float kShortestFall = 1.4F;  // s: gravity grows for 1 s of it, and cl
 constexpr float kLongestFall = 3.0F;   // s: cloth that swings for longer is not waited for
 constexpr float kCalmSpeed = 0.15F;    // m/s, rms: the cloth has fallen
 constexpr float kTurnSpeed = 1.0F;     // rad/s: the hand moves by 6 mm per step, half its thickness
-constexpr float kAngleStep = std::numbers::pi_v<float> / 36;  // rad, between tested angles
+constexpr float kAngleStep = std::numbers::pi_v<float> / 36;  // rad, between tested angles: 6 cm at the hand
 constexpr float kHighest = 24 * kAngleStep;                   // 120 degrees: from 45 below to 75 above the horizontal
 constexpr float kClear = 0.005F;  // m, from raised arms: more than the offset of contact, which would push the cloth
 
@@ -85,7 +85,8 @@ bool RaisedArms::is_clear(const SewingRun& run, const JointedCollider& limbs) co
     return true;
 }
 
-// The smallest angle above which the arms are clear; 0 if they are where they are.
+// The smallest angle from which on the arms are clear up to kHighest, rad; 0 if they are so without being raised,
+// kHighest also if they are clear nowhere.
 float RaisedArms::clear_angle(const SewingRun& run, JointedCollider& limbs) {
     float clear = kHighest;
     for (float tested = kHighest; tested > -kAngleStep / 2; tested -= kAngleStep) {
@@ -99,10 +100,10 @@ float RaisedArms::clear_angle(const SewingRun& run, JointedCollider& limbs) {
 
 // Thin limbs.
 
-constexpr double kThin = 0.3;             // of the distance from the centre line: wrists of 16 mm
+constexpr double kThin = 0.3;             // share of the distance from the centre line that stays: wrists of 16 mm
 constexpr float kSampleSpacing = 0.008F;  // m: a thin wrist cannot pass between two samples of an edge
 constexpr float kLargestMove = 0.004F;    // m, of the surface between two sizes, so that it does not pass cloth
-constexpr int kStepsPerSize = 2;          // to push the cloth out
+constexpr int kStepsPerSize = 2;          // in which cloth is pushed out, before the limbs grow on
 constexpr int kStepsToClose = 60;         // 0.5 s, in which seams close that the growing limbs pulled open
 
 struct ThinLimb {

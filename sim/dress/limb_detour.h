@@ -1,15 +1,14 @@
 #pragma once
 // Limbs that get out of the way of a garment while it is sewn, and come back with the cloth on them. A detour changes
-// the collider of one run, in stages, and ends where the body has its limbs. There are two:
+// the collider of one run, in stages, and ends where the body has its limbs. There are two kinds:
 // - Raised arms keep out of what is sewn below them. A wide skirt whose front and back stand before and behind the
 //   hands would close round the arms. Its panels therefore ignore the arms while the seams close and until the cloth
 //   has fallen. Then the arms are raised, whatever covers them with them, until they are clear of these panels, and
 //   are brought down again outside of them, as a person does who puts on a skirt.
 // - Thin limbs are for a garment that is sewn anew because seams closed through a limb. Panels that stand loosely
-// before
-//   and behind a limb, or beside it, draw together in a way that may leave a part of it, such as an ankle or a hand,
-//   outside. So the arms and legs are thin, and lie where the sleeves and trouser legs are, until the seams are closed.
-//   After that they grow and move to where the body has them, and push the cloth along.
+//   before and behind a limb, or beside it, draw together in a way that may leave a part of it, such as an ankle or a
+//   hand, outside. So the arms and legs are thin, and lie where the sleeves and trouser legs are, until the seams are
+//   closed. After that they grow and move to where the body has them, and push the cloth along.
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -29,6 +28,7 @@ namespace selvedge::sim {
 
 class ContentStore;
 
+// For one run: the stages keep how far they are.
 class LimbDetour {
  public:
     // One step of a run with these limbs, that many seconds after the stage began. Returns false when the stage is
@@ -43,10 +43,10 @@ class LimbDetour {
     };
     explicit LimbDetour(Plan plan) : plan_(std::move(plan)) {}
 
-    // The run that takes the detour.
+    // The run that takes the detour. Pre: `unsewn` is the mesh of the run that it was planned for.
     SewingRun start(GarmentMesh unsewn, const std::vector<Fabric>& fabrics, SewingOptions options) const;
-    // One step of it. Returns false when the limbs are where the body has them, or a value is not finite. Pre: no call
-    // returned false.
+    // One step of it: of the closing of its seams first. Returns false when the limbs are where the body has them, or a
+    // value is not finite. Pre: no call returned false.
     bool advance(SewingRun& run);
 
  private:

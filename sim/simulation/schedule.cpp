@@ -38,7 +38,8 @@ Schedule finishing(int substeps) {
 }
 
 Schedule hanging() {
-    // What presses hard on the body is given to it as it is, also where that moves it far.
+    // What presses hard on the body is given to it as it is, also where that moves it far. Biases stay as the drape
+    // left them: what is measured is the stress that they stand for.
     return {.damping = kHangDamping, .bias_rate = 0, .longest_move = 1, .offset = kRestOffset};
 }
 

@@ -47,6 +47,22 @@ TEST(SelectTool, a_dragged_vertex_snaps_to_another_panels_vertex) {
     EXPECT_EQ(user.pattern().panels.size(), 2U);
 }
 
+// What is linked moves along, so it says nothing about where the point should go.
+TEST(SelectTool, a_dragged_point_does_not_snap_to_points_that_follow_it) {
+    SheetUser halves;
+    halves.document.run(UnfoldPanel{.panel = "left", .edge = 3, .is_linked = true});
+    SheetUser copies;
+    copies.document.run(SymmetricCopy{.panels = {"left"}, .is_linked = true, .shift = Vec2d(0.7, 0)});
+    for (SheetUser* user : {&halves, &copies}) {
+        user->choose("edit_point");
+        user->press({0.2, 0.2});
+        for (int i = 1; i <= 9; ++i) user->move({0.2 + 0.003 * i, 0.2 + 0.003 * i});
+        user->release({0.227, 0.227});
+        EXPECT_TRUE(user->vertex("left", 2).isApprox(Vec2d(0.225, 0.225), 1e-9)) << user->vertex("left", 2).transpose();
+    }
+    EXPECT_TRUE(halves.vertex("left", 5).isApprox(Vec2d(-0.225, 0.225), 1e-9)) << "the image";
+}
+
 TEST(SelectTool, select_all_and_boxes_pass_over_hidden_and_locked_panels) {
     SheetUser user;
     user.document.set_panel_states({.hidden = {}, .locked = {"left"}});
