@@ -230,20 +230,22 @@ class LinkUpdate {
         return moved;
     }
 
-    // The member of a family that was edited. None: none was, and none is new.
+    // The member of a family that was edited, before all others one whose number of edges changed. None was, but some
+    // are new: the root. None: none was, and none is new.
     std::optional<int> leader_of(int root) const {
         std::optional<int> leader;
+        bool has_new = false;
         int most = 0;  // change of the number of edges
         for (const int member : families_.members(root)) {
             const sim::Panel* before = was(member);
-            const bool is_new = before == nullptr;
-            const int edges = is_new ? 0 : std::abs(edge_count(draft_.panels[as_size(member)]) - edge_count(*before));
-            if (is_new) leader = leader.value_or(root);
-            if (is_new || !is_changed(member, *before) || (leader && edges <= most)) continue;
+            if (!before) has_new = true;
+            if (!before || !is_changed(member, *before)) continue;
+            const int edges = std::abs(edge_count(draft_.panels[as_size(member)]) - edge_count(*before));
+            if (leader && edges <= most) continue;
             leader = member;
             most = edges;
         }
-        return leader;
+        return leader || !has_new ? leader : root;
     }
 
     void follow_leader(int root) {
