@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <functional>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/arguments.h"
@@ -30,15 +28,12 @@
 #include "sim/core/parallel.h"
 #include "sim/core/passing_error.h"
 #include "sim/core/printable.h"
-#include "sim/dress/anchor.h"
 #include "sim/dress/dressing.h"
 #include "sim/exchange/garmentcode_element.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/inspection/report.h"
-#include "sim/pattern/garments.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/tartan/match.h"
-#include "sim/tartan/tartan_file.h"
 
 namespace selvedge::app {
 namespace {

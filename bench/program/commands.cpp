@@ -1,12 +1,9 @@
 // selvedge bench EXPERIMENT: repeatable measurements, reported as tables.
 #include "bench/program/commands.h"
 
-#include <unistd.h>
 #include <algorithm>
-#include <cstddef>
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "app/arguments.h"

@@ -25,7 +25,6 @@
 #include "sim/pattern/pattern_file.h"
 #include "sim/pattern/sources.h"
 #include "sim/tartan/match.h"
-#include "sim/tartan/offset_graph.h"
 #include "sim/tartan/tartan_file.h"
 
 namespace selvedge::editor {

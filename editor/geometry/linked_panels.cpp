@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "editor/geometry/draft.h"
@@ -148,8 +149,8 @@ bool is_across(const sim::Pattern& pattern, const sim::Seam& seam) {
 std::vector<sim::Seam> seams_across(const sim::Pattern& pattern, int panel) {
     std::vector<sim::Seam> found;
     for (const sim::Seam& seam : pattern.seams) {
-        if (!is_across(pattern, seam)) continue;
         if (seam.first.panel != panel && seam.second.panel != panel) continue;
+        if (!is_across(pattern, seam)) continue;
         sim::Seam& added = found.emplace_back(sim::copy_of(seam));
         if (seam.second.panel == panel) {
             std::swap(added.first, added.second);
@@ -165,6 +166,8 @@ class LinkUpdate {
     LinkUpdate(sim::Pattern& draft, const sim::Pattern& before)
         : draft_(draft), before_(before), families_(draft), pieces_(draft.panels.size()) {
         is_seam_turned_.resize(draft.panels.size(), false);
+        const std::map<std::string, std::size_t> index = sim::index_by_name(before.panels);
+        for (std::size_t i = 0; i < draft.panels.size(); ++i) was_.push_back(find_before(i, index));
         for (std::size_t i = 0; i < draft.panels.size(); ++i) {
             const sim::Panel& panel = draft.panels[i];
             whole_.push_back(index_of_whole(draft, static_cast<int>(i)));
@@ -193,16 +196,19 @@ class LinkUpdate {
 
  private:
     // The panel as it was. Null: it was not there, or was not linked so.
-    const sim::Panel* was(int panel) const {
-        const sim::Panel& now = draft_.panels[as_size(panel)];
+    const sim::Panel* was(int panel) const { return was_[as_size(panel)]; }
+
+    // The same, in `before` with this index of its panels.
+    const sim::Panel* find_before(std::size_t panel, const std::map<std::string, std::size_t>& index) const {
+        const sim::Panel& now = draft_.panels[panel];
         const bool has_same_panels = before_.panels.size() == draft_.panels.size();
-        auto found = std::ranges::find(before_.panels, now.name, &sim::Panel::name);
-        if (found == before_.panels.end() && has_same_panels) found = before_.panels.begin() + panel;
-        if (found == before_.panels.end()) return nullptr;
-        const auto link = sim::link_of(now), old_link = sim::link_of(*found);
+        const auto named = index.find(now.name);
+        if (named == index.end() && !has_same_panels) return nullptr;
+        const sim::Panel& found = before_.panels[named == index.end() ? panel : named->second];
+        const auto link = sim::link_of(now), old_link = sim::link_of(found);
         const bool is_same_kind = link.has_value() == old_link.has_value() && (!link || link->kind == old_link->kind);
         const bool has_same_source = !link || has_same_panels || (old_link && link->source == old_link->source);
-        return is_same_kind && has_same_source ? &*found : nullptr;
+        return is_same_kind && has_same_source ? &found : nullptr;
     }
 
     bool is_changed(int panel, const sim::Panel& before) const {
@@ -230,20 +236,22 @@ class LinkUpdate {
         return moved;
     }
 
-    // The member of a family that was edited. None: none was, and none is new.
+    // The member of a family that was edited, before all others one whose number of edges changed. None was, but some
+    // are new: the root. None: none was, and none is new.
     std::optional<int> leader_of(int root) const {
         std::optional<int> leader;
+        bool has_new = false;
         int most = 0;  // change of the number of edges
         for (const int member : families_.members(root)) {
             const sim::Panel* before = was(member);
-            const bool is_new = before == nullptr;
-            const int edges = is_new ? 0 : std::abs(edge_count(draft_.panels[as_size(member)]) - edge_count(*before));
-            if (is_new) leader = leader.value_or(root);
-            if (is_new || !is_changed(member, *before) || (leader && edges <= most)) continue;
+            if (!before) has_new = true;
+            if (!before || !is_changed(member, *before)) continue;
+            const int edges = std::abs(edge_count(draft_.panels[as_size(member)]) - edge_count(*before));
+            if (leader && edges <= most) continue;
             leader = member;
             most = edges;
         }
-        return leader;
+        return leader || !has_new ? leader : root;
     }
 
     void follow_leader(int root) {
@@ -328,7 +336,7 @@ class LinkUpdate {
         const int leader = whole_[as_size(leader_[as_size(panel)])];
         const std::map<int, int> images{{leader, panel}, {other_half(leader), other_half(panel)}};
         for (const sim::Seam& seam : draft_.seams) {
-            if (is_across(draft_, seam) && whole_[as_size(seam.first.panel)] == leader) follow_dart(seam, images, old);
+            if (whole_[as_size(seam.first.panel)] == leader && is_across(draft_, seam)) follow_dart(seam, images, old);
         }
     }
 
@@ -372,6 +380,7 @@ class LinkUpdate {
     const sim::Pattern& before_;
     PanelFamilies families_;
     std::vector<std::vector<EdgePieces>> pieces_;     // per panel and edge of the draft: of the families' edges
+    std::vector<const sim::Panel*> was_;              // per panel: as it was
     std::vector<bool> is_seam_turned_;                // per panel
     std::vector<int> leader_;                         // per panel
     std::vector<int> whole_;                          // per panel: the drawn half, of one that is another half

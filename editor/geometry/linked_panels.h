@@ -6,8 +6,8 @@ namespace selvedge::editor {
 
 // Propagates an edit (the difference to `before`) to linked panels: mirror images and copies. Of a family of linked
 // panels, the drawn one and all derived from it, the one that was edited leads; if several were, the one whose number
-// of edges changed most; of equal ones the drawn one, else the first in the pattern. Their own fields may differ: names
-// and sheet positions, of copies also their placement.
+// of edges changed most; of equal ones the drawn one, else the first in the pattern. A panel that came with the edit
+// follows. Their own fields may differ: names and sheet positions, of copies also their placement.
 //
 // Seams stay at their places, by the keys of their edges: where an edge was split or edges were joined, those of the
 // rest of the family, and what they are sewn to, are split or joined too. Seams end where the edges that they are sewn

@@ -1,6 +1,8 @@
 #include "editor/geometry/panel_families.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "editor/geometry/draft.h"
@@ -51,11 +53,9 @@ void add_piece(EdgePieces& pieces, EdgePiece piece) {
 
 PanelFamilies::PanelFamilies(const sim::Pattern& pattern)
     : panels_(pattern.panels), source_(panels_.size()), root_(panels_.size()), is_turned_(panels_.size(), false) {
+    const std::map<std::string, std::size_t> index = sim::index_by_name(panels_);
     for (std::size_t i = 0; i < panels_.size(); ++i) {
-        const auto link = sim::link_of(panels_[i]);
-        if (!link) continue;
-        const auto source = std::ranges::find(panels_, link->source, &sim::Panel::name);
-        source_[i] = static_cast<int>(source - panels_.begin());
+        if (const auto link = sim::link_of(panels_[i])) source_[i] = static_cast<int>(index.at(link->source));
     }
     for (std::size_t i = 0; i < panels_.size(); ++i) {
         int at = static_cast<int>(i);

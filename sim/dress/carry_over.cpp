@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -21,22 +22,21 @@
 namespace selvedge::sim {
 namespace {
 
-// One panel may have another name, because the user may have renamed it. Outlines correspond by the keys of their
-// edges.
-bool has_same_panels(const Pattern& a, const Pattern& b) {
-    if (a.panels.size() != b.panels.size()) return false;
-    int renamed = 0;
-    for (std::size_t p = 0; p < a.panels.size(); ++p) {
-        if (a.panels[p].is_mirrored != b.panels[p].is_mirrored) return false;
-        if (OutlineMatch(a.panels[p], b.panels[p]).is_empty()) return false;
-        if (a.panels[p].name != b.panels[p].name) ++renamed;
-    }
-    return renamed <= 1;
-}
+using OutlineMatches = std::vector<OutlineMatch>;  // by panel
 
-std::vector<OutlineMatch> outline_matches(const Pattern& before, const Pattern& after) {
-    std::vector<OutlineMatch> matches;
-    for (std::size_t p = 0; p < before.panels.size(); ++p) matches.emplace_back(before.panels[p], after.panels[p]);
+// How outlines correspond, by the keys of their edges. None: the panels are not the same. One may have another name,
+// because the user may have renamed it.
+std::optional<OutlineMatches> outline_matches(const Pattern& before, const Pattern& after) {
+    if (before.panels.size() != after.panels.size()) return {};
+    int renamed = 0;
+    OutlineMatches matches;
+    for (std::size_t p = 0; p < before.panels.size(); ++p) {
+        const Panel &one = before.panels[p], &other = after.panels[p];
+        if (one.is_mirrored != other.is_mirrored) return {};
+        if (matches.emplace_back(one, other).is_empty()) return {};
+        if (one.name != other.name) ++renamed;
+    }
+    if (renamed > 1) return {};
     return matches;
 }
 
@@ -71,7 +71,7 @@ struct Join {
 enum class OutlineState { Before, After };
 
 // What the seams join, as parts of stretches that both states have: the same for a seam as for the parts of it.
-std::vector<Join> joins_of(const Pattern& pattern, const std::vector<OutlineMatch>& matches, OutlineState state) {
+std::vector<Join> joins_of(const Pattern& pattern, const OutlineMatches& matches, OutlineState state) {
     std::vector<Join> joins;
     for (const Seam& seam : pattern.seams) {
         Join join{.sides = {}, .panels = {seam.first.panel, seam.second.panel}, .is_reversed = seam.is_reversed};
@@ -101,9 +101,7 @@ std::vector<Join> joins_of(const Pattern& pattern, const std::vector<OutlineMatc
     return merged;
 }
 
-// Pre: has_same_panels().
-bool has_same_joins(const Pattern& a, const Pattern& b) {
-    const std::vector<OutlineMatch> matches = outline_matches(a, b);
+bool has_same_joins(const Pattern& a, const Pattern& b, const OutlineMatches& matches) {
     const auto is_same_piece = [](const StretchPiece& one, const StretchPiece& other) {
         return one.stretch == other.stretch && std::abs(one.from - other.from) < kSameShare &&
                std::abs(one.to - other.to) < kSameShare;
@@ -135,7 +133,7 @@ const Panel* find_panel(const Pattern& pattern, const std::string& name) {
 
 // The seams that lie where open ones lay.
 std::vector<OpenSeam> open_seams_after(const DrapeState& drape, const Pattern& after) {
-    const std::vector<OutlineMatch> matches = outline_matches(drape.pattern, after);
+    const OutlineMatches matches = outline_matches(drape.pattern, after).value();
     std::vector<OpenSeam> found;
     for (std::size_t i = 0; i < after.seams.size(); ++i) {
         const SeamSide& side = after.seams[i].first;
@@ -217,7 +215,8 @@ void place_vertices(Cloth& cloth, const DrapedPanels& draped, const std::vector<
 }  // namespace
 
 PatternChange compare(const Pattern& before, const Pattern& after) {
-    if (!has_same_panels(before, after) || !has_same_joins(before, after)) return PatternChange::Kind;
+    const std::optional<OutlineMatches> matches = outline_matches(before, after);
+    if (!matches || !has_same_joins(before, after, *matches)) return PatternChange::Kind;
     if (!is_worn_in_same_order(before, after)) return PatternChange::Kind;
     const auto has_same_mesh = [](const Panel& one, const Panel& other) {
         return has_same_outline(one, other) && one.pins == other.pins &&
@@ -270,8 +269,9 @@ std::string restart_reason(const Pattern& before, const Pattern& after) {
     for (const Panel& panel : before.panels) {
         if (find_panel(after, panel.name) == nullptr) return "'" + panel.name + "' is gone" + whole;
     }
-    if (!has_same_panels(before, after)) return "the panels have another order" + whole;
-    if (!has_same_joins(before, after)) {
+    const std::optional<OutlineMatches> matches = outline_matches(before, after);
+    if (!matches) return "the panels have another order" + whole;
+    if (!has_same_joins(before, after, *matches)) {
         if (before.seams.size() == after.seams.size()) return "seams join other edges" + whole;
         return "there is " + count_of(before.seams.size(), after.seams.size(), "seam") + whole;
     }

@@ -105,7 +105,7 @@ void DrapeRun::begin_fall() {
     phase_start_ = result_.simulated_seconds;
     at_rest_ = 0;
     may_rejoin_ = true;
-    learning_rate_scale_ = 1;
+    bias_rate_ = 1;
 }
 
 void DrapeRun::end_fall(Simulation& simulation) {
@@ -148,7 +148,7 @@ void DrapeRun::fall_frame(Simulation& simulation, const Collider& body) {
     schedule.may_rest = options_.may_rest;
     schedule.damping += options_.damping_growth * elapsed;
     // The update rates of the biases decrease as the garment comes to rest; otherwise they would keep it moving.
-    schedule.bias_rate = learning_rate_scale_;
+    schedule.bias_rate = bias_rate_;
     schedule.may_rejoin = may_rejoin_;
     if (!options_.may_rest || !is_at_rest(simulation.cloth())) {
         if (may_rejoin_ || frames_ % kCalmInterval == 0) adapt_once(simulation, body, schedule);
@@ -157,7 +157,7 @@ void DrapeRun::fall_frame(Simulation& simulation, const Collider& body) {
     ++frames_;
     run_steps(simulation, body, schedule);
     may_rejoin_ = result_.rms_speed >= options_.calm_speed;
-    learning_rate_scale_ = std::min(1.0F, result_.rms_speed / options_.calm_speed);
+    bias_rate_ = std::min(1.0F, result_.rms_speed / options_.calm_speed);
     const bool rests = is_lowered && lowered_floor_ <= 0 && result_.rms_speed < options_.rest_speed;
     at_rest_ = rests ? at_rest_ + rest_weight() * frame_seconds(simulation, schedule) : 0;
     lowered_ += frame_seconds(simulation, schedule);

@@ -112,18 +112,18 @@ class DrapeRun {
     DrapeOptions options_;
     DrapeResult result_;
     DrapePhase phase_ = DrapePhase::Relax;
-    double relaxed_ = 0;             // s
-    double lowered_ = 0;             // s, of the fall
-    double phase_start_ = 0;         // s, of simulated time
-    int frames_ = 0;                 // of phase Fall, of all falls
-    double at_rest_ = 0;             // s, weighted
-    double fraction_ = 0;            // 0..1
-    bool may_rejoin_ = true;         // it still moves fast enough
-    float learning_rate_scale_ = 1;  // of the biases of stretch and shear
-    double excess_ = 0;              // total_excess() at the end of the last frame, in phase Finish
-    bool lessens_ = false;           // that frame has lessened it
-    float lowered_floor_ = 0;        // m, by which the floor is lower than it will be
-    float usual_substep_ = 0;        // s
+    double relaxed_ = 0;       // s
+    double lowered_ = 0;       // s, of the fall
+    double phase_start_ = 0;   // s, of simulated time
+    int frames_ = 0;           // of phase Fall, of all falls
+    double at_rest_ = 0;       // s, weighted
+    double fraction_ = 0;      // 0..1
+    bool may_rejoin_ = true;   // it still moves fast enough
+    float bias_rate_ = 1;      // share of the usual update rates of the biases of stretch and shear
+    double excess_ = 0;        // total_excess() at the end of the last frame, in phase Finish
+    bool lessens_ = false;     // that frame has lessened it
+    float lowered_floor_ = 0;  // m, by which the floor is lower than it will be
+    float usual_substep_ = 0;  // s
 };
 
 }  // namespace selvedge::sim

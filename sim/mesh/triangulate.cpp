@@ -2,32 +2,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 #include "sim/mesh/delaunay.h"
+#include "sim/mesh/outline_tree.h"
 #include "sim/mesh/sample_outline.h"
-#include "sim/pattern/outline.h"
-#include "sim/pattern/segment_distance.h"
 
 namespace selvedge::sim {
 namespace {
 
-// The target edge length at each point of a panel: the spacing of the samples on the outline, increasing with the
-// distance from it up to target_edge.
+// The outline of a panel, and the target edge length at each point within it: the spacing of the samples on the
+// outline, increasing with the distance from it up to target_edge.
 class SizeField {
  public:
-    // target_edge: m. Pre: outline is not empty.
+    // target_edge: m. Pre: outline is not empty; it stays valid.
     SizeField(std::span<const Vec2d> outline, double target_edge);
     double at(const Vec2d& point) const;  // m
     double smallest() const;              // m, minimum over the outline
+    const OutlineTree& outline() const { return outline_; }
 
  private:
-    std::span<const Vec2d> outline_;
-    std::vector<double> spacing_;
+    OutlineTree outline_;
     double target_edge_;
 };
 
@@ -184,6 +186,7 @@ namespace {
 constexpr double kGrowth = 0.35;        // increase of the target length per distance from the outline, m/m
 constexpr double kOffOutline = 0.6;     // minimum distance of a point from the outline / target length
 constexpr double kOffNeighbours = 0.8;  // minimum distance between points / target length
+constexpr double kMaxSizeRatio = 1.8;   // of the target length at a point that a level places / the level's edge length
 constexpr int kMaxLevels = 5;           // of the grid, each with half the spacing of the previous one
 
 struct Box {
@@ -216,34 +219,63 @@ std::vector<Vec2d> hexagonal_grid(const Box& box, double edge, const GridPose& p
     return points;
 }
 
-bool has_clearance(const Vec2d& point, double wanted, std::span<const Vec2d> outline, std::span<const Vec2d> placed) {
-    if (distance_to_outline(point, outline) < kOffOutline * wanted) return false;
-    const double nearest = kOffNeighbours * wanted;
-    return std::ranges::none_of(placed,
-                                [&](const Vec2d& other) { return (other - point).squaredNorm() < nearest * nearest; });
-}
+// Points in square cells, each as long as the largest distance that is asked for.
+class PointGrid {
+ public:
+    PointGrid(const Vec2d& origin, double cell) : origin_(origin), cell_(cell) {}
 
-SizeField::SizeField(std::span<const Vec2d> outline, double target_edge)
-    : outline_(outline), target_edge_(target_edge) {
-    // The geometric mean: where a short segment meets a long one, it gives better angles than the arithmetic mean.
+    void add(const Vec2d& point) { cells_[cell_of(point)].push_back(point); }
+
+    // Whether a point is closer than `distance`. Pre: distance <= the length of a cell.
+    bool has_closer(const Vec2d& point, double distance) const {
+        const Cell at = cell_of(point);
+        for (const std::int64_t x : {at.first - 1, at.first, at.first + 1}) {
+            for (const std::int64_t y : {at.second - 1, at.second, at.second + 1}) {
+                const auto cell = cells_.find({x, y});
+                if (cell == cells_.end()) continue;
+                const bool is_closer = std::ranges::any_of(cell->second, [&](const Vec2d& other) {
+                    return (other - point).squaredNorm() < distance * distance;
+                });
+                if (is_closer) return true;
+            }
+        }
+        return false;
+    }
+
+ private:
+    using Cell = std::pair<std::int64_t, std::int64_t>;
+
+    Cell cell_of(const Vec2d& point) const {
+        const Vec2d cell = (point - origin_) / cell_;
+        return {static_cast<std::int64_t>(std::floor(cell.x())), static_cast<std::int64_t>(std::floor(cell.y()))};
+    }
+
+    Vec2d origin_;
+    double cell_;
+    std::map<Cell, std::vector<Vec2d>> cells_;
+};
+
+// The geometric mean of a sample's two segments: where a short segment meets a long one, it gives better angles than
+// the arithmetic mean.
+std::vector<double> spacing_of(std::span<const Vec2d> outline) {
+    std::vector<double> spacing;
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const Vec2d& before = outline[(i + outline.size() - 1) % outline.size()];
         const Vec2d& after = outline[(i + 1) % outline.size()];
-        spacing_.push_back(std::sqrt((outline[i] - before).norm() * (after - outline[i]).norm()));
+        spacing.push_back(std::sqrt((outline[i] - before).norm() * (after - outline[i]).norm()));
     }
+    return spacing;
 }
 
+SizeField::SizeField(std::span<const Vec2d> outline, double target_edge)
+    : outline_(outline, spacing_of(outline)), target_edge_(target_edge) {}
+
 double SizeField::at(const Vec2d& point) const {
-    double wanted = target_edge_;
-    for (std::size_t i = 0; i < outline_.size(); ++i) {
-        if (spacing_[i] >= wanted) continue;
-        wanted = std::min(wanted, spacing_[i] + kGrowth * (outline_[i] - point).norm());
-    }
-    return wanted;
+    return outline_.lowest(point, kGrowth, target_edge_);
 }
 
 double SizeField::smallest() const {
-    return std::min(target_edge_, *std::ranges::min_element(spacing_));
+    return std::min(target_edge_, *std::ranges::min_element(outline_.heights()));
 }
 
 std::vector<Vec2d> place_interior_points(std::span<const Vec2d> outline, const SizeField& size, double target_edge,
@@ -252,11 +284,17 @@ std::vector<Vec2d> place_interior_points(std::span<const Vec2d> outline, const S
     std::vector<Vec2d> placed;
     double edge = target_edge;
     for (int level = 0; level < kMaxLevels; ++level) {
+        const double longest = kMaxSizeRatio * edge;  // a coarser level has covered the points where more is wanted
+        PointGrid neighbours(box.low, kOffNeighbours * longest * 1.001);
+        for (const Vec2d& point : placed) neighbours.add(point);
         for (const Vec2d& point : hexagonal_grid(box, edge, pose)) {
-            if (!is_inside(point, outline)) continue;
+            if (!size.outline().is_inside(point)) continue;
             const double wanted = size.at(point);
-            if (wanted > 1.8 * edge) continue;  // a coarser grid level has covered this point
-            if (has_clearance(point, wanted, outline, placed)) placed.push_back(point);
+            if (wanted > longest) continue;
+            if (size.outline().is_closer(point, kOffOutline * wanted)) continue;
+            if (neighbours.has_closer(point, kOffNeighbours * wanted)) continue;
+            placed.push_back(point);
+            neighbours.add(point);
         }
         if (edge < 1.2 * size.smallest()) break;
         edge /= 2;
@@ -278,10 +316,6 @@ const Vec2d& point_of(const PlanarMesh& mesh, int vertex) {
 
 double angle_of(const PlanarMesh& mesh, const Triangle& t) {
     return smallest_angle(point_of(mesh, t[0]), point_of(mesh, t[1]), point_of(mesh, t[2]));
-}
-
-std::span<const Vec2d> outline_of(const PlanarMesh& mesh) {
-    return std::span(mesh.points).first(mesh.outline_count);
 }
 
 // A new triangulation of the points; nullopt if it fails or if a point is not a vertex of it.
@@ -315,7 +349,7 @@ std::vector<Vec2d> lloyd_points(const PlanarMesh& mesh, const SizeField& size) {
     std::vector<Vec2d> points = mesh.points;
     for (std::size_t i = mesh.outline_count; i < points.size(); ++i) {
         const Vec2d moved = sum[i] / weights[i];
-        if (is_inside(moved, outline_of(mesh))) points[i] = moved;
+        if (size.outline().is_inside(moved)) points[i] = moved;
     }
     return points;
 }
@@ -401,7 +435,8 @@ std::vector<int> bad_triangles(const PlanarMesh& mesh) {
 
 // Point sets that may repair a triangle: each without one of its interior vertices, or with one more point at its
 // centroid or at the midpoint of one of its edges.
-std::vector<std::vector<Vec2d>> repairs_of(const PlanarMesh& mesh, const Triangle& triangle) {
+std::vector<std::vector<Vec2d>> repairs_of(const PlanarMesh& mesh, const Triangle& triangle,
+                                           const OutlineTree& outline) {
     std::vector<std::vector<Vec2d>> cures;
     for (int vertex : triangle) {
         if (static_cast<std::size_t>(vertex) < mesh.outline_count) continue;
@@ -411,7 +446,7 @@ std::vector<std::vector<Vec2d>> repairs_of(const PlanarMesh& mesh, const Triangl
     const std::array<Vec2d, 3> p{point_of(mesh, triangle[0]), point_of(mesh, triangle[1]), point_of(mesh, triangle[2])};
     for (const Vec2d& extra : {Vec2d((p[0] + p[1] + p[2]) / 3), Vec2d((p[0] + p[1]) / 2), Vec2d((p[1] + p[2]) / 2),
                                Vec2d((p[2] + p[0]) / 2)}) {
-        if (!is_inside(extra, outline_of(mesh))) continue;
+        if (!outline.is_inside(extra)) continue;
         cures.push_back(mesh.points);
         cures.back().push_back(extra);
     }
@@ -426,7 +461,7 @@ bool repair_one(PlanarMesh& mesh, const SizeField& size, int& tries_left) {
     if (bad.size() > kTriedTriangles) bad.resize(kTriedTriangles);
     for (int index : bad) {
         const Triangle triangle = mesh.triangles[static_cast<std::size_t>(index)];
-        for (std::vector<Vec2d>& points : repairs_of(mesh, triangle)) {
+        for (std::vector<Vec2d>& points : repairs_of(mesh, triangle, size.outline())) {
             if (tries_left-- <= 0) return false;
             auto cured = triangulate_anew(std::move(points), mesh.outline_count);
             if (!cured) continue;

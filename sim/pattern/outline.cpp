@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "sim/core/assert.h"
+#include "sim/pattern/segment_distance.h"
 
 namespace selvedge::sim {
 namespace {
@@ -317,11 +318,7 @@ std::vector<OutlineCrossing> find_outline_crossings(const Panel& panel, const Cr
 bool is_inside(const Vec2d& point, std::span<const Vec2d> outline) {
     bool inside = false;
     for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Vec2d& a = outline[i];
-        const Vec2d& b = outline[(i + 1) % outline.size()];
-        if ((a.y() > point.y()) == (b.y() > point.y())) continue;
-        const double x = a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-        if (x > point.x()) inside = !inside;
+        if (is_crossed_rightwards(point, outline[i], outline[(i + 1) % outline.size()])) inside = !inside;
     }
     return inside;
 }

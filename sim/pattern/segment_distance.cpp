@@ -16,6 +16,11 @@ double distance_to_segment(const Vec2d& point, const Vec2d& start, const Vec2d& 
     return (point - start - t * (end - start)).norm();
 }
 
+bool is_crossed_rightwards(const Vec2d& point, const Vec2d& start, const Vec2d& end) {
+    if ((start.y() > point.y()) == (end.y() > point.y())) return false;
+    return start.x() + (point.y() - start.y()) / (end.y() - start.y()) * (end.x() - start.x()) > point.x();
+}
+
 double distance_to_outline(const Vec2d& point, std::span<const Vec2d> outline) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < outline.size(); ++i) {

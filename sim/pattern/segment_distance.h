@@ -1,5 +1,5 @@
 #pragma once
-// Distances of points from segments and closed polylines of the plane; segments and boxes.
+// Distances of points from segments and closed polylines of the plane; segments and rays, segments and boxes.
 #include <span>
 
 #include "sim/core/math.h"
@@ -10,6 +10,10 @@ namespace selvedge::sim {
 double nearest_fraction(const Vec2d& point, const Vec2d& start, const Vec2d& end);
 
 double distance_to_segment(const Vec2d& point, const Vec2d& start, const Vec2d& end);
+
+// Whether the ray from the point in the direction of +x crosses the segment. Of a closed polyline it crosses an odd
+// number where the point is inside.
+bool is_crossed_rightwards(const Vec2d& point, const Vec2d& start, const Vec2d& end);
 
 // Infinite for a polyline without points.
 double distance_to_outline(const Vec2d& point, std::span<const Vec2d> outline);

@@ -66,17 +66,11 @@ void renumber(Panel& panel, const std::vector<OutlineEdge>& wanted) {
     for (int& pin : panel.pins) pin = vertex[as_size(pin)];
 }
 
-std::map<std::string, std::size_t> by_name(const std::vector<Panel>& panels) {
-    std::map<std::string, std::size_t> found;
-    for (std::size_t i = 0; i < panels.size(); ++i) found.emplace(panels[i].name, i);
-    return found;
-}
-
 // Panels by their sources.
 class PanelEvaluation {
  public:
     explicit PanelEvaluation(const std::vector<Panel>& sources)
-        : sources_(sources), index_(by_name(sources)), state_(sources.size(), State::Unknown), panels_(sources) {}
+        : sources_(sources), index_(index_by_name(sources)), state_(sources.size(), State::Unknown), panels_(sources) {}
 
     std::vector<Panel> evaluate() {
         for (std::size_t i = 0; i < sources_.size(); ++i) make(i);
@@ -154,7 +148,7 @@ void swap_sides(SourceSeam& seam) {
 class SeamEvaluation {
  public:
     SeamEvaluation(const Sources& sources, Pattern& pattern)
-        : sources_(sources), pattern_(pattern), index_(by_name(pattern.panels)), darts_(darts_by_keys(sources)) {}
+        : sources_(sources), pattern_(pattern), index_(index_by_name(pattern.panels)), darts_(darts_by_keys(sources)) {}
 
     void evaluate() {
         for (const SourceSeam& seam : sources_.seams) add(with_properties(seam));
@@ -270,6 +264,12 @@ Panel mirror_image(const Panel& panel) {
     return image;
 }
 
+std::map<std::string, std::size_t> index_by_name(const std::vector<Panel>& panels) {
+    std::map<std::string, std::size_t> found;
+    for (std::size_t i = 0; i < panels.size(); ++i) found.emplace(panels[i].name, i);
+    return found;
+}
+
 Panel derived_panel(const Panel& source, Derivation kind, const Panel& own) {
     Panel panel = kind == Derivation::Mirror ? mirror_image(source) : source;
     take_own_fields(panel, own, kind);
@@ -292,7 +292,7 @@ Pattern evaluate(const Sources& sources) {
 namespace {
 
 void keep_numbering(Sources& sources, const Pattern& pattern) {
-    const std::map<std::string, std::size_t> index = by_name(pattern.panels);
+    const std::map<std::string, std::size_t> index = index_by_name(pattern.panels);
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
         const Panel& panel = pattern.panels[i];
         const auto link = link_of(panel);
@@ -459,7 +459,7 @@ std::vector<std::string> end_broken_links(Pattern& pattern) {
                            "linked now");
         panel.fold_key = 0;
     }
-    const std::map<std::string, std::size_t> index = by_name(pattern.panels);
+    const std::map<std::string, std::size_t> index = index_by_name(pattern.panels);
     // Sources before what is derived from them, which takes their keys.
     std::set<std::string> known;
     for (const Panel& panel : pattern.panels) {

@@ -3,6 +3,8 @@
 // an edit of what it gives is carried back to the sources. The pair is a lens (Foster et al. 2007, "Combinators for
 // bidirectional tree transformations"): evaluate() gets, and update_links() (editor/geometry/linked_panels.h) with
 // sources_of() puts.
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +29,9 @@ std::optional<Link> link_of(const Panel& panel);
 
 // The link of the panel to its source, or else to the first that is derived from it, by the name of the other panel.
 std::optional<Link> link_with(const Pattern& pattern, const Panel& panel);
+
+// The panels' indices by their names; of those of one name the first.
+std::map<std::string, std::size_t> index_by_name(const std::vector<Panel>& panels);
 
 // Whether a field of a derived panel is its own: names, the position on the sheet and where it lies on the cloth, of a
 // copy also its placement on the body.

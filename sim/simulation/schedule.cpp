@@ -4,7 +4,7 @@ namespace selvedge::sim {
 namespace {
 
 constexpr float kSewingDamping = 12;   // 1/s: strong, so that panels do not swing, and what falls does not stretch
-constexpr float kRelaxDamping = 12;    // 1/s
+constexpr float kRelaxDamping = 12;    // 1/s, of sewn cloth without load; as strong as that of sewing, not bound to it
 constexpr float kFallDamping = 2;      // 1/s, air drag
 constexpr float kFinishDamping = 100;  // 1/s, while residual stretch is removed
 constexpr float kHangDamping = 40;     // 1/s: it comes to rest soon

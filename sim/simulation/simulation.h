@@ -44,6 +44,9 @@ class Simulation {
     ~Simulation() = default;
 
     const Cloth& cloth() const { return cloth_; }
+    // To change its state. What constraints are made from (mesh, pins, fabrics, masses, sub-steps) changes only with
+    // refresh_solver(), which counts as an adaptation, so that they are made anew. A whole other cloth is another
+    // Simulation.
     Cloth& cloth() { return cloth_; }
 
     const SimulationOptions& options() const { return options_; }

@@ -275,6 +275,25 @@ TEST(UpdateLinks, whichever_side_was_edited_leads) {
     }
 }
 
+TEST(UpdateLinks, a_copy_made_in_the_same_edit_takes_what_was_edited) {
+    sim::Pattern before = with_sleeve(false);
+    symmetric_copy(before, 0, true, {1, 0});
+    for (const int place : {0, 1, 2}) {
+        const int image = place < 2 ? 2 : 1;
+        const sim::Pattern pattern = edited(before, [&](sim::Pattern& draft) {
+            sim::Panel copy = draft.panels[0];
+            copy.name = "third_sleeve";
+            copy.copy_of = "left_sleeve";
+            draft.panels.insert(draft.panels.begin() + place, copy);
+            move_vertices(draft, image, {4}, {0.02, -0.03});
+        });
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double side = static_cast<int>(i) == image ? -1 : 1;
+            EXPECT_TRUE(pattern.panels[i].vertices[4].isApprox(Vec2d(side * -0.12, 0.47))) << place << " " << i;
+        }
+    }
+}
+
 TEST(UpdateLinks, placement_grain_notches_and_lines_follow) {
     const sim::Pattern pattern = edited(sleeved(), [](sim::Pattern& draft) {
         sim::Panel& panel = draft.panels[1];
