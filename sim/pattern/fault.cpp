@@ -49,7 +49,7 @@ bool FaultReader::expect(const JsonNode& node, Json::Kind kind) {
 bool FaultReader::expect_array(const JsonNode& node, std::size_t size) {
     if (!expect(node, Json::Kind::Array)) return false;
     if (node.size() == size) return true;
-    error(node, std::to_string(node.size()) + " values where " + std::to_string(size) + " should be");
+    error(node, count_text(node.size(), "value") + " where " + std::to_string(size) + " should be");
     return false;
 }
 

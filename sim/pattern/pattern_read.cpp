@@ -7,6 +7,7 @@
 #include <set>
 
 #include "sim/core/math.h"
+#include "sim/core/printable.h"
 #include "sim/pattern/fault.h"
 #include "sim/pattern/field_moves.h"
 #include "sim/pattern/field_read.h"
@@ -183,8 +184,8 @@ class Reader : private FaultReader {
         }
         const std::set<EdgeKey> different(read.begin(), read.end());
         if (read.size() != panel.edges.size() || different.size() != read.size()) {
-            return warn(keys, std::to_string(different.size()) + " different keys for " +
-                                  std::to_string(panel.edges.size()) + " edges: the edges are numbered anew");
+            return warn(keys, count_text(different.size(), "different key") + " for " +
+                                  count_text(panel.edges.size(), "edge") + ": the edges are numbered anew");
         }
         for (std::size_t e = 0; e < read.size(); ++e) panel.edges[e].key = read[e];
         panel.last_key = *most;
@@ -249,7 +250,7 @@ class Reader : private FaultReader {
     std::optional<Seam> read_seam(const Node& node) {
         if (!expect(node, Json::Kind::Array)) return {};
         if (node.size() != 2 && node.size() != 3) {
-            error(node, std::to_string(node.size()) + " values: a stitch joins two edges");
+            error(node, count_text(node.size(), "value") + ": a stitch joins two edges");
             return {};
         }
         Seam seam;
