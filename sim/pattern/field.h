@@ -8,6 +8,7 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace selvedge::sim {
 
@@ -126,6 +127,16 @@ template <class Part, class Visit>
 requires Described<std::remove_const_t<Part>>
 constexpr void visit_fields(Part& part, Visit&& visit) {
     for_each_field<std::remove_const_t<Part>>([&](const auto& field) { visit(field, part.*field.member); });
+}
+
+// The keys of those fields of which `is_one` is true.
+template <Described Part, class IsOne>
+std::vector<std::string_view> keys_of(IsOne&& is_one) {
+    std::vector<std::string_view> keys;
+    for_each_field<Part>([&](const auto& field) {
+        if (is_one(field)) keys.push_back(field.key);
+    });
+    return keys;
 }
 
 // A type with as many values as there are arguments. Not defined: for decltype.

@@ -3,12 +3,15 @@
 // that are keys of the part's own object.
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "sim/core/math.h"
+#include "sim/core/printable.h"
 #include "sim/pattern/enum_names.h"
 #include "sim/pattern/fault.h"
 #include "sim/pattern/field.h"
@@ -110,6 +113,10 @@ class FieldReader {
     template <class SomeField, class T>
     void read_value(const JsonNode& node, const SomeField& field, std::vector<T>& values) const {
         if (!reader_.expect(node, Json::Kind::Array)) return;
+        if (node.size() < field.least_count) {
+            reader_.error(node, count_text(node.size(), "value") + " where at least " +
+                                    std::to_string(field.least_count) + " should be");
+        }
         for (std::size_t i = 0; i < node.size(); ++i) {
             if (auto read = one(node.element(i), field, T{})) values.push_back(std::move(*read));
         }
