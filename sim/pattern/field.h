@@ -103,6 +103,7 @@ struct Field<kMember, kForm> {
     Placing placing = Placing::None;
     std::string_view record = {};  // its word in SVG and DXF; empty: what is drawn says it, or nothing does
     FieldRow row = {};
+    std::size_t least_count = 0;  // of a list
 };
 
 // A type with a list of fields: fields(const T*), found in the namespace of T.

@@ -27,13 +27,17 @@ class FieldReader {
     // `panel`: the part or its panel, for indices of vertices and edges.
     explicit FieldReader(FaultReader& reader, const Panel* panel = nullptr) : reader_(reader), panel_(panel) {}
 
-    // Values that are wrong keep their defaults, and their faults are recorded. False: a required key is missing.
+    // Values that are wrong keep their defaults, and their faults are recorded; so are keys that are neither those of
+    // the part nor `others`. False: a required key is missing.
     template <Described Part>
-    bool read(const JsonNode& object, Part& part) const {
+    bool read(const JsonNode& object, Part& part, std::span<const std::string_view> others = {}) const {
         bool has_required = true;
         visit_fields(part, [&]<class SomeField>(const SomeField& field, auto& value) {
             if constexpr (SomeField::is_key) has_required = read_field(object, field, value) && has_required;
         });
+        auto known = keys_of<Part>([]<class SomeField>(const SomeField&) { return SomeField::is_key; });
+        known.insert(known.end(), others.begin(), others.end());
+        reader_.warn_of_unknown_keys(object, known);
         return has_required;
     }
 
