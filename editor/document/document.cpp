@@ -94,7 +94,7 @@ Changed changed_by(const sim::Pattern& before, const Command& command, const Pan
     std::optional<Selection>& selection = changed.outcome.selection;
     const sim::Pattern applied = pattern;
     follow_links(pattern, before, states.locked);
-    std::ranges::move(end_broken_links(pattern), std::back_inserter(changed.outcome.notes));
+    for (sim::EndedLink& link : end_broken_links(pattern)) changed.outcome.notes.push_back(std::move(link.problem));
     keep_sheet_positions(pattern, before);
     require_limits(pattern, before);
     changed.sources = sources_of(pattern);
@@ -137,7 +137,7 @@ std::vector<std::string> moved_images(const sim::Pattern& in_file, const sim::Pa
 }  // namespace
 
 Document::Document(sim::PatternDocument source) : source_(std::move(source)) {
-    notes_ = end_broken_links(source_.pattern);
+    for (sim::EndedLink& link : end_broken_links(source_.pattern)) notes_.push_back(std::move(link.problem));
     sources_ = sources_of(source_.pattern);
     sim::Pattern evaluated = evaluate(sources_);
     std::ranges::move(moved_images(source_.pattern, evaluated), std::back_inserter(notes_));
