@@ -217,6 +217,25 @@ TEST(LinkedHalves, are_told_to_be_linked_no_longer_when_the_panel_is_unfolded_ag
     }
 }
 
+// The part that is sewn is divided where the whole edge is, which is divided where the part is: towards one end, at a
+// third of what was left each time.
+TEST(LinkedCopy, is_not_sewn_to_its_source_where_joints_would_come_closer_than_a_tenth_of_a_millimetre) {
+    Document document(two_pieces());
+    document.run(DuplicatePanels{.panels = {"front"}, .move = Vec3d(0, 0, 0.3), .is_linked = true});
+    const std::string copy = document.pattern().panels.back().name;
+    const std::string before = document.text();
+    try {
+        document.run(SewRuns{.first = {{.panel = "front", .edge = 1, .from = 0.7, .to = 1}},
+                             .second = {{.panel = copy, .edge = 1, .from = 0, .to = 1}},
+                             .is_reversed = false});
+        FAIL() << document.pattern().seams.size() << " seams";
+    } catch (const GeometryError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "Linked panels are sewn to each other so that their seams cannot be split alike.");
+    }
+    EXPECT_EQ(document.text(), before);
+}
+
 TEST(LinkedHalves, refuse_to_lose_a_point_where_they_meet) {
     Document document = unfolded_front();
     for (const int vertex : {front_of(document).edges[as_size(edge_by_key(document, 1))].start,
