@@ -388,8 +388,7 @@ void paste_panels(AppState& state) {
     const Vec2d shift = free_shift(document.pattern(), command.panels);
     const Vec3d move = free_move(document, &state.workspace.drape, command.panels);
     for (sim::Panel& panel : command.panels) {
-        panel.mirror_of.clear();
-        panel.copy_of.clear();
+        panel.mirror_of = panel.copy_of = "";
         *panel.sheet_position += shift;
         panel.translation += move;
     }
