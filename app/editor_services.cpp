@@ -14,6 +14,7 @@
 #include "sim/core/file.h"
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
+#include "sim/core/printable.h"
 #include "sim/dress/dressing.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/exchange/thick_cloth.h"
@@ -150,10 +151,11 @@ bool is_drawing(const std::string& file) {
 
 editor::ImportedDrawing import_drawing(const std::string& file) {
     ImportedGarment garment = import_garment({file}, {});
-    const auto counted = [](std::size_t count) { return std::to_string(count) + (count == 1 ? " seam" : " seams"); };
     editor::ImportedDrawing drawing;
-    drawing.sewn = std::to_string(garment.pattern.panels.size()) + " panels, " + counted(garment.pattern.seams.size());
-    if (!garment.possible.empty()) drawing.sewn += "; " + counted(garment.possible.size()) + " less likely, not sewn";
+    drawing.sewn = sim::count_text(garment.pattern.panels.size(), "panel") + ", " +
+                   sim::count_text(garment.pattern.seams.size(), "seam");
+    if (!garment.possible.empty())
+        drawing.sewn += "; " + sim::count_text(garment.possible.size(), "seam") + " less likely, not sewn";
     drawing.notes = std::move(garment.notes);
     drawing.hints = std::move(garment.hints);
     drawing.garment.pattern = std::move(garment.pattern);

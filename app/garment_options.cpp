@@ -82,7 +82,7 @@ namespace {
 sim::Pattern load_dressable(const std::filesystem::path& file, const GarmentOptions& options,
                             std::vector<std::string>& notes) {
     const sim::PatternDocument document = sim::load_pattern(file);
-    if (const auto newer = newer_format(document.json)) notes.push_back(file.string() + ": " + *newer);
+    for (const sim::Fault& warning : document.warnings) notes.push_back(describe(warning));
     const sim::Pattern& pattern = document.pattern;
     const sim::DressCheck check{
         .has_fabrics = options.fabric.empty(), .makes_body_and_mesh = false, .edge_length = options.dress.edge_length};

@@ -7,7 +7,6 @@
 #include "sim/core/error.h"
 #include "sim/core/json.h"
 #include "sim/pattern/pattern_file.h"
-#include "sim/pattern/sources.h"
 #include "sim/session/dress_check.h"
 #include "sim/tartan/tartan_file.h"
 
@@ -72,10 +71,7 @@ void add_faults_of_dressing(const sim::Pattern& pattern, const std::string& file
 std::vector<sim::Fault> faults_of_file(const std::filesystem::path& path) {
     std::vector<sim::Fault> faults = sim::check_pattern_file(path);
     if (has_error(faults)) return faults;
-    sim::Pattern pattern = sim::load_pattern(path).pattern;
-    add_faults_of_dressing(pattern, path.string(), faults);
-    for (const std::string& problem : end_broken_links(pattern))
-        faults.push_back({sim::Severity::Warning, path.string(), "pattern.panels", problem});
+    add_faults_of_dressing(sim::load_pattern(path).pattern, path.string(), faults);
     return faults;
 }
 

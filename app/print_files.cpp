@@ -7,6 +7,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/file_extension.h"
+#include "sim/core/printable.h"
 #include "sim/print/dxf_file.h"
 #include "sim/print/print_pdf.h"
 #include "sim/print/svg_file.h"
@@ -42,8 +43,8 @@ std::string write_pdf(const sim::Pattern& pattern, const PrintSettings& settings
     if (settings.is_one_page) {
         done = "one page";
     } else {
-        done = std::to_string(printed.pages) + " pages, " + std::to_string(printed.columns) + " across and " +
-               std::to_string(printed.rows) + " down, and a cover";
+        done = sim::count_text(static_cast<std::size_t>(printed.pages), "page") + ", " +
+               std::to_string(printed.columns) + " across and " + std::to_string(printed.rows) + " down, and a cover";
         const int left_out = printed.columns * printed.rows - printed.pages;
         if (left_out > 0)
             done +=

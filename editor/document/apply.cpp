@@ -90,7 +90,7 @@ Outcome run(sim::Pattern& pattern, const PutOver& command) {
     Outcome outcome{.selection = Selection{}};
     as_geometry_error([&] {
         sim::Pattern outer = sim::parse_pattern(command.text, command.file).pattern;
-        outcome.notes = end_broken_links(outer);
+        for (sim::EndedLink& link : end_broken_links(outer)) outcome.notes.push_back(std::move(link.problem));
         put_over(pattern, std::move(outer));
     });
     for (std::size_t p = before; p < pattern.panels.size(); ++p)

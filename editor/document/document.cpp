@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
+#include <variant>
 
 #include "editor/document/apply.h"
 #include "editor/document/command.h"
@@ -13,6 +15,7 @@
 #include "editor/geometry/panel_edit.h"
 #include "sim/core/assert.h"
 #include "sim/pattern/field_moves.h"
+#include "sim/pattern/halves.h"
 #include "sim/pattern/limits.h"
 #include "sim/pattern/pattern_file.h"
 
@@ -87,6 +90,26 @@ void require_limits(const sim::Pattern& changed, const sim::Pattern& before) {
     }
 }
 
+// Ends broken links, and tells of them and of those that the command ended.
+void tell_ended_links(sim::Pattern& changed, const sim::Pattern& before, const Command& command,
+                      std::vector<std::string>& notes) {
+    std::set<std::string> told;
+    for (sim::EndedLink& link : end_broken_links(changed)) {
+        notes.push_back(std::move(link.problem));
+        told.insert(std::move(link.panel));
+    }
+    if (std::holds_alternative<UnlinkPanel>(command)) return;  // that is what was asked for
+    for (const sim::Panel& was : before.panels) {
+        const auto now = std::ranges::find(changed.panels, was.name, &sim::Panel::name);
+        if (now == changed.panels.end() || told.contains(was.name)) continue;
+        const auto link = sim::link_of(was);
+        if (link && !sim::link_of(*now))
+            notes.push_back("'" + was.name + "' is no longer linked to '" + link->source + "'");
+        if (sim::has_linked_halves(was) && was.fold_key != now->fold_key)
+            notes.push_back("the halves of '" + was.name + "' are no longer linked");
+    }
+}
+
 Changed changed_by(const sim::Pattern& before, const Command& command, const PanelStates& states) {
     Changed changed{.pattern = before};
     sim::Pattern& pattern = changed.pattern;
@@ -94,7 +117,7 @@ Changed changed_by(const sim::Pattern& before, const Command& command, const Pan
     std::optional<Selection>& selection = changed.outcome.selection;
     const sim::Pattern applied = pattern;
     follow_links(pattern, before, states.locked);
-    std::ranges::move(end_broken_links(pattern), std::back_inserter(changed.outcome.notes));
+    tell_ended_links(pattern, before, command, changed.outcome.notes);
     keep_sheet_positions(pattern, before);
     require_limits(pattern, before);
     changed.sources = sources_of(pattern);
@@ -137,7 +160,7 @@ std::vector<std::string> moved_images(const sim::Pattern& in_file, const sim::Pa
 }  // namespace
 
 Document::Document(sim::PatternDocument source) : source_(std::move(source)) {
-    notes_ = end_broken_links(source_.pattern);
+    for (sim::EndedLink& link : end_broken_links(source_.pattern)) notes_.push_back(std::move(link.problem));
     sources_ = sources_of(source_.pattern);
     sim::Pattern evaluated = evaluate(sources_);
     std::ranges::move(moved_images(source_.pattern, evaluated), std::back_inserter(notes_));

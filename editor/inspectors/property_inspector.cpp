@@ -14,6 +14,7 @@
 #include "editor/inspectors/material_inspector.h"
 #include "editor/inspectors/number_box.h"
 #include "editor/inspectors/pattern_measures.h"
+#include "sim/core/printable.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/garments.h"
@@ -492,10 +493,6 @@ namespace {
 
 constexpr double kUsualEdgeLength = 0.05;  // m, default of the mesher
 
-std::string counted(std::size_t count, const char* what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 void draw_selected(InspectorContext& context, const Selection& selected) {
     const std::size_t sewings = one_of_each_sewing(context.pattern(), selected.seams).size();
     if (sewings == 1) draw_seam_section(context, *selected.seams.begin());
@@ -562,7 +559,8 @@ void draw_pattern_section(InspectorContext& context) {
     sim::Pattern standing;
     standing.edge_length = kUsualEdgeLength;
     field_rows(context, pattern, standing);
-    fact(context, "Parts", counted(pattern.panels.size(), "panel") + ", " + counted(pattern.seams.size(), "seam"),
+    fact(context, "Parts",
+         sim::count_text(pattern.panels.size(), "panel") + ", " + sim::count_text(pattern.seams.size(), "seam"),
          "What the garment consists of.");
     ImGui::PopID();
 }

@@ -13,6 +13,7 @@
 #include "editor/ui/app_state.h"
 #include "editor/ui/files.h"
 #include "sim/core/assert.h"
+#include "sim/core/printable.h"
 #include "sim/pattern/halves.h"
 #include "sim/pattern/sources.h"
 
@@ -378,7 +379,7 @@ void copy_panels(AppState& state) {
     SelectedPanels copied = selected_panels(state);
     state.clipboard = {.panels = std::move(copied.panels),
                        .seams = seams_among(state.workspace.document->pattern(), copied.indices)};
-    state.workspace.messages.note(std::to_string(copied.indices.size()) + " panels copied");
+    state.workspace.messages.note(sim::count_text(copied.indices.size(), "panel") + " copied");
 }
 
 void paste_panels(AppState& state) {
@@ -387,8 +388,7 @@ void paste_panels(AppState& state) {
     const Vec2d shift = free_shift(document.pattern(), command.panels);
     const Vec3d move = free_move(document, &state.workspace.drape, command.panels);
     for (sim::Panel& panel : command.panels) {
-        panel.mirror_of.clear();
-        panel.copy_of.clear();
+        panel.mirror_of = panel.copy_of = "";
         *panel.sheet_position += shift;
         panel.translation += move;
     }

@@ -83,4 +83,8 @@ std::string printable(std::string_view text, std::size_t most) {
     return all.substr(0, head_end) + std::string(kMiddle) + all.substr(tail_begin);
 }
 
+std::string count_text(std::size_t count, std::string_view noun) {
+    return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
 }  // namespace selvedge::sim

@@ -15,4 +15,7 @@ inline constexpr std::size_t kMostPrinted = 400;  // characters
 // left. Pre: most >= 5.
 std::string printable(std::string_view text, std::size_t most = kMostPrinted);
 
+// "1 edge", "2 edges". For nouns that only take an s.
+std::string count_text(std::size_t count, std::string_view noun);
+
 }  // namespace selvedge::sim

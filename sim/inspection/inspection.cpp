@@ -14,6 +14,7 @@
 #include "sim/collide/body_collider.h"
 #include "sim/collide/penetration.h"
 #include "sim/core/math.h"
+#include "sim/core/printable.h"
 #include "sim/inspection/layer_order.h"
 #include "sim/pattern/garments.h"
 #include "sim/place/fit.h"
@@ -154,7 +155,7 @@ void validate_crossings(const Cloth& cloth, const Pattern& pattern, const FaultL
         describe_place(cloth, pattern, VertexId{surface.triangles[pairs.front().first].vertices[0]});
     if (limits.may_cross_itself) return;
     add_fault(report, "self_crossing",
-              std::to_string(pairs.size()) + " pairs of triangles, one at " + contact.self_crossing_at,
+              count_text(pairs.size(), "pair") + " of triangles, one at " + contact.self_crossing_at,
               contact.self_crossing_m);
 }
 
@@ -165,8 +166,8 @@ void validate_layers(const Cloth& cloth, const Pattern& pattern, DressReport& re
     report.contact.wrong_layer_order = order.wrong;
     if (order.wrong == 0) return;
     add_fault(report, "wrong_layer_order",
-              std::to_string(order.wrong) + " vertices lie inside of a lower layer, one at " +
-                  describe_place(cloth, pattern, *order.wrong_vertex),
+              (order.wrong == 1 ? "1 vertex lies" : std::to_string(order.wrong) + " vertices lie") +
+                  " inside of a lower layer, one at " + describe_place(cloth, pattern, *order.wrong_vertex),
               order.wrong);
 }
 

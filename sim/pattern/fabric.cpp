@@ -24,7 +24,9 @@ SurfaceDesign read_surface(const JsonView& view) {
     FaultReader reader(view.file());
     reader.units_in_meter = 1;
     SurfaceDesign design = read_design(reader, {&view.value(), view.path()});
-    for (const Fault& fault : reader.take_faults()) throw InputError(fault.file, fault.place, fault.problem);
+    for (const Fault& fault : reader.take_faults()) {
+        if (fault.severity == Severity::Error) throw InputError(fault.file, fault.place, fault.problem);
+    }
     if (design.kind == DesignKind::Picture) design.source = resolve_named_file(design.source, view.file());
     return design;
 }

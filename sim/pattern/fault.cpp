@@ -2,10 +2,51 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sim/core/printable.h"
 
 namespace selvedge::sim {
+namespace {
+
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+// How many letters are to be added, left out, replaced or exchanged with the next one to make one word of the other.
+// (the restricted distance of Damerau and Levenshtein)
+std::size_t spelling_distance(std::string_view one, std::string_view other) {
+    std::vector<std::size_t> before, last(other.size() + 1), row(other.size() + 1);
+    std::iota(last.begin(), last.end(), std::size_t{0});
+    const auto is_same = [&](std::size_t i, std::size_t j) { return lower(one[i - 1]) == lower(other[j - 1]); };
+    for (std::size_t i = 1; i <= one.size(); ++i) {
+        row[0] = i;
+        for (std::size_t j = 1; j <= other.size(); ++j) {
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (is_same(i, j) ? 0 : 1)});
+            if (i > 1 && j > 1 && is_same(i, j - 1) && is_same(i - 1, j)) row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+        before = std::exchange(last, row);
+    }
+    return last.back();
+}
+
+// The nearest of the words, of which at most every third letter is another. Empty: there is none.
+std::string_view nearly_spelt(std::string_view word, std::span<const std::string_view> words) {
+    std::string_view nearest;
+    std::size_t least = 0;
+    for (const std::string_view one : words) {
+        const std::size_t most = std::max<std::size_t>(one.size() / 3, 1);
+        if (word.size() > one.size() + most || one.size() > word.size() + most) continue;
+        const std::size_t distance = spelling_distance(word, one);
+        if (distance > most || (!nearest.empty() && distance >= least)) continue;
+        nearest = one;
+        least = distance;
+    }
+    return nearest;
+}
+
+}  // namespace
+
 std::string describe(const Fault& fault) {
     return printable(fault.file) + ": " + (fault.place.empty() ? "" : printable(fault.place) + ": ") +
            (fault.severity == Severity::Warning ? "warning: " : "") + printable(fault.problem);
@@ -32,6 +73,15 @@ void FaultReader::warn(const JsonNode& node, const std::string& problem) {
     add(Severity::Warning, node, problem, ++warnings_);
 }
 
+void FaultReader::warn_of_unknown_keys(const JsonNode& object, std::span<const std::string_view> known) {
+    for (const Json::Member& member : object.value->members()) {
+        if (std::ranges::find(known, member.key) != known.end()) continue;
+        const std::string_view near = nearly_spelt(member.key, known);
+        warn(object.member(member.key),
+             "unknown key '" + member.key + "'" + (near.empty() ? "" : ": is '" + std::string(near) + "' meant?"));
+    }
+}
+
 void FaultReader::add(Severity severity, const JsonNode& node, const std::string& problem, std::size_t count) {
     if (count <= kMostFaults) {
         faults_.push_back({severity, file_, node.path, problem});
@@ -49,7 +99,7 @@ bool FaultReader::expect(const JsonNode& node, Json::Kind kind) {
 bool FaultReader::expect_array(const JsonNode& node, std::size_t size) {
     if (!expect(node, Json::Kind::Array)) return false;
     if (node.size() == size) return true;
-    error(node, std::to_string(node.size()) + " values where " + std::to_string(size) + " should be");
+    error(node, count_text(node.size(), "value") + " where " + std::to_string(size) + " should be");
     return false;
 }
 

@@ -56,6 +56,10 @@ class FaultReader {
     void error(const JsonNode& node, const std::string& problem);
     void warn(const JsonNode& node, const std::string& problem);
 
+    // Warns of each key of the object that is none of these, with the one that is nearly spelt so, if there is one. For
+    // objects that only Selvedge writes: what another program adds to its own is not unknown.
+    void warn_of_unknown_keys(const JsonNode& object, std::span<const std::string_view> known);
+
     // Each records an error and returns nullopt (or false) if the value is of the wrong kind or out of range.
     bool expect(const JsonNode& node, Json::Kind kind);
     bool expect_array(const JsonNode& node, std::size_t size);

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace selvedge::sim {
 
@@ -102,6 +103,7 @@ struct Field<kMember, kForm> {
     Placing placing = Placing::None;
     std::string_view record = {};  // its word in SVG and DXF; empty: what is drawn says it, or nothing does
     FieldRow row = {};
+    std::size_t least_count = 0;  // of a list
 };
 
 // A type with a list of fields: fields(const T*), found in the namespace of T.
@@ -126,6 +128,16 @@ template <class Part, class Visit>
 requires Described<std::remove_const_t<Part>>
 constexpr void visit_fields(Part& part, Visit&& visit) {
     for_each_field<std::remove_const_t<Part>>([&](const auto& field) { visit(field, part.*field.member); });
+}
+
+// The keys of those fields of which `is_one` is true.
+template <Described Part, class IsOne>
+std::vector<std::string_view> keys_of(IsOne&& is_one) {
+    std::vector<std::string_view> keys;
+    for_each_field<Part>([&](const auto& field) {
+        if (is_one(field)) keys.push_back(field.key);
+    });
+    return keys;
 }
 
 // A type with as many values as there are arguments. Not defined: for decltype.

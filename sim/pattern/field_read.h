@@ -3,12 +3,15 @@
 // that are keys of the part's own object.
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "sim/core/math.h"
+#include "sim/core/printable.h"
 #include "sim/pattern/enum_names.h"
 #include "sim/pattern/fault.h"
 #include "sim/pattern/field.h"
@@ -24,13 +27,17 @@ class FieldReader {
     // `panel`: the part or its panel, for indices of vertices and edges.
     explicit FieldReader(FaultReader& reader, const Panel* panel = nullptr) : reader_(reader), panel_(panel) {}
 
-    // Values that are wrong keep their defaults, and their faults are recorded. False: a required key is missing.
+    // Values that are wrong keep their defaults, and their faults are recorded; so are keys that are neither those of
+    // the part nor `others`. False: a required key is missing.
     template <Described Part>
-    bool read(const JsonNode& object, Part& part) const {
+    bool read(const JsonNode& object, Part& part, std::span<const std::string_view> others = {}) const {
         bool has_required = true;
         visit_fields(part, [&]<class SomeField>(const SomeField& field, auto& value) {
             if constexpr (SomeField::is_key) has_required = read_field(object, field, value) && has_required;
         });
+        auto known = keys_of<Part>([]<class SomeField>(const SomeField&) { return SomeField::is_key; });
+        known.insert(known.end(), others.begin(), others.end());
+        reader_.warn_of_unknown_keys(object, known);
         return has_required;
     }
 
@@ -110,6 +117,10 @@ class FieldReader {
     template <class SomeField, class T>
     void read_value(const JsonNode& node, const SomeField& field, std::vector<T>& values) const {
         if (!reader_.expect(node, Json::Kind::Array)) return;
+        if (node.size() < field.least_count) {
+            reader_.error(node, count_text(node.size(), "value") + " where at least " +
+                                    std::to_string(field.least_count) + " should be");
+        }
         for (std::size_t i = 0; i < node.size(); ++i) {
             if (auto read = one(node.element(i), field, T{})) values.push_back(std::move(*read));
         }

@@ -84,7 +84,7 @@ inline constexpr std::tuple kLineFields{
     Field<&InternalLine::name>{.name = "name", .row = {"Name", "What the line is called.", "unnamed"}},
     Field<&InternalLine::use>{.name = "use", .row = {"Use", "Mark: drawn only. Fold: the panel is folded here."}},
     Field<&InternalLine::points, FileForm::Required>{
-        .name = "points", .measure = Measure::Point, .descent = Descent::Place},
+        .name = "points", .measure = Measure::Point, .descent = Descent::Place, .least_count = 2},
     Field<&InternalLine::topstitch>{.name = "topstitch", .record = "topstitch", .row = kTopstitchRow},
 };
 

@@ -14,6 +14,7 @@
 #include "sim/pattern/edge_keys.h"
 #include "sim/pattern/enum_names.h"
 #include "sim/pattern/field_write.h"
+#include "sim/pattern/halves.h"
 #include "sim/pattern/named_file.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_fields.h"
@@ -31,11 +32,24 @@ std::string garment_name(const std::string& file) {
     return name;
 }
 
+// Warns of links that end when the pattern is edited. It keeps them here.
+void check_links(PatternReading& reading, const std::string& file) {
+    if (std::ranges::none_of(reading.pattern.panels,
+                             [](const Panel& panel) { return link_of(panel) || has_linked_halves(panel); }))
+        return;
+    Pattern pattern = reading.pattern;
+    for (EndedLink& link : end_broken_links(pattern)) {
+        reading.faults.push_back(
+            {Severity::Warning, file, json_path("pattern.panels", link.panel), std::move(link.problem)});
+    }
+}
+
 PatternReading examine(const Json& json, const std::string& file) {
     PatternReading reading = read_pattern(json, file);
     check_shapes(reading, file, units_in_meter(json));
     reading.pattern.name = garment_name(file);
     resolve_named_files(reading.pattern, file);
+    if (!has_error(reading.faults)) check_links(reading, file);
     return reading;
 }
 
@@ -44,7 +58,7 @@ PatternDocument accept(Json json, const std::string& file) {
     for (const Fault& fault : reading.faults) {
         if (fault.severity == Severity::Error) throw InputError(fault.file, fault.place, fault.problem);
     }
-    return {std::move(reading.pattern), std::move(json)};
+    return {std::move(reading.pattern), std::move(json), std::move(reading.faults)};
 }
 
 // Smaller than what JSON may be otherwise: a pattern takes many times its file in memory.

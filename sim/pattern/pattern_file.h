@@ -16,7 +16,8 @@ namespace selvedge::sim {
 // A pattern and the JSON that it was read from. Unknown or unchanged parts of the JSON are written back as they were.
 struct PatternDocument {
     Pattern pattern;
-    Json json;  // null for a pattern that was not read from a file
+    Json json;                         // null for a pattern that was not read from a file
+    std::vector<Fault> warnings = {};  // of reading it; whoever opens a file tells them
 };
 
 // The number of the format that is written where a file uses what an older program would misread. The first one has no
@@ -26,13 +27,13 @@ inline constexpr int kGarmentFormat = 2;
 // Why the file is not written anew: a newer program wrote it. None: this program knows the format.
 std::optional<std::string> newer_format(const Json& root);
 
-// Throws InputError for the first fault that is an error. Warnings are ignored; check_pattern_file() lists them. A
-// garment that was only begun may have no panels.
+// Throws InputError for the first fault that is an error. A garment that was only begun may have no panels.
 PatternDocument load_pattern(const std::filesystem::path& path);
 PatternDocument parse_pattern(std::string_view text, const std::string& file);
 
-// All faults of a file: first those found while reading it, then those of outlines and seams as shapes. A file that
-// cannot be read or is not JSON gives one fault. Do not throw InputError.
+// All faults of a file: first those found while reading it, then those of outlines and seams as shapes, then links that
+// are broken (end_broken_links()), if no fault is an error. A file that cannot be read or is not JSON gives one fault.
+// Do not throw InputError.
 std::vector<Fault> check_pattern_file(const std::filesystem::path& path);
 std::vector<Fault> check_pattern_text(std::string_view text, const std::string& file);
 

@@ -1,12 +1,14 @@
 #include "sim/pattern/pattern_read.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "sim/core/math.h"
+#include "sim/core/printable.h"
 #include "sim/pattern/fault.h"
 #include "sim/pattern/field_moves.h"
 #include "sim/pattern/field_read.h"
@@ -24,6 +26,8 @@ using Node = JsonNode;
 
 template <auto kMember>
 using ByHand = Field<kMember, FileForm::ByHand>;
+
+constexpr auto kEach = [](const auto&) { return true; };
 
 class Reader : private FaultReader {
  public:
@@ -117,13 +121,17 @@ class Reader : private FaultReader {
     void read_panel_additions(const Node& node, Panel& panel) {
         if (!expect(node, Json::Kind::Object)) return;
         const FieldReader values(*this, &panel);
+        std::vector<std::string_view> known;
         visit_fields(panel, [&]<class SomeField>(const SomeField& field, auto& value) {
             if constexpr (SomeField::is_key) {
                 values.read_field(node, field, value);
+                known.push_back(field.key);
             } else if constexpr (requires(Node at) { this->read_by_hand(field, at, panel); }) {
                 if (const Node at = node.member(field.key)) read_by_hand(field, at, panel);
+                known.push_back(field.key);
             }
         });
+        warn_of_unknown_keys(node, known);
     }
 
     void read_by_hand(const ByHand<&Panel::interlinings>&, const Node& node, Panel& panel) {
@@ -144,6 +152,7 @@ class Reader : private FaultReader {
 
     void read_by_hand(const ByHand<&Panel::wrap_cone>&, const Node& node, Panel& panel) {
         if (!expect(node, Json::Kind::Object)) return;
+        warn_of_unknown_keys(node, keys_of<WrapCone>(kEach));
         if (panel.wrap_radius > 0) return error(node, "a panel has wrap_radius or wrap_cone, not both");
         const Node apex = node.member("apex"), sine = node.member("sine");
         if (!apex || !sine) return error(node, std::string("no key '") + (apex ? "sine" : "apex") + "'");
@@ -172,6 +181,7 @@ class Reader : private FaultReader {
     void read_by_hand(const ByHand<&Panel::last_key>&, const Node& node, Panel& panel) {
         if (!expect(node, Json::Kind::Object)) return;
         const Node keys = node.member("keys"), last = node.member("last");
+        warn_of_unknown_keys(node, std::array<std::string_view, 2>{"keys", "last"});
         if (!keys || !last) return error(node, std::string("no key '") + (keys ? "last" : "keys") + "'");
         if (!expect(keys, Json::Kind::Array)) return;
         const auto most = whole_number(last, 1, kMostKeys);
@@ -183,8 +193,8 @@ class Reader : private FaultReader {
         }
         const std::set<EdgeKey> different(read.begin(), read.end());
         if (read.size() != panel.edges.size() || different.size() != read.size()) {
-            return warn(keys, std::to_string(different.size()) + " different keys for " +
-                                  std::to_string(panel.edges.size()) + " edges: the edges are numbered anew");
+            return warn(keys, count_text(different.size(), "different key") + " for " +
+                                  count_text(panel.edges.size(), "edge") + ": the edges are numbered anew");
         }
         for (std::size_t e = 0; e < read.size(); ++e) panel.edges[e].key = read[e];
         panel.last_key = *most;
@@ -249,7 +259,7 @@ class Reader : private FaultReader {
     std::optional<Seam> read_seam(const Node& node) {
         if (!expect(node, Json::Kind::Array)) return {};
         if (node.size() != 2 && node.size() != 3) {
-            error(node, std::to_string(node.size()) + " values: a stitch joins two edges");
+            error(node, count_text(node.size(), "value") + ": a stitch joins two edges");
             return {};
         }
         Seam seam;
@@ -308,13 +318,21 @@ class Reader : private FaultReader {
         }
         Pattern& pattern = out_.pattern;
         const FieldReader values(*this);
+        // What is listed of seams that has no place in the list `seams`.
+        std::vector<std::string_view> known = keys_of<Seam>([]<class SomeField>(const SomeField& field) {
+            return !SomeField::is_key && field.descent != Descent::Shape;
+        });
+        known.emplace_back("format");
         visit_fields(pattern, [&]<class SomeField>(const SomeField& field, auto& value) {
             if constexpr (SomeField::is_key) {
                 values.read_field(node, field, value);
+                known.push_back(field.key);
             } else if constexpr (requires { this->read_by_hand(field, node, pattern); }) {
                 read_by_hand(field, node, pattern);
+                known.push_back(field.key);
             }
         });
+        warn_of_unknown_keys(node, known);
     }
 
     // Of the pattern: `own` has the keys.
@@ -349,6 +367,7 @@ class Reader : private FaultReader {
 
     void read_underlay(const Node& node) {
         if (!expect(node, Json::Kind::Object)) return;
+        warn_of_unknown_keys(node, keys_of<Underlay>(kEach));
         Underlay underlay;
         const Node file = node.member("file"), size = node.member("pixel_size");
         if (!file) return error(node, "no key 'file'");
@@ -368,6 +387,7 @@ class Reader : private FaultReader {
 
     void read_matched_sett(const Node& node) {
         if (!expect(node, Json::Kind::Object)) return;
+        warn_of_unknown_keys(node, keys_of<MatchedSett>(kEach));
         MatchedSett matched;
         if (const Node tartan = node.member("tartan")) matched.tartan = text(tartan).value_or("");
         const Node repeat = node.member("repeat");
@@ -386,7 +406,7 @@ class Reader : private FaultReader {
             if (member.key.empty() || member.key.find_first_of(",+") != std::string::npos) {
                 error(node, "a seam's name is not empty, and has no comma and no plus sign");
             }
-            Seam* seam = read_seam_at(node);
+            Seam* seam = read_named_seam(node);
             if (seam && !seam->name.empty()) error(node, "the seam is named '" + seam->name + "' already");
             if (seam && seam->name.empty()) seam->name = member.key;
         }
@@ -396,7 +416,7 @@ class Reader : private FaultReader {
     void read_eased(const Node& eased) {
         if (!expect(eased, Json::Kind::Array)) return;
         for (std::size_t i = 0; i < eased.size(); ++i) {
-            Seam* seam = read_seam_at(eased.element(i));
+            Seam* seam = read_named_seam(eased.element(i));
             if (seam && seam->is_eased) error(eased.element(i), "the seam is listed already");
             if (seam) seam->is_eased = true;
         }
@@ -410,7 +430,7 @@ class Reader : private FaultReader {
             if (member.key.empty()) error(node, "a sewing's name is not empty");
             if (!expect(node, Json::Kind::Array)) continue;
             for (std::size_t i = 0; i < node.size(); ++i) {
-                Seam* seam = read_seam_at(node.element(i));
+                Seam* seam = read_named_seam(node.element(i));
                 if (seam && !seam->sewing.empty()) {
                     error(node.element(i), "the seam is a part of sewing '" + seam->sewing + "' already");
                 }
@@ -427,7 +447,7 @@ class Reader : private FaultReader {
             Seam* seam = read_seam_at(seams.element(i));
             if (!seam) continue;
             if (!listed.insert(seam).second) error(seams.element(i), "the seam is listed already");
-            FieldReader(*this).read(seams.element(i), *seam);
+            FieldReader(*this).read(seams.element(i), *seam, keys_of<SeamSide>(kEach));
         }
     }
 
@@ -439,6 +459,12 @@ class Reader : private FaultReader {
         if (seam != seam_at_.end()) return &out_.pattern.seams[seam->second];
         error(node, "this edge is not sewn");
         return nullptr;
+    }
+
+    // The same, of an object with nothing else.
+    Seam* read_named_seam(const Node& node) {
+        if (node.value->is_object()) warn_of_unknown_keys(node, keys_of<SeamSide>(kEach));
+        return read_seam_at(node);
     }
 
     Node root_;

@@ -448,15 +448,15 @@ void end_link(Panel& panel) {
 
 }  // namespace
 
-std::vector<std::string> end_broken_links(Pattern& pattern) {
-    std::vector<std::string> messages;
+std::vector<EndedLink> end_broken_links(Pattern& pattern) {
+    std::vector<EndedLink> ended;
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
         Panel& panel = pattern.panels[i];
         if (link_of(panel)) continue;
         give_keys(panel);
         if (!has_linked_halves(panel) || are_halves_alike(pattern, static_cast<int>(i))) continue;
-        messages.push_back("the halves of '" + panel.name + "' are not mirror images any more, so that they are not " +
-                           "linked now");
+        ended.push_back({panel.name, "the halves of '" + panel.name +
+                                         "' are not mirror images any more, so that they are not linked now"});
         panel.fold_key = 0;
     }
     const std::map<std::string, std::size_t> index = index_by_name(pattern.panels);
@@ -479,20 +479,20 @@ std::vector<std::string> end_broken_links(Pattern& pattern) {
                 panel.fold_key = made->fold_key;
                 continue;
             }
-            messages.push_back("'" + panel.name + "' is not the " +
-                               (link->kind == Derivation::Mirror ? "mirror image" : "copy") + " of '" + link->source +
-                               "' any more, so that they are not linked now");
+            ended.push_back({panel.name, "'" + panel.name + "' is not the " +
+                                             (link->kind == Derivation::Mirror ? "mirror image" : "copy") + " of '" +
+                                             link->source + "' any more, so that they are not linked now"});
             end_link(panel);
             give_keys(panel);
         }
     }
     for (Panel& panel : pattern.panels) {
         if (known.contains(panel.name)) continue;
-        messages.push_back("'" + panel.name + "' is derived from a panel that is not there, or from itself");
+        ended.push_back({panel.name, "'" + panel.name + "' is derived from a panel that is not there, or from itself"});
         end_link(panel);
         give_keys(panel);
     }
-    return messages;
+    return ended;
 }
 
 }  // namespace selvedge::sim

@@ -77,10 +77,17 @@ Pattern evaluate(const Sources& sources);
 // InputError as evaluate().
 Sources sources_of(const Pattern& pattern);
 
+struct EndedLink {
+    std::string panel;    // its name
+    std::string problem;  // message for the user
+
+    bool operator==(const EndedLink&) const = default;
+};
+
 // Ends the links of panels that are not what their sources give, to within the rounding of a file, for example because
 // another program changed one of them: each keeps what it has. A mirror image may be placed otherwise. Likewise of the
-// halves of a panel that are not mirror images. Returns a message for each.
-std::vector<std::string> end_broken_links(Pattern& pattern);
+// halves of a panel that are not mirror images.
+std::vector<EndedLink> end_broken_links(Pattern& pattern);
 
 // The panel's reflection in the plane x = 0 of the world, with all its fields. Vertices keep their indices, and edges
 // change them as in mapped_panel().

@@ -1,6 +1,7 @@
 #include "sim/pattern/surface_design.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "sim/core/json.h"
@@ -34,6 +35,9 @@ std::string read_source(FaultReader& reader, const JsonNode& node, DesignKind ki
     return {};
 }
 
+constexpr std::array<std::string_view, 9> kDesignKeys{"kind",     "tartan",   "colour",  "file",  "size",
+                                                      "position", "rotation", "repeats", "ground"};
+
 }  // namespace
 
 SurfaceDesign read_design(FaultReader& reader, const JsonNode& node) {
@@ -44,6 +48,7 @@ SurfaceDesign read_design(FaultReader& reader, const JsonNode& node) {
     const auto chosen = reader.choice(kind, names_of(DesignKind{}).texts);
     if (!chosen) return design;
     design.kind = static_cast<DesignKind>(*chosen);
+    reader.warn_of_unknown_keys(node, kDesignKeys);
     design.source = read_source(reader, node, design.kind);
     if (const JsonNode size = node.member("size")) {
         design.size = reader.length(size);

@@ -10,6 +10,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file_extension.h"
 #include "sim/core/file_path.h"
+#include "sim/core/printable.h"
 #include "sim/repair/guarded_import.h"
 
 namespace selvedge::sim {
@@ -160,8 +161,8 @@ std::string describe_shift(double shift) {
     return text;
 }
 
-std::string counted(int count, const char* what) {
-    return std::to_string(count) + ' ' + what;
+std::string triangles_text(int count) {
+    return count_text(as_size(count), "triangle");
 }
 
 // For example "assumed decimetres: 1.68 m tall".
@@ -178,7 +179,7 @@ std::string describe_cuts(const EdgeCuts& cuts, double lift) {
     std::snprintf(text, sizeof text,
                   "cut %d edges where more than two triangles meet, the first at (%.3f, %.3f, %.3f) m", cuts.edges,
                   cuts.at.x(), cuts.at.y() + lift, cuts.at.z());
-    return cuts.dropped == 0 ? text : std::string(text) + ", and left out " + counted(cuts.dropped, "triangles there");
+    return cuts.dropped == 0 ? text : std::string(text) + ", and left out " + triangles_text(cuts.dropped) + " there";
 }
 
 void write_notes(LoadBodyReport& report, const Body& body) {
@@ -189,11 +190,11 @@ void write_notes(LoadBodyReport& report, const Body& body) {
     if (report.up == UpAxis::Z) notes.emplace_back("turned from z up to y up");
     if (std::abs(body.lift) > 1e-4) notes.push_back(describe_shift(body.lift));
     if (repair.dropped_triangles > 0)
-        notes.push_back("left out " + counted(repair.dropped_triangles, "triangles without area or twice there"));
+        notes.push_back("left out " + triangles_text(repair.dropped_triangles) + " without area or twice there");
     if (repair.cuts.edges > 0) notes.push_back(describe_cuts(repair.cuts, body.lift));
     if (repair.turned_triangles > 0)
-        notes.push_back("turned " + counted(repair.turned_triangles, "triangles to face outward"));
-    if (repair.capped_holes > 0) notes.push_back("capped " + counted(repair.capped_holes, "holes"));
+        notes.push_back("turned " + triangles_text(repair.turned_triangles) + " to face outward");
+    if (repair.capped_holes > 0) notes.push_back("capped " + count_text(as_size(repair.capped_holes), "hole"));
     for (const std::string& dropped : repair.dropped_pieces) notes.push_back("left out " + dropped);
 }
 

@@ -15,6 +15,7 @@
 #include "sim/core/disjoint_sets.h"
 #include "sim/core/edge_table.h"
 #include "sim/core/error.h"
+#include "sim/core/printable.h"
 
 namespace selvedge::sim {
 namespace {
@@ -206,7 +207,7 @@ std::size_t largest(const Surface& surface, const std::vector<SurfacePiece>& pie
 }
 
 std::string describe(const SurfacePiece& piece, const std::string& why) {
-    return "a piece of " + std::to_string(piece.triangles.size()) + " triangles: " + why;
+    return "a piece of " + count_text(piece.triangles.size(), "triangle") + ": " + why;
 }
 
 // Closes and orients each piece; returns the pieces without a flaw.

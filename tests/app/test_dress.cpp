@@ -453,6 +453,32 @@ TEST(DressOnAFile, takes_the_body_that_the_garment_names_and_raises_both_to_the_
     EXPECT_EQ(over.exit_code, 2) << over.out;
 }
 
+TEST(DressOnAFile, tells_what_check_warns_of_in_its_notes_and_in_the_report) {
+    const ScratchFolder folder;
+    sim::Json garment = sim::read_json(source_folder() + "/patterns/two_squares.json");
+    sim::Json& back = garment["pattern"]["panels"]["back"]["selvedge"];
+    back["copy_of"] = "front";
+    back["edge_keys"] = sim::parse_json(R"({"keys": [1], "last": 9})", "");
+    back["grainlin"] = sim::Json(0.0);
+    const std::string file = folder / "odd.json";
+    std::ofstream(file) << write_json(garment);
+    const ProgramResult checked = run_selvedge("check '" + file + "'");
+    EXPECT_EQ(checked.exit_code, 0) << checked.out;
+    EXPECT_EQ(count_lines(checked.out), 3) << checked.out;
+    const ProgramResult dressed = run_selvedge("dress '" + file + "' --body mannequin:resolution=1 --max-level 0 " +
+                                               "--report '" + folder / "report.json" + "'");
+    EXPECT_EQ(dressed.exit_code, 0) << dressed.out << dressed.err;
+    std::istringstream warnings(checked.out);
+    const sim::Json report = sim::read_json(folder / "report.json");
+    std::vector<std::string> notes;
+    for (const sim::Json& note : report.find("notes")->elements()) notes.push_back(note.string());
+    for (std::string line; std::getline(warnings, line);) {
+        EXPECT_NE(line.find("pattern.panels.back"), std::string::npos) << line;
+        EXPECT_NE(dressed.out.find("note: " + line + "\n"), std::string::npos) << line << '\n' << dressed.out;
+        EXPECT_NE(std::ranges::find(notes, line), notes.end()) << line;
+    }
+}
+
 TEST(DressDesigns, each_panel_shows_its_own_and_a_missing_picture_is_told_first) {
     const ScratchFolder folder;
     sim::PatternDocument document =

@@ -203,7 +203,37 @@ TEST(LinkedHalves, of_a_linked_copy_are_sewn_to_each_other_as_those_of_its_sourc
 TEST(LinkedHalves, end_where_the_panel_is_cut) {
     Document document = unfolded_front();
     document.run(CutPanel{.panel = "front", .path = {Vec2d(-1, 0.3), Vec2d(1, 0.3)}});
+    EXPECT_EQ(document.take_notes(), std::vector<std::string>{"the halves of 'front' are no longer linked"});
     for (const sim::Panel& panel : document.pattern().panels) EXPECT_FALSE(sim::has_linked_halves(panel)) << panel.name;
+}
+
+TEST(LinkedHalves, are_told_to_be_linked_no_longer_when_the_panel_is_unfolded_again) {
+    for (const bool is_linked : {false, true}) {
+        Document document = unfolded_front();
+        ASSERT_TRUE(document.take_notes().empty());
+        document.run(UnfoldPanel{.panel = "front", .edge = edge_by_key(document, 2), .is_linked = is_linked});
+        EXPECT_EQ(document.take_notes(), std::vector<std::string>{"the halves of 'front' are no longer linked"});
+        EXPECT_EQ(sim::has_linked_halves(front_of(document)), is_linked);
+    }
+}
+
+// The part that is sewn is divided where the whole edge is, which is divided where the part is: towards one end, at a
+// third of what was left each time.
+TEST(LinkedCopy, is_not_sewn_to_its_source_where_joints_would_come_closer_than_a_tenth_of_a_millimetre) {
+    Document document(two_pieces());
+    document.run(DuplicatePanels{.panels = {"front"}, .move = Vec3d(0, 0, 0.3), .is_linked = true});
+    const std::string copy = document.pattern().panels.back().name;
+    const std::string before = document.text();
+    try {
+        document.run(SewRuns{.first = {{.panel = "front", .edge = 1, .from = 0.7, .to = 1}},
+                             .second = {{.panel = copy, .edge = 1, .from = 0, .to = 1}},
+                             .is_reversed = false});
+        FAIL() << document.pattern().seams.size() << " seams";
+    } catch (const GeometryError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "Linked panels are sewn to each other so that their seams cannot be split alike.");
+    }
+    EXPECT_EQ(document.text(), before);
 }
 
 TEST(LinkedHalves, refuse_to_lose_a_point_where_they_meet) {
@@ -226,6 +256,7 @@ TEST(LinkedHalves, go_their_own_ways_when_the_panel_is_unlinked) {
     Document document = unfolded_front();
     const std::string before = document.text();
     document.run(UnlinkPanel{"front"});
+    EXPECT_TRUE(document.take_notes().empty()) << "that is what was asked for";
     EXPECT_FALSE(sim::has_linked_halves(front_of(document)));
     expect_undone(document, before);
     document.run(AddVertex{.panel = "front", .edge = edge_by_key(document, 2), .t = 0.3});

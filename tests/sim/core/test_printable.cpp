@@ -53,6 +53,12 @@ TEST(Printable, what_was_printable_is_not_changed_again) {
         EXPECT_EQ(printable(printable(text)), printable(text));
 }
 
+TEST(CountText, has_an_s_unless_there_is_one) {
+    EXPECT_EQ(count_text(0, "edge"), "0 edges");
+    EXPECT_EQ(count_text(1, "edge"), "1 edge");
+    EXPECT_EQ(count_text(2, "different key"), "2 different keys");
+}
+
 TEST(InputError, its_message_is_one_short_line_and_its_parts_are_exact) {
     const std::string name = "\x1b[31mfront\n" + std::string(3000, 'y');
     const InputError error("a\nb.json", "panels." + name, "no panel '" + name + "'");

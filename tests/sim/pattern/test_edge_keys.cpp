@@ -126,6 +126,8 @@ TEST(EdgeKeys, of_a_file_are_checked) {
               (std::vector{at + ".keys: warning: 3 different keys for 4 edges: the edges are numbered anew"}));
     EXPECT_EQ(faults_of(with_keys(R"({"keys": [1, 2, 3, 3], "last": 4})")),
               (std::vector{at + ".keys: warning: 3 different keys for 4 edges: the edges are numbered anew"}));
+    EXPECT_EQ(faults_of(with_keys(R"({"keys": [1, 1, 1, 1], "last": 4})")),
+              (std::vector{at + ".keys: warning: 1 different key for 4 edges: the edges are numbered anew"}));
     EXPECT_EQ(faults_of(with_keys(R"({"keys": [1, 2, 3, 4]})")), (std::vector{at + ": no key 'last'"}));
     EXPECT_EQ(faults_of(with_keys(R"({"keys": [1, 2, 3, {"twin": 4}], "last": 4})")),
               (std::vector{at + ".keys[3]: no key 'image'"}));

@@ -107,9 +107,9 @@ TEST(Sources, links_of_panels_that_another_program_changed_end) {
     pattern.panels[3].fabric = "silk";
     const Pattern changed = pattern;
     EXPECT_EQ(end_broken_links(pattern),
-              (std::vector<std::string>{
-                  "'image' is not the mirror image of 'front' any more, so that they are not linked now",
-                  "'copy' is not the copy of 'front' any more, so that they are not linked now"}));
+              (std::vector<EndedLink>{
+                  {"image", "'image' is not the mirror image of 'front' any more, so that they are not linked now"},
+                  {"copy", "'copy' is not the copy of 'front' any more, so that they are not linked now"}}));
     EXPECT_FALSE(link_of(pattern.panels[2]) || link_of(pattern.panels[3]));
     EXPECT_EQ(pattern.panels[2].vertices, changed.panels[2].vertices);
     EXPECT_EQ(pattern.panels[3].fabric, "silk");
@@ -131,6 +131,23 @@ TEST(Sources, linked_panels_come_back_from_a_file_as_they_were) {
     EXPECT_EQ(again.panels[3].copy_of, "front");
     EXPECT_TRUE(end_broken_links(again).empty());
     EXPECT_EQ(write_pattern({evaluate(sources_of(again)), {}}), text);
+}
+
+TEST(Sources, broken_links_are_warned_of_at_the_panel_when_a_file_is_read) {
+    Pattern pattern = linked_sample();
+    pattern.seams.pop_back();  // its sides differ
+    EXPECT_TRUE(parse_pattern(write_pattern({pattern, {}}), "f.json").warnings.empty());
+    pattern.panels[3].fabric = "silk";
+    const std::string text = write_pattern({pattern, {}});
+    const std::vector<std::string> faults = faults_of(text);
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_EQ(faults[0],
+              "f.json: pattern.panels.copy: warning: 'copy' is not the copy of 'front' any more, so that they are not "
+              "linked now");
+    const PatternDocument document = parse_pattern(text, "f.json");
+    ASSERT_EQ(document.warnings.size(), 1U);
+    EXPECT_EQ(describe(document.warnings[0]), faults[0]);
+    EXPECT_EQ(document.pattern.panels[3].copy_of, "front") << "what only reads the file keeps the link";
 }
 
 TEST(Sources, links_in_a_file_are_checked) {

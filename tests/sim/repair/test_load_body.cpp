@@ -229,7 +229,7 @@ TEST_F(LoadBody, leaves_out_a_fin_and_says_where) {
     const Body body = load_text(obj_of(forked));
     EXPECT_TRUE(shapes::is_closed(body));
     EXPECT_EQ(body.triangles.size(), post().triangles.size());
-    EXPECT_TRUE(noted("left out 1 triangles there")) << report_.notes.size();
+    EXPECT_TRUE(noted("left out 1 triangle there")) << report_.notes.size();
 }
 
 TEST_F(LoadBody, leaves_out_a_wall_across_the_body) {
