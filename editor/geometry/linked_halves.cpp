@@ -18,7 +18,7 @@ const std::string kHalf = "\n(other half)";  // no panel's name has a line break
 
 // Of a list of parts of a panel, those of each half.
 template <class T>
-struct SharedList {
+struct PartsByHalf {
     std::vector<T> drawn;
     std::vector<T> other;
 };
@@ -26,8 +26,8 @@ struct SharedList {
 // The half of each part of `now`: that of the equal part of `before`, in order, or what `is_drawn` tells. Where both
 // have as many, parts were at most changed, and stay in their halves.
 template <class T, class IsDrawn>
-SharedList<T> shared_out(const std::vector<T>& now, const std::vector<T>& before, IsDrawn is_drawn) {
-    SharedList<T> shared;
+PartsByHalf<T> split_by_half(const std::vector<T>& now, const std::vector<T>& before, IsDrawn is_drawn) {
+    PartsByHalf<T> parts;
     std::size_t next = 0;  // part of `before`
     for (std::size_t i = 0; i < now.size(); ++i) {
         const auto same = std::find(before.begin() + static_cast<std::ptrdiff_t>(next), before.end(), now[i]);
@@ -36,9 +36,9 @@ SharedList<T> shared_out(const std::vector<T>& now, const std::vector<T>& before
         const std::size_t at = now.size() == before.size() ? i : found;
         if (is_known) next = at + 1;
         const bool is_of_drawn = is_known ? 2 * at < before.size() : is_drawn(now[i]);
-        (is_of_drawn ? shared.drawn : shared.other).push_back(now[i]);
+        (is_of_drawn ? parts.drawn : parts.other).push_back(now[i]);
     }
-    return shared;
+    return parts;
 }
 
 Vec2d middle_of(const Vec2d& point) {
@@ -51,29 +51,29 @@ Vec2d middle_of(const sim::InternalLine& line) {
 }
 
 // Takes the other point where both are the same but for rounding.
-void meet(Vec2d& point, const Vec2d& other) {
+void snap_to(Vec2d& point, const Vec2d& other) {
     if ((point - other).cwiseAbs().maxCoeff() < kSameHalf) point = other;
 }
 
 // Gives a half the very numbers of the image of the drawn half, where it is that image.
-void meet_image(sim::Panel& half, const sim::Panel& image) {
+void snap_to_image(sim::Panel& half, const sim::Panel& image) {
     for (sim::OutlineEdge& edge : half.edges) {
         const std::optional<int> found = find_edge(image, edge.key);
         if (!found) continue;
         const sim::OutlineEdge& same = image.edges[as_size(*found)];
-        meet(half.vertices[as_size(edge.start)], image.vertices[as_size(same.start)]);
-        meet(half.vertices[as_size(edge.end)], image.vertices[as_size(same.end)]);
+        snap_to(half.vertices[as_size(edge.start)], image.vertices[as_size(same.start)]);
+        snap_to(half.vertices[as_size(edge.end)], image.vertices[as_size(same.end)]);
         if (edge.kind != same.kind) continue;
-        meet(edge.control[0], same.control[0]);
-        meet(edge.control[1], same.control[1]);
+        snap_to(edge.control[0], same.control[0]);
+        snap_to(edge.control[1], same.control[1]);
         if (std::abs(edge.arc_radius - same.arc_radius) < kSameHalf) edge.arc_radius = same.arc_radius;
     }
     for (std::size_t i = 0; i < std::min(half.drill_points.size(), image.drill_points.size()); ++i)
-        meet(half.drill_points[i], image.drill_points[i]);
+        snap_to(half.drill_points[i], image.drill_points[i]);
     for (std::size_t i = 0; i < std::min(half.internal_lines.size(), image.internal_lines.size()); ++i) {
         std::vector<Vec2d>& points = half.internal_lines[i].points;
         const std::vector<Vec2d>& others = image.internal_lines[i].points;
-        for (std::size_t p = 0; p < std::min(points.size(), others.size()); ++p) meet(points[p], others[p]);
+        for (std::size_t p = 0; p < std::min(points.size(), others.size()); ++p) snap_to(points[p], others[p]);
     }
 }
 
@@ -111,8 +111,8 @@ std::optional<Halves> halves_of(const sim::Panel& panel, const sim::Panel* befor
     }
     if (had_halves) {
         const auto is_drawn = [&](const auto& part) { return sim::cross2(along, middle_of(part) - from) >= 0; };
-        auto lines = shared_out(panel.internal_lines, before->internal_lines, is_drawn);
-        auto points = shared_out(panel.drill_points, before->drill_points, is_drawn);
+        auto lines = split_by_half(panel.internal_lines, before->internal_lines, is_drawn);
+        auto points = split_by_half(panel.drill_points, before->drill_points, is_drawn);
         drawn->internal_lines = std::move(lines.drawn);
         drawn->drill_points = std::move(points.drawn);
         other->internal_lines = std::move(lines.other);
@@ -128,7 +128,7 @@ std::optional<Halves> halves_of(const sim::Panel& panel, const sim::Panel* befor
     halves.other.pins = std::move(placed.pins);
     halves.other.internal_lines = std::move(placed.internal_lines);
     halves.other.drill_points = std::move(placed.drill_points);
-    meet_image(halves.other, alike);
+    snap_to_image(halves.other, alike);
     halves.other.copy_of.clear();
     halves.other.mirror_of = panel.name;
     halves.other.name = panel.name + kHalf;

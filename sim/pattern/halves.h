@@ -11,7 +11,7 @@ namespace selvedge::sim {
 bool has_linked_halves(const Panel& panel);
 
 // The half with the edges of this role, closed by the fold: an edge with the number Panel::fold_key. Edges and points
-// keep their order, and all edges are EdgeRole::Drawn there. Internal lines and drill points are shared out as
+// keep their order, and all edges are EdgeRole::Drawn there. Internal lines and drill points are split by half as
 // whole_of() has them: first those of the drawn half, then as many of the other. None: the outline has no two halves.
 std::optional<Panel> half_of(const Panel& panel, EdgeRole half);
 
