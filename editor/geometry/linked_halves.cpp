@@ -1,6 +1,7 @@
 #include "editor/geometry/linked_halves.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -8,13 +9,13 @@
 #include "sim/pattern/edge_keys.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/halves.h"
+#include "sim/pattern/outline.h"
 #include "sim/pattern/sources.h"
 
 namespace selvedge::editor {
 namespace {
 
-constexpr double kSameHalf = 1e-9;           // m, points of halves that are closer to each other's images are the same
-const std::string kHalf = "\n(other half)";  // no panel's name has a line break
+constexpr double kSameHalf = 1e-9;  // m, points of halves that are closer to each other's images are the same
 
 // Of a list of parts of a panel, those of each half.
 template <class T>
@@ -77,9 +78,121 @@ void snap_to_image(sim::Panel& half, const sim::Panel& image) {
     }
 }
 
+bool is_same_place(const Vec2d& one, const Vec2d& other) {
+    return (one - other).cwiseAbs().maxCoeff() < kSameHalf;
+}
+
+bool has_point(const std::vector<Vec2d>& points, const Vec2d& point) {
+    return std::ranges::any_of(points, [&](const Vec2d& one) { return is_same_place(one, point); });
+}
+
+bool is_same_line(sim::InternalLine one, const sim::InternalLine& other) {
+    if (!std::ranges::equal(one.points, other.points, is_same_place)) return false;
+    one.points = other.points;
+    return one == other;
+}
+
+bool has_same_ends(const sim::Panel& one, const sim::OutlineEdge& edge, const sim::Panel& other,
+                   const sim::OutlineEdge& same) {
+    return is_same_place(one.vertices[as_size(edge.start)], other.vertices[as_size(same.start)]) &&
+           is_same_place(one.vertices[as_size(edge.end)], other.vertices[as_size(same.end)]);
+}
+
+// Whether edges with the same ends are the same.
+bool is_same_edge(sim::OutlineEdge one, const sim::OutlineEdge& other) {
+    for (std::size_t i = 0; i < one.control.size(); ++i) snap_to(one.control[i], other.control[i]);
+    if (std::abs(one.arc_radius - other.arc_radius) < kSameHalf) one.arc_radius = other.arc_radius;
+    one.start = other.start;
+    one.end = other.end;
+    return one == other;
+}
+
+bool has_same_notches(const sim::Panel& one, const sim::Panel& other) {
+    return std::ranges::is_permutation(
+        one.notches, other.notches, [&](const sim::Notch& notch, const sim::Notch& same) {
+            return notch.kind == same.kind && notch.count == same.count &&
+                   is_same_place(outline_point(one, one.edges[as_size(notch.edge)], notch.t),
+                                 outline_point(other, other.edges[as_size(same.edge)], same.t));
+        });
+}
+
+bool has_same_pins(const sim::Panel& one, const sim::Panel& other) {
+    return std::ranges::is_permutation(one.pins, other.pins, [&](int pin, int same) {
+        return is_same_place(one.vertices[as_size(pin)], other.vertices[as_size(same)]);
+    });
+}
+
+bool has_same_lines(const sim::Panel& one, const sim::Panel& other) {
+    return std::ranges::equal(one.internal_lines, other.internal_lines, is_same_line);
+}
+
+bool has_same_drill_points(const sim::Panel& one, const sim::Panel& other) {
+    return std::ranges::equal(one.drill_points, other.drill_points, is_same_place);
+}
+
+constexpr std::array kSameMarks{has_same_notches, has_same_pins, has_same_lines, has_same_drill_points};
+
+const sim::OutlineEdge& fold_edge(const sim::Panel& half) {
+    return half.edges[as_size(fold_of(half).value())];
+}
+
+// The half with the ends of its fold where those of the other are, and their pins: these belong to both halves.
+sim::Panel with_fold_of(sim::Panel half, const sim::Panel& other) {
+    const sim::OutlineEdge own = fold_edge(half), fold = fold_edge(other);
+    for (const auto& [from, to] : {std::pair(own.start, fold.start), std::pair(own.end, fold.end)}) {
+        const Vec2d by = other.vertices[as_size(to)] - half.vertices[as_size(from)];
+        sim::VertexMove move{std::vector<bool>(half.vertices.size(), false), Eigen::Affine2d(Eigen::Translation2d(by))};
+        move.is_moved[as_size(from)] = true;
+        if (by != Vec2d::Zero()) move_outline(half, move);
+        std::erase(half.pins, from);
+        if (std::ranges::count(other.pins, to) > 0) half.pins.push_back(from);
+    }
+    return half;
+}
+
+// More than at the ends of its fold.
+bool is_half_changed(const sim::Panel& before, const sim::Panel& now) {
+    const sim::Panel was = with_fold_of(before, now);
+    if (was.edges.size() != now.edges.size()) return true;
+    for (const sim::OutlineEdge& edge : now.edges) {
+        const std::optional<int> found = find_edge(was, edge.key);
+        if (!found) return true;
+        const sim::OutlineEdge& same = was.edges[as_size(*found)];
+        if (!has_same_ends(now, edge, was, same) || !is_same_edge(edge, same)) return true;
+    }
+    return !std::ranges::all_of(kSameMarks, [&](const auto& has_same) { return has_same(was, now); });
+}
+
+// Whether an edge with this one's key is there and is the same.
+bool has_edge(const sim::Panel& half, const sim::Panel& other, const sim::OutlineEdge& edge) {
+    const std::optional<int> found = find_edge(half, edge.key);
+    if (!found) return false;
+    const sim::OutlineEdge& same = half.edges[as_size(*found)];
+    return has_same_ends(half, same, other, edge) && is_same_edge(same, edge);
+}
+
+// Whether the half has what the edit changed in it. More points may have come where it is sewn, which divide edges.
+bool is_kept(const HalfEdit& edit, const sim::Panel& made) {
+    const sim::Panel &before = edit.before, &now = edit.now;
+    for (const Vec2d& point : now.vertices) {
+        if (!has_point(before.vertices, point) && !has_point(made.vertices, point)) return false;
+    }
+    for (const Vec2d& point : made.vertices) {
+        if (has_point(before.vertices, point) && !has_point(now.vertices, point)) return false;
+    }
+    for (const sim::OutlineEdge& edge : now.edges) {
+        const std::optional<int> found = find_edge(made, edge.key);
+        if (!found || has_edge(before, now, edge) || has_edge(made, now, edge)) continue;
+        if (has_same_ends(made, made.edges[as_size(*found)], now, edge)) return false;
+    }
+    return std::ranges::all_of(kSameMarks,
+                               [&](const auto& has_same) { return has_same(before, now) || has_same(made, now); });
+}
+
 struct Halves {
     sim::Panel drawn;
     sim::Panel other;  // as a mirror image of `drawn`
+    DividedPanel edits = {};
 };
 
 // Whether the halves of a panel still meet at both ends of its fold. The first edges of both, round the outline, are
@@ -93,6 +206,12 @@ bool has_fold_of(const sim::Panel& now, const sim::Panel& before) {
     return true;
 }
 
+std::optional<HalfEdit> edit_of(const sim::Panel& before, sim::EdgeRole role, const sim::Panel& now) {
+    const std::optional<sim::Panel> was = half_of(before, role);
+    if (!was) return {};
+    return HalfEdit{.before = *was, .now = now, .is_changed = is_half_changed(*was, now)};
+}
+
 // `before`: the panel as it was, or null. None: it has no halves that are linked.
 std::optional<Halves> halves_of(const sim::Panel& panel, const sim::Panel* before) {
     std::optional<sim::Panel> drawn = half_of(panel, sim::EdgeRole::Drawn);
@@ -104,7 +223,7 @@ std::optional<Halves> halves_of(const sim::Panel& panel, const sim::Panel* befor
             {{panel.name, -1, -1}});
     }
     if (!drawn || !other) return {};
-    const sim::OutlineEdge& fold = drawn->edges[as_size(fold_of(*drawn).value())];
+    const sim::OutlineEdge fold = fold_edge(*drawn);
     const Vec2d from = drawn->vertices[as_size(fold.start)], along = drawn->vertices[as_size(fold.end)] - from;
     if (along.norm() < kSameHalf) {
         throw GeometryError("The halves of panel " + panel.name + " would meet in one point.", {{panel.name, -1, -1}});
@@ -121,6 +240,10 @@ std::optional<Halves> halves_of(const sim::Panel& panel, const sim::Panel* befor
     const Eigen::Affine2d image(Eigen::Scaling(-1.0, 1.0));
     sim::Panel placed = mapped_panel(*other, image * fold_reflection(*drawn));
     Halves halves{.drawn = *drawn, .other = sim::mirror_image(*drawn)};
+    if (had_halves) {
+        halves.edits.drawn = edit_of(*before, sim::EdgeRole::Drawn, *drawn);
+        halves.edits.other = edit_of(*before, sim::EdgeRole::Image, *other);
+    }
     const sim::Panel alike = halves.other;
     halves.other.vertices = std::move(placed.vertices);
     halves.other.edges = std::move(placed.edges);
@@ -131,7 +254,6 @@ std::optional<Halves> halves_of(const sim::Panel& panel, const sim::Panel* befor
     snap_to_image(halves.other, alike);
     halves.other.copy_of.clear();
     halves.other.mirror_of = panel.name;
-    halves.other.name = panel.name + kHalf;
     return halves;
 }
 
@@ -150,7 +272,8 @@ DividedPattern divide_halves(const sim::Pattern& pattern, const sim::Pattern& be
         std::optional<Halves> halves = halves_of(pattern.panels[i], was(i));
         if (!halves) continue;
         other[i] = static_cast<int>(parts.pattern.panels.size());
-        parts.divided.push_back(static_cast<int>(i));
+        parts.divided.push_back(std::move(halves->edits));
+        parts.divided.back().panel = static_cast<int>(i);
         parts.pattern.panels[i] = std::move(halves->drawn);
         parts.pattern.panels.push_back(std::move(halves->other));
     }
@@ -171,9 +294,9 @@ sim::Pattern joined_halves(const DividedPattern& parts) {
     const std::size_t count = pattern.panels.size() - parts.divided.size();
     pattern.panels.resize(count);
     std::vector<bool> is_divided(count, false);
-    for (const int panel : parts.divided) {
-        is_divided[as_size(panel)] = true;
-        sim::Panel& own = pattern.panels[as_size(panel)];
+    for (const DividedPanel& divided : parts.divided) {
+        is_divided[as_size(divided.panel)] = true;
+        sim::Panel& own = pattern.panels[as_size(divided.panel)];
         own = whole_of(own);
     }
     for (sim::Seam& seam : pattern.seams) {
@@ -182,20 +305,25 @@ sim::Pattern joined_halves(const DividedPattern& parts) {
             if (!is_other && !is_divided[as_size(side->panel)]) continue;
             sim::EdgeKey key = edge_key(parts.pattern.panels[as_size(side->panel)], side->edge);
             key.role = is_other ? sim::EdgeRole::Image : sim::EdgeRole::Drawn;
-            if (is_other) side->panel = parts.divided[as_size(side->panel) - count];
+            if (is_other) side->panel = parts.divided[as_size(side->panel) - count].panel;
             side->edge = find_edge(pattern.panels[as_size(side->panel)], key).value();
         }
     }
     return pattern;
 }
 
-std::string whole_name(const std::string& name) {
-    return name.ends_with(kHalf) ? name.substr(0, name.size() - kHalf.size()) : name;
-}
-
-std::string without_half_names(std::string text) {
-    std::ranges::replace(text, '\n', ' ');
-    return text;
+void expect_both_kept(const DividedPattern& parts, const sim::Pattern& made) {
+    for (const DividedPanel& divided : parts.divided) {
+        const std::optional<HalfEdit>&drawn = divided.drawn, &other = divided.other;
+        if (!drawn || !other || !drawn->is_changed || !other->is_changed) continue;
+        const sim::Panel& panel = made.panels[as_size(divided.panel)];
+        if (is_kept(*drawn, half_of(panel, sim::EdgeRole::Drawn).value()) &&
+            is_kept(*other, half_of(panel, sim::EdgeRole::Image).value()))
+            continue;
+        throw GeometryError("The halves of panel " + panel.name + " are linked and would not be alike: change one of " +
+                                "them at a time, or unlink the panel first.",
+                            {{panel.name, -1, -1}});
+    }
 }
 
 }  // namespace selvedge::editor

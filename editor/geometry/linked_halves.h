@@ -1,17 +1,30 @@
 #pragma once
 // Panels with linked halves (sim/pattern/halves.h) as two panels each: the drawn half, in the panel's place, and the
-// other half, which is a mirror image of it (Panel::mirror_of) and stands after all panels. So halves are kept alike as
-// linked panels are. For update_links (linked_panels.h); for the sources of this module.
-#include <string>
+// other half, which is a mirror image of it (Panel::mirror_of), has its name too, and stands after all panels. So
+// halves are kept alike as linked panels are. For update_links (linked_panels.h); for the sources of this module.
+#include <optional>
 #include <vector>
 
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::editor {
 
+// What an edit made of one half. In the frame of its panel.
+struct HalfEdit {
+    sim::Panel before;
+    sim::Panel now;
+    bool is_changed = false;  // more than that its ends on the fold were moved, which belong to both halves
+};
+
+struct DividedPanel {
+    int panel = 0;                       // of the drawn half
+    std::optional<HalfEdit> drawn = {};  // none: the panel had no such halves before
+    std::optional<HalfEdit> other = {};
+};
+
 struct DividedPattern {
     sim::Pattern pattern;
-    std::vector<int> divided;  // panels whose other halves are the last panels of `pattern`, in this order
+    std::vector<DividedPanel> divided;  // panels whose other halves are the last panels of `pattern`, in this order
 };
 
 // Internal lines and drill points that `before` has are of the half that they were of; others of that on whose side of
@@ -22,10 +35,8 @@ DividedPattern divide_halves(const sim::Pattern& pattern, const sim::Pattern& be
 // Unfolds the drawn halves again. Seams to other halves are then seams to the images of their edges.
 sim::Pattern joined_halves(const DividedPattern& parts);
 
-// A message about parts, in which other halves are named as a person knows them.
-std::string without_half_names(std::string text);
-
-// The name of the panel that has this half; other names unchanged.
-std::string whole_name(const std::string& name);
+// Throws GeometryError if an edit changed both halves of a panel, and `made`, the whole panels that follow from it,
+// does not have what it made of each.
+void expect_both_kept(const DividedPattern& parts, const sim::Pattern& made);
 
 }  // namespace selvedge::editor

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
@@ -131,26 +132,26 @@ Heirs turned_heirs(Heirs heirs) {
     return heirs;
 }
 
-// The panel that has this half (linked_halves.h), or the panel itself.
-int index_of_whole(const sim::Pattern& pattern, int panel) {
-    const std::string& name = pattern.panels[as_size(panel)].name;
-    const std::string whole = whole_name(name);
-    if (whole == name) return panel;
-    return static_cast<int>(std::ranges::find(pattern.panels, whole, &sim::Panel::name) - pattern.panels.begin());
+// Of each panel, the panel that has this half, or the panel itself.
+std::vector<int> wholes_of(const DividedPattern& parts) {
+    std::vector<int> wholes(parts.pattern.panels.size() - parts.divided.size());
+    std::iota(wholes.begin(), wholes.end(), 0);
+    for (const DividedPanel& divided : parts.divided) wholes.push_back(divided.panel);
+    return wholes;
 }
 
 // Whether a seam joins the two halves of one panel.
-bool is_across(const sim::Pattern& pattern, const sim::Seam& seam) {
+bool is_across(const std::vector<int>& wholes, const sim::Seam& seam) {
     return seam.first.panel != seam.second.panel &&
-           whole_name(sim::panel_of(pattern, seam.first).name) == whole_name(sim::panel_of(pattern, seam.second).name);
+           wholes[as_size(seam.first.panel)] == wholes[as_size(seam.second.panel)];
 }
 
 // The seams from one half of the panel to the other, with the edges that they join: those of the panel first.
-std::vector<sim::Seam> seams_across(const sim::Pattern& pattern, int panel) {
+std::vector<sim::Seam> seams_across(const sim::Pattern& pattern, const std::vector<int>& wholes, int panel) {
     std::vector<sim::Seam> found;
     for (const sim::Seam& seam : pattern.seams) {
         if (seam.first.panel != panel && seam.second.panel != panel) continue;
-        if (!is_across(pattern, seam)) continue;
+        if (!is_across(wholes, seam)) continue;
         sim::Seam& added = found.emplace_back(sim::copy_of(seam));
         if (seam.second.panel == panel) {
             std::swap(added.first, added.second);
@@ -163,14 +164,20 @@ std::vector<sim::Seam> seams_across(const sim::Pattern& pattern, int panel) {
 
 class LinkUpdate {
  public:
-    LinkUpdate(sim::Pattern& draft, const sim::Pattern& before)
-        : draft_(draft), before_(before), families_(draft), pieces_(draft.panels.size()) {
-        is_seam_turned_.resize(draft.panels.size(), false);
-        const std::map<std::string, std::size_t> index = sim::index_by_name(before.panels);
-        for (std::size_t i = 0; i < draft.panels.size(); ++i) was_.push_back(find_before(i, index));
-        for (std::size_t i = 0; i < draft.panels.size(); ++i) {
-            const sim::Panel& panel = draft.panels[i];
-            whole_.push_back(index_of_whole(draft, static_cast<int>(i)));
+    // Divided as linked_halves.h has it.
+    LinkUpdate(DividedPattern& draft, const DividedPattern& before)
+        : draft_(draft.pattern),
+          before_(before.pattern),
+          divided_(draft.divided),
+          families_(draft_),
+          pieces_(draft_.panels.size()),
+          whole_(wholes_of(draft)),
+          whole_before_(wholes_of(before)) {
+        is_seam_turned_.resize(draft_.panels.size(), false);
+        const std::map<std::string, std::size_t> index = sim::index_by_name(before_.panels);
+        for (std::size_t i = 0; i < draft_.panels.size(); ++i) was_.push_back(find_before(i, index));
+        for (std::size_t i = 0; i < draft_.panels.size(); ++i) {
+            const sim::Panel& panel = draft_.panels[i];
             leader_.push_back(families_.root_of(static_cast<int>(i)));
             for (int e = 0; e < edge_count(panel); ++e) pieces_[i].push_back({{edge_key(panel, e)}});
         }
@@ -188,8 +195,8 @@ class LinkUpdate {
         collect();
         for (int panel = 0; panel < static_cast<int>(draft_.panels.size()); ++panel) {
             if (leader_[as_size(panel)] != panel) follow_darts(panel, old);
-            const bool is_half = whole_[as_size(panel)] != panel;
-            if (!is_half && whole_[as_size(leader_[as_size(panel)])] != panel) follow_seams_across(panel, old);
+            if (!is_other_half(panel) && whole_[as_size(leader_[as_size(panel)])] != panel)
+                follow_seams_across(panel, old);
         }
         collect();
     }
@@ -204,27 +211,52 @@ class LinkUpdate {
         const bool has_same_panels = before_.panels.size() == draft_.panels.size();
         const auto named = index.find(now.name);
         if (named == index.end() && !has_same_panels) return nullptr;
-        const sim::Panel& found = before_.panels[named == index.end() ? panel : named->second];
+        std::size_t old = named == index.end() ? panel : named->second;
+        if (is_other_half(static_cast<int>(panel)) && named != index.end()) {
+            const int half = other_half(whole_before_, static_cast<int>(named->second));
+            if (half < 0 && !has_same_panels) return nullptr;
+            old = half < 0 ? panel : as_size(half);
+        }
+        const sim::Panel& found = before_.panels[old];
         const auto link = sim::link_of(now), old_link = sim::link_of(found);
         const bool is_same_kind = link.has_value() == old_link.has_value() && (!link || link->kind == old_link->kind);
         const bool has_same_source = !link || has_same_panels || (old_link && link->source == old_link->source);
         return is_same_kind && has_same_source ? &found : nullptr;
     }
 
-    bool is_changed(int panel, const sim::Panel& before) const {
+    // How a member of a family was changed. Shared: in what both halves of its panel have, and not in its own half.
+    enum class Change { None, Shared, Own };
+
+    Change change_of(int panel, const sim::Panel& before) const {
         const int old = static_cast<int>(&before - before_.panels.data());
-        if (!is_alike(before, draft_.panels[as_size(panel)])) return true;
-        if (seams_across(draft_, panel) != seams_across(before_, old)) return true;
         const std::vector<int> darts = sim::darts_of(draft_, panel), had = sim::darts_of(before_, old);
-        return !std::ranges::equal(darts, had, [&](int one, int other) {
+        const bool has_same_darts = std::ranges::equal(darts, had, [&](int one, int other) {
             return sim::copy_of(draft_.seams[as_size(one)]) == with_panel(before_.seams[as_size(other)], panel);
         });
+        const HalfEdit* half = edit_of_half(panel);
+        if (!has_same_darts || (half != nullptr && half->is_changed)) return Change::Own;
+        const bool is_same = is_alike(before, draft_.panels[as_size(panel)]) &&
+                             seams_across(draft_, whole_, panel) == seams_across(before_, whole_before_, old);
+        if (is_same) return Change::None;
+        return half == nullptr ? Change::Own : Change::Shared;
+    }
+
+    bool is_other_half(int panel) const { return whole_[as_size(panel)] != panel; }
+
+    // Null: the panel is no half, or was none.
+    const HalfEdit* edit_of_half(int panel) const {
+        for (const DividedPanel& divided : divided_) {
+            if (divided.panel != whole_[as_size(panel)]) continue;
+            const std::optional<HalfEdit>& edit = is_other_half(panel) ? divided.other : divided.drawn;
+            return edit ? &*edit : nullptr;
+        }
+        return nullptr;
     }
 
     // The other half of a panel. -1: it is not divided.
-    int other_half(int panel) const {
-        for (std::size_t i = 0; i < whole_.size(); ++i) {
-            if (whole_[i] == panel && static_cast<int>(i) != panel) return static_cast<int>(i);
+    static int other_half(const std::vector<int>& wholes, int panel) {
+        for (std::size_t i = 0; i < wholes.size(); ++i) {
+            if (wholes[i] == panel && static_cast<int>(i) != panel) return static_cast<int>(i);
         }
         return -1;
     }
@@ -236,20 +268,22 @@ class LinkUpdate {
         return moved;
     }
 
-    // The member of a family that was edited, before all others one whose number of edges changed. None was, but some
-    // are new: the root. None: none was, and none is new.
+    // The member of a family that was edited, before all others one whose number of edges changed; of the halves of a
+    // panel, the one that was changed in more than what both have. None was, but some are new: the root. None: none
+    // was, and none is new.
     std::optional<int> leader_of(int root) const {
         std::optional<int> leader;
         bool has_new = false;
-        int most = 0;  // change of the number of edges
+        std::pair<int, Change> most{0, Change::None};  // change of the number of edges
         for (const int member : families_.members(root)) {
             const sim::Panel* before = was(member);
             if (!before) has_new = true;
-            if (!before || !is_changed(member, *before)) continue;
+            if (!before) continue;
+            const Change change = change_of(member, *before);
             const int edges = std::abs(edge_count(draft_.panels[as_size(member)]) - edge_count(*before));
-            if (leader && edges <= most) continue;
+            if (change == Change::None || (leader && std::pair(edges, change) <= most)) continue;
             leader = member;
-            most = edges;
+            most = {edges, change};
         }
         return leader || !has_new ? leader : root;
     }
@@ -307,7 +341,7 @@ class LinkUpdate {
 
     bool is_followed(const sim::Seam& seam) const {
         const int panel = seam.first.panel, leader = leader_[as_size(panel)];
-        if (is_across(draft_, seam)) return whole_[as_size(leader)] != whole_[as_size(panel)];
+        if (is_across(whole_, seam)) return whole_[as_size(leader)] != whole_[as_size(panel)];
         return panel == seam.second.panel && leader != panel;
     }
 
@@ -334,9 +368,9 @@ class LinkUpdate {
     // The same for seams from one half of a panel to the other.
     void follow_seams_across(int panel, const std::vector<sim::Seam>& old) {
         const int leader = whole_[as_size(leader_[as_size(panel)])];
-        const std::map<int, int> images{{leader, panel}, {other_half(leader), other_half(panel)}};
+        const std::map<int, int> images{{leader, panel}, {other_half(whole_, leader), other_half(whole_, panel)}};
         for (const sim::Seam& seam : draft_.seams) {
-            if (whole_[as_size(seam.first.panel)] == leader && is_across(draft_, seam)) follow_dart(seam, images, old);
+            if (whole_[as_size(seam.first.panel)] == leader && is_across(whole_, seam)) follow_dart(seam, images, old);
         }
     }
 
@@ -348,8 +382,9 @@ class LinkUpdate {
             const sim::Panel& own = draft_.panels[as_size(images.at(side->panel))];
             *side = {images.at(side->panel), find_edge(own, edge_key(from, side->edge)).value()};
             if (!seam_at(draft_, *side)) continue;
-            throw GeometryError("Panel " + own.name + " is linked to " + from.name +
-                                    ", and is sewn already where a seam within it would be.",
+            const std::string linked = own.name == from.name ? "The halves of panel " + own.name + " are linked"
+                                                             : "Panel " + own.name + " is linked to " + from.name;
+            throw GeometryError(linked + ", and it is sewn already where a seam within it would be.",
                                 {place_of(draft_, *side)});
         }
         add_dart(std::move(made), old);
@@ -378,12 +413,14 @@ class LinkUpdate {
 
     sim::Pattern& draft_;
     const sim::Pattern& before_;
+    const std::vector<DividedPanel>& divided_;
     PanelFamilies families_;
     std::vector<std::vector<EdgePieces>> pieces_;     // per panel and edge of the draft: of the families' edges
-    std::vector<const sim::Panel*> was_;              // per panel: as it was
-    std::vector<bool> is_seam_turned_;                // per panel
-    std::vector<int> leader_;                         // per panel
     std::vector<int> whole_;                          // per panel: the drawn half, of one that is another half
+    std::vector<int> whole_before_;                   // the same before
+    std::vector<const sim::Panel*> was_{};            // per panel: as it was
+    std::vector<bool> is_seam_turned_{};              // per panel
+    std::vector<int> leader_{};                       // per panel
     std::vector<std::optional<sim::Seam>> places_{};  // what became of the draft's seams
     std::vector<sim::Seam> more_{};                   // and those that are new
 };
@@ -413,21 +450,26 @@ void derive_again(sim::Pattern& pattern) {
 // The error of an edit of divided panels, about those that a person knows.
 GeometryError about_wholes(const GeometryError& error) {
     std::vector<PartLocation> places;
-    for (const PartLocation& place : error.places()) places.push_back({whole_name(place.panel), -1, -1});
-    return GeometryError(without_half_names(error.what()), places);
+    for (const PartLocation& place : error.places()) places.push_back({place.panel, -1, -1});
+    return GeometryError(error.what(), places);
 }
 
 void update_divided(sim::Pattern& draft, const sim::Pattern& before) {
     DividedPattern parts = divide_halves(draft, before);
-    if (parts.divided.empty()) return LinkUpdate(draft, before).update();
+    if (parts.divided.empty()) {
+        LinkUpdate(parts, {.pattern = before, .divided = {}}).update();
+        draft = std::move(parts.pattern);
+        return;
+    }
     const DividedPattern was = divide_halves(before, before);
     try {
-        LinkUpdate(parts.pattern, was.pattern).update();
+        LinkUpdate(parts, was).update();
     } catch (const GeometryError& error) {
         throw about_wholes(error);
     }
     draft = joined_halves(parts);
     derive_again(draft);
+    expect_both_kept(parts, draft);
 }
 
 }  // namespace

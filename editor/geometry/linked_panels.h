@@ -15,7 +15,8 @@ namespace selvedge::editor {
 // those of the panel that leads.
 //
 // The halves of a panel that are linked (sim/pattern/halves.h) are such a family too, that of the drawn half first.
-// Points where they meet may move, and the axis with them; an edit that removes one is refused.
+// Points where they meet may move, and the axis with them, whichever half leads; an edit that removes one is refused.
+// So is one that changes both halves, and differently.
 //
 // Throws GeometryError, with the pattern unchanged, if that is not possible. Pre: the panels of `before` have keys, and
 // its linked panels are alike, as evaluate() gives them.

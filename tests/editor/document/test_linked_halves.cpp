@@ -236,6 +236,130 @@ TEST(LinkedCopy, is_not_sewn_to_its_source_where_joints_would_come_closer_than_a
     EXPECT_EQ(document.text(), before);
 }
 
+// A fold point belongs to both halves, and is no reason for the drawn one to lead.
+TEST(LinkedHalves, follow_a_point_that_is_moved_together_with_points_of_the_fold) {
+    for (const sim::EdgeRole role : {sim::EdgeRole::Drawn, sim::EdgeRole::Image}) {
+        const sim::EdgeRole other = role == sim::EdgeRole::Drawn ? sim::EdgeRole::Image : sim::EdgeRole::Drawn;
+        for (const bool is_curved : {false, true}) {
+            for (const bool has_both_ends : {false, true}) {
+                Document document = unfolded_front();
+                if (is_curved) {
+                    document.run(SetCurve{
+                        .panel = "front",
+                        .edge = edge_by_key(document, 1),
+                        .curve = {.kind = sim::CurveKind::Quadratic, .control = {Vec2d(0, -0.05), Vec2d(0, 0)}}});
+                }
+                const std::string before = document.text();
+                const sim::Panel was = front_of(document);
+                const bool is_drawn = role == sim::EdgeRole::Drawn;
+                const sim::OutlineEdge& first = was.edges[as_size(edge_by_key(document, 1, role))];
+                const sim::OutlineEdge& third = was.edges[as_size(edge_by_key(document, 3, role))];
+                const int corner = is_drawn ? first.end : first.start;
+                std::vector<PartRef> moved{{"front", is_drawn ? first.start : first.end}, {"front", corner}};
+                if (has_both_ends) moved.push_back({"front", is_drawn ? third.end : third.start});
+                const Vec2d by(0.03, -0.02);
+                document.run(MoveVertices{.vertices = moved, .by = by});
+                const sim::Panel& panel = front_of(document);
+                const auto at = [&](int vertex) { return was.vertices[as_size(vertex)] + by; };
+                for (const PartRef& part : moved) {
+                    const bool is_there = std::ranges::any_of(
+                        panel.vertices, [&](const Vec2d& point) { return (point - at(part.index)).norm() < 1e-12; });
+                    EXPECT_TRUE(is_there) << part.index;
+                }
+                const sim::OutlineEdge& image = panel.edges[as_size(edge_by_key(document, 1, other))];
+                const Vec2d follows = panel.vertices[as_size(is_drawn ? image.start : image.end)];
+                EXPECT_LT((follows - image_in(panel, at(corner))).norm(), 1e-12);
+                expect_alike(document);
+                expect_undone(document, before);
+            }
+        }
+    }
+}
+
+// The front with points 5 and 8 in the middle of edges of different halves, and with two lines in each half.
+Document marked_front() {
+    Document document = unfolded_front();
+    document.run(AddVertex{.panel = "front", .edge = edge_by_key(document, 1), .t = 0.3});
+    document.run(AddVertex{.panel = "front", .edge = edge_by_key(document, 2), .t = 0.3});
+    document.run(AddInternalLine{.panel = "front", .line = {"a", {Vec2d(0, 0.1), Vec2d(0.05, 0.1)}}});
+    document.run(AddInternalLine{.panel = "front", .line = {"b", {Vec2d(0, 0.2), Vec2d(0.05, 0.2)}}});
+    return document;
+}
+
+int start_by_key(const Document& document, int number) {
+    return front_of(document).edges[as_size(edge_by_key(document, number))].start;
+}
+
+// The vertex of the other half whose image is where that edge starts.
+int image_of_start(const Document& document, int number) {
+    return front_of(document).edges[as_size(edge_by_key(document, number, sim::EdgeRole::Image))].end;
+}
+
+TEST(LinkedHalves, refuse_an_edit_that_changes_them_differently) {
+    Document document = marked_front();
+    const PartRef drawn{"front", start_by_key(document, 5)}, other{"front", image_of_start(document, 6)};
+    const std::vector<Command> commands{RemoveParts{.internal_lines = {{"front", 0}, {"front", 3}}},
+                                        RemoveParts{.vertices = {drawn, other}},
+                                        MoveVertices{.vertices = {drawn, other}, .by = Vec2d(0.01, 0.02)},
+                                        SetPins{.panel = "front", .vertices = {drawn.index, other.index}}};
+    const std::string before = document.text();
+    for (const Command& command : commands) {
+        try {
+            document.run(command);
+            ADD_FAILURE() << "no error: " << label_of(command);
+        } catch (const GeometryError& error) {
+            EXPECT_EQ(std::string(error.what()),
+                      "The halves of panel front are linked and would not be alike: change one of them at a time, or "
+                      "unlink the panel first.");
+            EXPECT_EQ(error.places(), (std::vector<PartLocation>{{"front", -1, -1}}));
+        }
+        EXPECT_EQ(document.text(), before);
+    }
+}
+
+TEST(LinkedHalves, take_an_edit_that_changes_them_alike) {
+    const Document start = marked_front();
+    std::vector<PartRef> all;
+    for (int v = 0; v < static_cast<int>(front_of(start).vertices.size()); ++v) all.push_back({"front", v});
+    const PartRef drawn{"front", start_by_key(start, 5)}, image{"front", image_of_start(start, 5)};
+    const std::vector<Command> commands{
+        RemoveParts{.vertices = {drawn, image}},
+        RemoveParts{.internal_lines = {{"front", 0}, {"front", 2}}},
+        SetPins{.panel = "front", .vertices = {drawn.index, image.index}},
+        MoveVertices{.vertices = {drawn, image}, .by = Vec2d(0, 0.02)},
+        MoveVertices{.vertices = all, .by = Vec2d(0.1, 0.02)},
+        TransformPanels{
+            .panels = {"front"}, .map = {.x_axis = Vec2d(0.96, 0.28), .y_axis = Vec2d(-0.28, 0.96)}, .what = "Turn"},
+        TransformPanels{
+            .panels = {"front"}, .map = {.x_axis = Vec2d(-1.5, 0), .y_axis = Vec2d(0, 1.5)}, .what = "Mirror"},
+    };
+    for (const Command& command : commands) {
+        SCOPED_TRACE(label_of(command));
+        Document document = marked_front();
+        const std::string before = document.text();
+        ASSERT_NO_THROW(document.run(command));
+        EXPECT_NE(document.text(), before);
+        expect_alike(document);
+        expect_undone(document, before);
+    }
+}
+
+TEST(LinkedHalves, are_not_mistaken_for_a_panel_with_any_name) {
+    for (const std::string name : {"front\n(other half)", "front (other half)"}) {
+        Document document = unfolded_front();
+        document.run(RenamePanel{"back", name});
+        const sim::Panel back = piece_named(document, name);
+        document.run(AddVertex{.panel = "front", .edge = edge_by_key(document, 2), .t = 0.3});
+        EXPECT_EQ(piece_named(document, name), back);
+        EXPECT_EQ(front_of(document).edges.size(), 8U);
+        document.run(SewEdges{.first = {"front", edge_by_key(document, 1)}, .second = {name, 0}});
+        const std::size_t seams = document.pattern().seams.size();
+        document.run(AddVertex{.panel = name, .edge = 2, .t = 0.3});
+        EXPECT_EQ(document.pattern().seams.size(), seams);
+        expect_alike(document);
+    }
+}
+
 TEST(LinkedHalves, refuse_to_lose_a_point_where_they_meet) {
     Document document = unfolded_front();
     for (const int vertex : {front_of(document).edges[as_size(edge_by_key(document, 1))].start,
