@@ -475,7 +475,7 @@ void add_panels(std::vector<Action>& actions) {
         [](AppState& state) { duplicate_selected(state, true); });
     actions.push_back({.id = "panel.unlink",
                        .menu = "Panel",
-                       .title = "Unlink from its mirror image or copy, or its halves",
+                       .title = "Unlink from its mirror image or copy, and its halves",
                        .run =
                            [](AppState& state) {
                                for_each_panel(state,
