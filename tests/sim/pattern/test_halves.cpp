@@ -114,8 +114,8 @@ TEST(LinkedHalves, that_another_program_changed_are_told_and_kept) {
         const Pattern changed = pattern;
         EXPECT_EQ(end_broken_links(pattern),
                   (std::vector<EndedLink>{{"front",
-                                           "the halves of 'front' are not mirror images any more, so that they "
-                                           "are not linked now"}}));
+                                           "the halves of 'front' are not mirror images of each other: the "
+                                           "link ends when the garment is edited"}}));
         EXPECT_FALSE(has_linked_halves(pattern.panels[0]));
         EXPECT_EQ(pattern.panels[0].vertices, changed.panels[0].vertices);
         EXPECT_EQ(evaluate(sources_of(pattern)), pattern);
