@@ -14,6 +14,7 @@
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/pattern_faults.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
@@ -149,6 +150,7 @@ void print_table(const sim::SettMatch& match, const sim::MatchedSett& sett) {
 int run(const MatchArguments& arguments) {
     check_arguments(arguments);
     sim::PatternDocument document = sim::load_pattern(arguments.garment);
+    tell_warnings(document.warnings);
     sim::Pattern& pattern = document.pattern;
     const std::vector<std::string> named = named_files(pattern);
     check_distinct(outputs_of(arguments), {named.begin(), named.end()});

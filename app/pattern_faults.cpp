@@ -1,5 +1,6 @@
 #include "app/pattern_faults.h"
 
+#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -73,6 +74,10 @@ std::vector<sim::Fault> faults_of_file(const std::filesystem::path& path) {
     if (has_error(faults)) return faults;
     add_faults_of_dressing(sim::load_pattern(path).pattern, path.string(), faults);
     return faults;
+}
+
+void tell_warnings(const std::vector<sim::Fault>& warnings) {
+    for (const sim::Fault& warning : warnings) std::fprintf(stderr, "selvedge: note: %s\n", describe(warning).c_str());
 }
 
 }  // namespace selvedge::app

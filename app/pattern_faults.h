@@ -16,4 +16,7 @@ std::vector<sim::Fault> faults_of_file(const std::filesystem::path& path);
 // an error, of its surface designs. file: its name in the faults.
 void add_faults_of_dressing(const sim::Pattern& pattern, const std::string& file, std::vector<sim::Fault>& faults);
 
+// Tells what was found while a garment was read, as notes on stderr.
+void tell_warnings(const std::vector<sim::Fault>& warnings);
+
 }  // namespace selvedge::app

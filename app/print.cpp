@@ -9,6 +9,7 @@
 #include "app/arguments.h"
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/pattern_faults.h"
 #include "app/print_files.h"
 #include "sim/core/printable.h"
 #include "sim/pattern/named_file.h"
@@ -28,7 +29,9 @@ struct PrintArguments {
 int run(PrintArguments& arguments) {
     check_output(arguments.output, kPrintFormats);
     check_distinct({arguments.output}, {arguments.garment});
-    sim::Pattern pattern = sim::load_pattern(arguments.garment).pattern;
+    sim::PatternDocument document = sim::load_pattern(arguments.garment);
+    tell_warnings(document.warnings);
+    sim::Pattern& pattern = document.pattern;
     const std::vector<std::string> named = named_files(pattern);
     check_distinct({arguments.output}, {named.begin(), named.end()});
     if (arguments.allowance_mm) pattern.allowance = *arguments.allowance_mm / 1000;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <string>
 #include <type_traits>
 
@@ -89,9 +90,9 @@ Outcome run(sim::Pattern& pattern, const PutOver& command) {
     const std::size_t before = pattern.panels.size();
     Outcome outcome{.selection = Selection{}};
     as_geometry_error([&] {
-        sim::Pattern outer = sim::parse_pattern(command.text, command.file).pattern;
-        for (sim::EndedLink& link : end_broken_links(outer)) outcome.notes.push_back(std::move(link.problem));
-        put_over(pattern, std::move(outer));
+        sim::PatternDocument outer = sim::parse_pattern(command.text, command.file);
+        outcome.notes = take_up(outer);
+        put_over(pattern, std::move(outer.pattern));
     });
     for (std::size_t p = before; p < pattern.panels.size(); ++p)
         outcome.selection->panels.insert(pattern.panels[p].name);
@@ -556,6 +557,18 @@ Outcome run(sim::Pattern& pattern, const EvenSeam& command) {
 
 Outcome apply(sim::Pattern& pattern, const Command& command) {
     return std::visit([&](const auto& given) { return run(pattern, given); }, command);
+}
+
+std::vector<std::string> take_up(sim::PatternDocument& document) {
+    std::vector<std::string> notes;
+    for (sim::EndedLink& link : end_broken_links(document.pattern)) notes.push_back(std::move(link.problem));
+    const std::set<std::string> told(notes.begin(), notes.end());  // reading warned of these too
+    for (const sim::Fault& warning : document.warnings) {
+        if (!told.contains(warning.problem))
+            notes.push_back((warning.place.empty() ? "" : warning.place + ": ") + warning.problem);
+    }
+    document.warnings.clear();
+    return notes;
 }
 
 }  // namespace selvedge::editor

@@ -8,6 +8,7 @@
 #include "editor/document/command.h"
 #include "editor/document/selection.h"
 #include "sim/pattern/pattern.h"
+#include "sim/pattern/pattern_file.h"
 
 namespace selvedge::editor {
 
@@ -24,5 +25,9 @@ struct Outcome {
 
 // Throws GeometryError; the pattern may then be partly changed. Does not update linked panels (update_links does).
 Outcome apply(sim::Pattern& pattern, const Command& command);
+
+// Prepares a garment that was read for editing: ends its broken links (sim::end_broken_links()). What is to be told of
+// it: the links that ended, and the other warnings of reading it.
+std::vector<std::string> take_up(sim::PatternDocument& document);
 
 }  // namespace selvedge::editor

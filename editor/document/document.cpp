@@ -160,7 +160,9 @@ std::vector<std::string> moved_images(const sim::Pattern& in_file, const sim::Pa
 }  // namespace
 
 Document::Document(sim::PatternDocument source) : source_(std::move(source)) {
-    for (sim::EndedLink& link : end_broken_links(source_.pattern)) notes_.push_back(std::move(link.problem));
+    const auto newer = read_only_reason();  // which is told otherwise
+    std::erase_if(source_.warnings, [&](const sim::Fault& warning) { return warning.problem == newer; });
+    notes_ = take_up(source_);
     sources_ = sources_of(source_.pattern);
     sim::Pattern evaluated = evaluate(sources_);
     std::ranges::move(moved_images(source_.pattern, evaluated), std::back_inserter(notes_));

@@ -9,6 +9,8 @@
 #include "editor/geometry/draft.h"
 #include "editor/tools/tool.h"
 #include "sim/core/math.h"
+#include "sim/pattern/halves.h"
+#include "sim/pattern/sources.h"
 
 namespace selvedge::editor {
 namespace {
@@ -121,7 +123,11 @@ void SelectTool::begin_move(ToolContext& context, const SheetPointer& pointer) {
     const std::vector<PartRef> vertices = selected_vertices(context.geometry, moved_);
     moving_.moving = {vertices.begin(), vertices.end()};
     moving_.moving_panels = moved_.panels;
-    before_ = all_vertices(context.geometry);
+    before_.clear();
+    if (std::ranges::any_of(context.document.pattern().panels, [](const sim::Panel& panel) {
+            return sim::link_of(panel) || sim::has_linked_halves(panel);
+        }))
+        before_ = all_vertices(context.geometry);
     is_copying_ = pointer.modifiers.alt && !moved_.panels.empty();
     if (is_copying_) copy_move_ = move_beside(context, moved_.panels);
     if (!moved_.panels.empty()) {
@@ -152,9 +158,11 @@ void SelectTool::move_to(ToolContext& context, const SheetPointer& pointer) {
     options.moving = moving_.moving;
     // So are those that the last preview has moved along, of linked panels and halves.
     constexpr double kRounding = 1e-9;  // m
-    for (const auto& [vertex, at] : all_vertices(context.geometry)) {
-        const auto before = before_.find(vertex);
-        if (before != before_.end() && (at - before->second).norm() > kRounding) options.moving.insert(vertex);
+    if (!before_.empty()) {
+        for (const auto& [vertex, at] : all_vertices(context.geometry)) {
+            const auto before = before_.find(vertex);
+            if (before != before_.end() && (at - before->second).norm() > kRounding) options.moving.insert(vertex);
+        }
     }
     options.moving_panels = is_copying_ ? context.document.selection().panels : moving_.moving_panels;
     options.origin = held_;

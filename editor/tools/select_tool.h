@@ -60,7 +60,7 @@ class SelectTool : public Tool {
     Vec2d held_ = Vec2d::Zero();  // the point that snaps, at its position before the drag
     Vec2d by_ = Vec2d::Zero();
     SnapOptions moving_;
-    std::map<PartRef, Vec2d> before_;  // on the sheet, m: all vertices before the drag
+    std::map<PartRef, Vec2d> before_;  // on the sheet, m, before the drag: all vertices of a pattern with links
     Snap snapped_;
     Selection moved_;                  // the dragged parts
     bool is_copying_ = false;          // an Alt-drag, which copies the panels of moved_

@@ -75,9 +75,10 @@ void FaultReader::warn(const JsonNode& node, const std::string& problem) {
 
 void FaultReader::warn_of_unknown_keys(const JsonNode& object, std::span<const std::string_view> known) {
     for (const Json::Member& member : object.value->members()) {
+        if (warnings_ > kMostFaults) return;  // none of the others is listed
         if (std::ranges::find(known, member.key) != known.end()) continue;
         const std::string_view near = nearly_spelt(member.key, known);
-        warn(object.member(member.key),
+        warn({&member.value, json_path(object.path, member.key)},
              "unknown key '" + member.key + "'" + (near.empty() ? "" : ": is '" + std::string(near) + "' meant?"));
     }
 }

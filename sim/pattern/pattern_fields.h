@@ -163,8 +163,8 @@ inline constexpr std::tuple kPanelFields{
                                               .range = {0, kMostKeys},
                                               .descent = Descent::Key,
                                               .is_in_python = false},
-    Field<&Panel::fold_key>{
-        .name = "fold_key", .range = {0, kMostKeys}, .descent = Descent::Key, .is_in_python = false},
+    Field<&Panel::fold_key, FileForm::ByHand>{
+        .name = "fold_key", .range = {0, kMostKeys - 1}, .descent = Descent::Key, .is_in_python = false},
     Field<&Panel::sheet_position>{.name = "sheet_position", .measure = Measure::Length, .descent = Descent::Own},
     Field<&Panel::allowance>{.name = "allowance",
                              .measure = Measure::Length,

@@ -414,6 +414,11 @@ class Writer {
         own["copy_of"] = Json(panel.copy_of);
     }
 
+    void write_by_hand(const ByHand<&Panel::fold_key>&, Json& own, const Panel& panel) const {
+        if (panel.fold_key == 0) return own.erase("fold_key");
+        set_number(own["fold_key"], panel.fold_key);
+    }
+
     // The keys of derived panels are those of their sources, and plain ones are the edges' numbers.
     static bool has_written_keys(const Panel& panel) {
         return !link_of(panel) && has_keys(panel) && !has_plain_keys(panel);

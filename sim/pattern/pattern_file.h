@@ -17,7 +17,7 @@ namespace selvedge::sim {
 struct PatternDocument {
     Pattern pattern;
     Json json;                         // null for a pattern that was not read from a file
-    std::vector<Fault> warnings = {};  // of reading it; whoever opens a file tells them
+    std::vector<Fault> warnings = {};  // of reading it: the program and the editor tell them, Python by its check()
 };
 
 // The number of the format that is written where a file uses what an older program would misread. The first one has no

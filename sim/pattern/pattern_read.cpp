@@ -185,6 +185,7 @@ class Reader : private FaultReader {
         if (!keys || !last) return error(node, std::string("no key '") + (keys ? "last" : "keys") + "'");
         if (!expect(keys, Json::Kind::Array)) return;
         const auto most = whole_number(last, 1, kMostKeys);
+        if (most == kMostKeys) return warn(last, "no number is left for a new key: the edges are numbered anew");
         std::vector<EdgeKey> read;
         for (std::size_t i = 0; i < keys.size(); ++i) {
             const auto key = read_key(keys.element(i), most.value_or(kMostKeys));
@@ -198,6 +199,14 @@ class Reader : private FaultReader {
         }
         for (std::size_t e = 0; e < read.size(); ++e) panel.edges[e].key = read[e];
         panel.last_key = *most;
+    }
+
+    void read_by_hand(const ByHand<&Panel::fold_key>& field, const Node& node, Panel& panel) {
+        const auto key = whole_number(node, 0, static_cast<int>(field.range.most));
+        panel.fold_key = key.value_or(0);
+        if (panel.last_key == 0 || panel.fold_key <= panel.last_key) return;
+        warn(node, "no edge had this key: the last that was given is " + std::to_string(panel.last_key));
+        panel.fold_key = 0;
     }
 
     // A number, or {ROLE: number}.

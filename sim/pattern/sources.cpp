@@ -405,6 +405,27 @@ bool has_darts_of_source(const Pattern& pattern, const Panel& made, int panel, i
     return darts_by(panel, made) == darts_by(source, pattern.panels[as_size(source)]);
 }
 
+// Whether edges start at distinct vertices, and each vertex is one of them.
+bool is_start_of_each(const Panel& panel) {
+    std::set<int> starts;
+    for (const OutlineEdge& edge : panel.edges) {
+        if (edge.start < 0 || as_size(edge.start) >= panel.vertices.size()) return false;
+        starts.insert(edge.start);
+    }
+    return starts.size() == panel.vertices.size() && starts.size() == panel.edges.size();
+}
+
+// Whether the corners of one panel, from its first edge on, are those of the other from its edge `shift` on.
+bool are_corners_near(const Panel& one, const Panel& other, std::size_t shift) {
+    const std::size_t count = one.edges.size();
+    for (std::size_t e = 0; e < count; ++e) {
+        const OutlineEdge& counterpart = other.edges[(e + shift) % count];
+        if (!is_near(one.vertices[as_size(one.edges[e].start)], other.vertices[as_size(counterpart.start)]))
+            return false;
+    }
+    return true;
+}
+
 // The panel as its source gives it, with the numbering that it has. None: it is not what its source gives.
 std::optional<Panel> as_derived(const Pattern& pattern, int panel, int source, Derivation kind) {
     const Panel& drawn = pattern.panels[as_size(source)];
@@ -412,7 +433,10 @@ std::optional<Panel> as_derived(const Pattern& pattern, int panel, int source, D
     const Panel usual = kind == Derivation::Mirror ? mirror_image(drawn) : drawn;
     const std::size_t count = found.edges.size();
     if (usual.edges.size() != count) return {};
+    // Deriving a panel costs much more than comparing its corners, which most shifts do not stand.
+    const bool has_corners = count >= 3 && is_start_of_each(found) && is_start_of_each(usual);
     for (std::size_t shift = 0; shift < count; ++shift) {
+        if (has_corners && !are_corners_near(found, usual, shift)) continue;
         for (std::size_t e = 0; e < count; ++e) found.edges[e].key = usual.edges[(e + shift) % count].key;
         Panel made = derived_panel(drawn, kind, found);
         if (is_near(found, made) && has_darts_of_source(pattern, made, panel, source)) return made;
@@ -440,6 +464,9 @@ bool are_halves_alike(const Pattern& pattern, int index) {
            darts[EdgeRole::Drawn] == darts[EdgeRole::Image];
 }
 
+// What only reads a file tells it too.
+constexpr const char* kLinkEnds = ": the link ends when the garment is edited";
+
 void end_link(Panel& panel) {
     panel.mirror_of.clear();
     panel.copy_of.clear();
@@ -455,8 +482,8 @@ std::vector<EndedLink> end_broken_links(Pattern& pattern) {
         if (link_of(panel)) continue;
         give_keys(panel);
         if (!has_linked_halves(panel) || are_halves_alike(pattern, static_cast<int>(i))) continue;
-        ended.push_back({panel.name, "the halves of '" + panel.name +
-                                         "' are not mirror images any more, so that they are not linked now"});
+        ended.push_back(
+            {panel.name, "the halves of '" + panel.name + "' are not mirror images of each other" + kLinkEnds});
         panel.fold_key = 0;
     }
     const std::map<std::string, std::size_t> index = index_by_name(pattern.panels);
@@ -481,14 +508,15 @@ std::vector<EndedLink> end_broken_links(Pattern& pattern) {
             }
             ended.push_back({panel.name, "'" + panel.name + "' is not the " +
                                              (link->kind == Derivation::Mirror ? "mirror image" : "copy") + " of '" +
-                                             link->source + "' any more, so that they are not linked now"});
+                                             link->source + "'" + kLinkEnds});
             end_link(panel);
             give_keys(panel);
         }
     }
     for (Panel& panel : pattern.panels) {
         if (known.contains(panel.name)) continue;
-        ended.push_back({panel.name, "'" + panel.name + "' is derived from a panel that is not there, or from itself"});
+        ended.push_back(
+            {panel.name, "'" + panel.name + "' is derived from a panel that is not there, or from itself" + kLinkEnds});
         end_link(panel);
         give_keys(panel);
     }

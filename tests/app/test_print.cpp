@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "sim/core/file.h"
+#include "sim/core/json.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/app/selvedge_program.h"
 
@@ -51,6 +52,22 @@ TEST(PrintCommand, cutting_layout_says_how_much_fabric_it_takes) {
         EXPECT_NE(result.out.find(" m of "), std::string::npos) << result.out;
         EXPECT_NE(result.out.find("140 cm wide"), std::string::npos) << result.out;
     }
+}
+
+TEST(PrintCommand, tells_what_reading_the_file_warned_of_as_match_does) {
+    const ScratchFolder folder;
+    sim::Json garment = sim::read_json(source_folder() + "/patterns/two_squares.json");
+    garment["pattern"]["panels"]["back"]["selvedge"]["grainlin"] = sim::Json(0.0);
+    const std::string file = folder / "odd.json";
+    sim::write_file_atomically(file, write_json(garment));
+    const std::string note =
+        "selvedge: note: " + file + ": pattern.panels.back.selvedge.grainlin: warning: unknown key";
+    const ProgramResult printed = run_selvedge("print '" + file + "' -o '" + folder / "odd.svg" + "'");
+    EXPECT_EQ(printed.exit_code, 0);
+    EXPECT_NE(printed.err.find(note), std::string::npos) << printed.err;
+    const ProgramResult matched = run_selvedge("match --dry-run '" + file + "'");
+    EXPECT_EQ(matched.exit_code, 0);
+    EXPECT_NE(matched.err.find(note), std::string::npos) << matched.err;
 }
 
 TEST(PrintCommand, refuses_wrong_input_on_one_line_and_writes_nothing) {

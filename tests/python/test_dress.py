@@ -167,7 +167,7 @@ class Dressing(InFolder):
     def test_an_interrupt_ends_it_before_it_is_done(self):
         # What is called is written in C: only what dresses can notice the signal.
         heard = io.StringIO()
-        interrupt = threading.Thread(target=self.interrupt_once_heard, args=[heard])
+        interrupt = threading.Thread(target=self.interrupt_once_heard, args=[heard], daemon=True)
         interrupt.start()
         with self.assertRaises(KeyboardInterrupt):
             selvedge.dress(

@@ -144,6 +144,26 @@ TEST(Document, a_garment_is_put_over_taken_off_and_both_are_undone) {
     EXPECT_EQ(document.text(), alone);
 }
 
+TEST(Document, tells_once_what_reading_a_file_warned_of) {
+    sim::Json file = sim::read_json(source_folder() + "/patterns/two_squares.json");
+    sim::Json& back = file["pattern"]["panels"]["back"]["selvedge"];
+    back["copy_of"] = "front";
+    back["grainlin"] = sim::Json(0.0);
+    const std::string text = write_json(file);
+    const std::vector<std::string> expected{
+        "'back' is not the copy of 'front': the link ends when the garment is edited",
+        "pattern.panels.back.selvedge.grainlin: unknown key 'grainlin': is 'grainline' meant?"};
+    Document opened(sim::parse_pattern(text, "two.json"));
+    EXPECT_EQ(opened.take_notes(), expected);
+    Document under(shipped("tshirt.json"));
+    under.run(PutOver{.file = "two.json", .text = text});
+    EXPECT_EQ(under.take_notes(), expected);
+    file["selvedge"]["format"] = sim::Json(sim::kGarmentFormat + 1);
+    Document newer(sim::parse_pattern(write_json(file), "two.json"));
+    EXPECT_TRUE(newer.read_only_reason());
+    EXPECT_EQ(newer.take_notes(), expected) << "that it is not saved is told apart";
+}
+
 TEST(Document, a_failed_command_changes_nothing) {
     Document document(shipped("tshirt.json"));
     const sim::Pattern before = document.pattern();

@@ -133,6 +133,8 @@ TEST(EdgeKeys, of_a_file_are_checked) {
               (std::vector{at + ".keys[3]: no key 'image'"}));
     EXPECT_EQ(faults_of(with_keys(R"({"keys": [1, 2, 3, 5], "last": 4})")).size(), 1U);
     EXPECT_EQ(faults_of(with_keys("7")).size(), 1U);
+    EXPECT_EQ(faults_of(with_keys(R"({"keys": [1, 2, 3, 4], "last": 1000000000})")),
+              (std::vector{at + ".last: warning: no number is left for a new key: the edges are numbered anew"}));
 }
 
 TEST(EdgeKeys, a_file_of_a_newer_format_is_read_and_not_written) {

@@ -97,6 +97,26 @@ TEST(LinkedHalves, come_back_from_a_file_as_they_were) {
     EXPECT_EQ(write_pattern({evaluate(sources_of(again)), {}}), text);
 }
 
+TEST(LinkedHalves, end_where_no_edge_can_have_had_the_key_of_the_fold) {
+    const std::string text = write_pattern({halved_sample(), {}});
+    const auto with_fold = [&](const std::string& key) {
+        return replaced(text, R"("fold_key": 4)", R"("fold_key": )" + key);
+    };
+    EXPECT_EQ(faults_of(with_fold("999999999")),
+              std::vector<std::string>{"f.json: pattern.panels.front.selvedge.fold_key: warning: no edge had this key: "
+                                       "the last that was given is 4"});
+    EXPECT_FALSE(has_linked_halves(parse_pattern(with_fold("5"), "f.json").pattern.panels[0]));
+    EXPECT_EQ(faults_of(with_fold("1000000000")),
+              std::vector<std::string>{"f.json: pattern.panels.front.selvedge.fold_key: 1000000000 is not a whole "
+                                       "number from 0 to 999999999"});
+}
+
+TEST(LinkedHalves, that_end_leave_no_key_of_a_fold_in_the_file) {
+    PatternDocument document = parse_pattern(write_pattern({halved_sample(), {}}), "f.json");
+    document.pattern.panels[0].fold_key = 0;
+    EXPECT_EQ(write_pattern(document).find("fold_key"), std::string::npos);
+}
+
 TEST(LinkedHalves, that_another_program_changed_are_told_and_kept) {
     const Pattern linked = halved_sample();
     const auto move_image = [](Pattern& pattern) { pattern.panels[0].vertices[5].y() += 0.002; };
@@ -114,8 +134,8 @@ TEST(LinkedHalves, that_another_program_changed_are_told_and_kept) {
         const Pattern changed = pattern;
         EXPECT_EQ(end_broken_links(pattern),
                   (std::vector<EndedLink>{{"front",
-                                           "the halves of 'front' are not mirror images any more, so that they "
-                                           "are not linked now"}}));
+                                           "the halves of 'front' are not mirror images of each other: the "
+                                           "link ends when the garment is edited"}}));
         EXPECT_FALSE(has_linked_halves(pattern.panels[0]));
         EXPECT_EQ(pattern.panels[0].vertices, changed.panels[0].vertices);
         EXPECT_EQ(evaluate(sources_of(pattern)), pattern);

@@ -47,6 +47,15 @@ TEST(UnknownKeys, are_warned_of_with_the_key_that_is_nearly_spelt_so) {
               warning("selvedge.Fabric", "unknown key 'Fabric': is 'fabric' meant?"));
 }
 
+TEST(UnknownKeys, are_listed_up_to_a_number) {
+    std::string own;
+    for (int i = 0; i < 20'000; ++i) own += (own.empty() ? "\"odd" : ", \"odd") + std::to_string(i) + "\": 1";
+    const Lines lines = of_garment(own);
+    ASSERT_EQ(lines.size(), kMostFaults + 1);
+    EXPECT_EQ(Lines{lines[kMostFaults - 1]}, warning("selvedge.odd999", "unknown key 'odd999'"));
+    EXPECT_EQ(lines.back(), "f.json: warning: more than 1000: no others are listed");
+}
+
 TEST(UnknownKeys, are_warned_of_without_another_when_none_is_near) {
     EXPECT_EQ(of_edge(R"("elastic": {"price": 3})"), warning(kOwnEdge + "elastic.price", "unknown key 'price'"));
     EXPECT_EQ(of_edge(R"("elastic": {"sh": 3})"), warning(kOwnEdge + "elastic.sh", "unknown key 'sh'"));
@@ -84,6 +93,34 @@ TEST(UnknownKeys, of_other_programs_are_not_warned_of) {
     EXPECT_EQ(faults_of(text), Lines{});
 }
 
+void set_all_fields(Panel& panel, const Topstitch& rows) {
+    panel.grain_angle = 0.1;
+    panel.sett_offset = {0.01, 0};
+    panel.fabric = "denim";
+    panel.interlinings = {"linen"};
+    panel.surface = SurfaceDesign{.kind = DesignKind::Colour, .source = "#102030"};
+    panel.layer = 2;
+    panel.garment = "vest";
+    panel.pins = {1};
+    panel.internal_lines = {
+        {.name = "line", .points = {{0.1, 0.1}, {0.2, 0.1}}, .use = LineUse::Fold, .topstitch = rows}};
+    panel.notches = {{.edge = 1, .t = 0.5, .kind = NotchKind::V, .count = 2}};
+    panel.wrap_cone = WrapCone{.apex = {0.2, 0.9}, .sine = 0.5};
+    panel.sheet_position = Vec2d(1, 1);
+    panel.allowance = 0.02;
+    panel.pieces = 2;
+    panel.is_worn = false;
+    panel.drill_points = {{0.1, 0.1}};
+    panel.edges[1].allowance = 0.03;
+    panel.edges[1].allowance_corner = AllowanceCorner::Squared;
+    panel.edges[1].topstitch = rows;
+    panel.edges[1].elastic = Elastic{.share = 0.5, .stiffness = 20};
+    panel.edges[0].key = {.number = 7};
+    panel.last_key = 7;
+    for (int e = 1; e < 4; ++e) panel.edges[as_size(e)].key = {.number = e};
+    panel.fold_key = 5;
+}
+
 TEST(UnknownKeys, are_not_those_that_a_garment_of_all_fields_is_written_with) {
     PatternDocument document = parse_pattern(sample_text(), "f.json");
     Pattern& pattern = document.pattern;
@@ -110,36 +147,19 @@ TEST(UnknownKeys, are_not_those_that_a_garment_of_all_fields_is_written_with) {
     seam.is_eased = true;
     seam.sewing = "sides";
     seam.topstitch = rows;
-    Panel& panel = pattern.panels[0];
-    panel.grain_angle = 0.1;
-    panel.sett_offset = {0.01, 0};
-    panel.fabric = "denim";
-    panel.interlinings = {"linen"};
-    panel.surface = SurfaceDesign{.kind = DesignKind::Colour, .source = "#102030"};
-    panel.layer = 2;
-    panel.garment = "vest";
-    panel.pins = {1};
-    panel.internal_lines = {
-        {.name = "line", .points = {{0.1, 0.1}, {0.2, 0.1}}, .use = LineUse::Fold, .topstitch = rows}};
-    panel.notches = {{.edge = 1, .t = 0.5, .kind = NotchKind::V, .count = 2}};
-    panel.wrap_cone = WrapCone{.apex = {0.2, 0.9}, .sine = 0.5};
+    set_all_fields(pattern.panels[0], rows);
     pattern.panels[1].wrap_radius = 0.3;
-    panel.sheet_position = Vec2d(1, 1);
-    panel.allowance = 0.02;
-    panel.pieces = 2;
-    panel.is_worn = false;
-    panel.drill_points = {{0.1, 0.1}};
-    panel.edges[1].allowance = 0.03;
-    panel.edges[1].allowance_corner = AllowanceCorner::Squared;
-    panel.edges[1].topstitch = rows;
-    panel.edges[1].elastic = Elastic{.share = 0.5, .stiffness = 20};
-    panel.edges[0].key = {.number = 7};
-    panel.last_key = 7;
-    for (int e = 1; e < 4; ++e) panel.edges[as_size(e)].key = {.number = e};
+    pattern.panels.push_back(pattern.panels[1]);
+    pattern.panels[1].mirror_of = pattern.panels[0].name;
+    pattern.panels[2].name = "copy";
+    pattern.panels[2].copy_of = pattern.panels[0].name;
     const std::string text = write_pattern(document);
-    for (const char* key : {"edge_keys", "underlays", "sewings", "eased", "seam_names", "thread", "elastic", "format"})
+    for (const char* key : {"edge_keys", "underlays", "sewings", "eased", "seam_names", "thread", "elastic", "format",
+                            "fold_key", "mirror_of", "copy_of"})
         EXPECT_NE(text.find("\"" + std::string(key) + "\""), std::string::npos) << key;
-    EXPECT_EQ(faults_of(text), Lines{});
+    const Lines faults = faults_of(text);
+    EXPECT_EQ(faults.size(), 3U) << "the links are broken";
+    for (const std::string& fault : faults) EXPECT_NE(fault.find(": the link ends when"), std::string::npos) << fault;
 }
 
 }  // namespace
