@@ -174,6 +174,7 @@ bool was_there(const sim::Pattern& before, const sim::Pattern& after, const sim:
 void expect_same_places(const sim::Pattern& before, const sim::Pattern& after, const Effect& effect) {
     if (!effect.moves && !effect.removes) {
         for (const Joint& joint : joints_of(before)) {
+            if (!has_joint(before, joint)) continue;  // a curve that goes back on itself has two places there
             ASSERT_TRUE(has_joint(after, joint)) << joint.first.panel << " to " << joint.second.panel << ": ended";
         }
     }
@@ -182,6 +183,7 @@ void expect_same_places(const sim::Pattern& before, const sim::Pattern& after, c
             const bool is_one_of_several =
                 !was_there(before, after, seam.first) || !was_there(before, after, seam.second);
             for (const Joint& joint : is_one_of_several ? joints_of(after, seam, {0, 1}) : joints_of(after, seam)) {
+                if (!has_joint(after, joint)) continue;
                 ASSERT_TRUE(has_joint(before, joint)) << joint.first.panel << " to " << joint.second.panel << ": new";
             }
         }
