@@ -150,7 +150,6 @@ void print_table(const sim::SettMatch& match, const sim::MatchedSett& sett) {
 int run(const MatchArguments& arguments) {
     check_arguments(arguments);
     sim::PatternDocument document = sim::load_pattern(arguments.garment);
-    tell_warnings(document.warnings);
     sim::Pattern& pattern = document.pattern;
     const std::vector<std::string> named = named_files(pattern);
     check_distinct(outputs_of(arguments), {named.begin(), named.end()});
@@ -165,6 +164,7 @@ int run(const MatchArguments& arguments) {
     pattern.sett_size = sett_size(arguments, pattern);
     if (!arguments.tartan.empty()) pattern.tartan = matched.tartan;  // the offsets are valid only for this tartan
 
+    tell_warnings(document.warnings);
     print_table(match, matched);
     if (!arguments.json_file.empty()) sim::write_file_atomically(arguments.json_file, to_json(match, matched));
     if (arguments.is_dry) return 0;

@@ -30,13 +30,13 @@ int run(PrintArguments& arguments) {
     check_output(arguments.output, kPrintFormats);
     check_distinct({arguments.output}, {arguments.garment});
     sim::PatternDocument document = sim::load_pattern(arguments.garment);
-    tell_warnings(document.warnings);
     sim::Pattern& pattern = document.pattern;
     const std::vector<std::string> named = named_files(pattern);
     check_distinct({arguments.output}, {named.begin(), named.end()});
     if (arguments.allowance_mm) pattern.allowance = *arguments.allowance_mm / 1000;
     arguments.settings.fabric_width = arguments.fabric_width_cm / 100;
     const Printed printed = print_pattern(pattern, arguments.output, arguments.settings);
+    tell_warnings(document.warnings);
     for (const std::string& note : printed.notes)
         std::fprintf(stderr, "selvedge: note: %s\n", sim::printable(note).c_str());
     std::printf("wrote %s: %zu %s, %s\n", sim::printable(arguments.output.string()).c_str(), pattern.panels.size(),
