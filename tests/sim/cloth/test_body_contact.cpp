@@ -239,7 +239,7 @@ TEST_P(ContactKernelsAtLevel, project_sixteen_samples_as_one_by_one) {
 
 INSTANTIATE_TEST_SUITE_P(Simd, ContactKernelsAtLevel,
                          testing::Values(SimdLevel::Plain, SimdLevel::Avx2, SimdLevel::Avx512),
-                         [](const auto& info) { return std::string(name_of(info.param)); });
+                         [](const auto& level) { return std::string(name_of(level.param)); });
 
 bool are_same_bits(const Points& a, const Points& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec4f)) == 0;
