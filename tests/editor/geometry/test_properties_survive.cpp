@@ -1,6 +1,7 @@
 // What is not the shape of an edge, a line or a seam survives every edit of the shape.
 #include <gtest/gtest.h>
 
+#include "editor/geometry/linked_panels.h"
 #include "editor/geometry/outline_edit.h"
 #include "editor/geometry/seam_edit.h"
 #include "editor/geometry/sewing.h"
