@@ -12,6 +12,7 @@
 #include "render/image/photo.h"
 #include "sim/core/disjoint_sets.h"
 #include "sim/core/error.h"
+#include "sim/core/printable.h"
 #include "sim/paper/drawing_file.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/field_moves.h"
@@ -41,8 +42,7 @@ sim::Drawing read_drawings(const std::vector<std::filesystem::path>& files, std:
                                               : "a photo: name it .png or .jpg, and trace it in the editor");
         }
         sim::Drawing one = sim::read_drawing(file);
-        notes.push_back(file.string() + ": " + one.format + ", " + std::to_string(one.parts.size()) +
-                        (one.parts.size() == 1 ? " part" : " parts"));
+        notes.push_back(file.string() + ": " + one.format + ", " + sim::count_text(one.parts.size(), "part"));
         if (&file == &files.front()) {
             all = std::move(one);
             continue;

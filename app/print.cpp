@@ -39,8 +39,8 @@ int run(PrintArguments& arguments) {
     tell_warnings(document.warnings);
     for (const std::string& note : printed.notes)
         std::fprintf(stderr, "selvedge: note: %s\n", sim::printable(note).c_str());
-    std::printf("wrote %s: %zu %s, %s\n", sim::printable(arguments.output.string()).c_str(), pattern.panels.size(),
-                pattern.panels.size() == 1 ? "panel" : "panels", sim::printable(printed.what).c_str());
+    std::printf("wrote %s: %s, %s\n", sim::printable(arguments.output.string()).c_str(),
+                sim::count_text(pattern.panels.size(), "panel").c_str(), sim::printable(printed.what).c_str());
     return 0;
 }
 

@@ -14,7 +14,6 @@
 #include "editor/geometry/seam_bundles.h"
 #include "sim/pattern/edge_keys.h"
 #include "sim/pattern/field_moves.h"
-#include "sim/pattern/halves.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_fields.h"
 #include "sim/pattern/sources.h"
@@ -424,12 +423,6 @@ class LinkUpdate {
     std::vector<std::optional<sim::Seam>> places_{};  // what became of the draft's seams
     std::vector<sim::Seam> more_{};                   // and those that are new
 };
-
-bool has_links(const sim::Pattern& pattern) {
-    return std::ranges::any_of(pattern.panels, [](const sim::Panel& panel) {
-        return sim::link_of(panel).has_value() || sim::has_linked_halves(panel);
-    });
-}
 
 // Halves were unfolded in derived panels too: these become what their sources give, to the last bit.
 void derive_again(sim::Pattern& pattern) {

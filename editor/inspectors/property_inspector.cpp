@@ -176,7 +176,7 @@ void draw_links(InspectorContext& context, const sim::Panel& panel) {
     const std::string name = panel.name;
     const std::optional<sim::Link> link = sim::link_with(context.pattern(), panel);
     if (!panel.pins.empty()) {
-        fact(context, "Pins", std::to_string(panel.pins.size()) + (panel.pins.size() == 1 ? " point" : " points"),
+        fact(context, "Pins", sim::count_text(panel.pins.size(), "point"),
              "Points of the outline that stay where they are placed.");
     }
     if (link)

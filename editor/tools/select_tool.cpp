@@ -9,7 +9,6 @@
 #include "editor/geometry/draft.h"
 #include "editor/tools/tool.h"
 #include "sim/core/math.h"
-#include "sim/pattern/halves.h"
 #include "sim/pattern/sources.h"
 
 namespace selvedge::editor {
@@ -124,10 +123,7 @@ void SelectTool::begin_move(ToolContext& context, const SheetPointer& pointer) {
     moving_.moving = {vertices.begin(), vertices.end()};
     moving_.moving_panels = moved_.panels;
     before_.clear();
-    if (std::ranges::any_of(context.document.pattern().panels, [](const sim::Panel& panel) {
-            return sim::link_of(panel) || sim::has_linked_halves(panel);
-        }))
-        before_ = all_vertices(context.geometry);
+    if (has_links(context.document.pattern())) before_ = all_vertices(context.geometry);
     is_copying_ = pointer.modifiers.alt && !moved_.panels.empty();
     if (is_copying_) copy_move_ = move_beside(context, moved_.panels);
     if (!moved_.panels.empty()) {

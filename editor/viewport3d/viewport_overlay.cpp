@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "sim/core/printable.h"
+
 namespace selvedge::editor {
 namespace {
 
@@ -321,7 +323,7 @@ std::string stage_badge(const sim::SessionFrame& frame) {
         case sim::SessionStage::Sewing: {
             const auto open = std::set<int>(frame.seam_line_seams.begin(), frame.seam_line_seams.end()).size();
             const std::string verb = frame.is_running ? "Sewing" : "Sewing, paused";
-            return open == 0 ? verb : verb + " \u00B7 " + std::to_string(open) + (open == 1 ? " seam" : " seams");
+            return open == 0 ? verb : verb + " \u00B7 " + sim::count_text(open, "seam");
         }
         case sim::SessionStage::Draping:
             return frame.is_running ? "Draping" : "Paused";

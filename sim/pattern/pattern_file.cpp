@@ -14,7 +14,6 @@
 #include "sim/pattern/edge_keys.h"
 #include "sim/pattern/enum_names.h"
 #include "sim/pattern/field_write.h"
-#include "sim/pattern/halves.h"
 #include "sim/pattern/named_file.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_fields.h"
@@ -34,9 +33,7 @@ std::string garment_name(const std::string& file) {
 
 // Warns of links that end when the pattern is edited. It keeps them here.
 void check_links(PatternReading& reading, const std::string& file) {
-    if (std::ranges::none_of(reading.pattern.panels,
-                             [](const Panel& panel) { return link_of(panel) || has_linked_halves(panel); }))
-        return;
+    if (!has_links(reading.pattern)) return;
     Pattern pattern = reading.pattern;
     for (EndedLink& link : end_broken_links(pattern)) {
         reading.faults.push_back(

@@ -112,19 +112,14 @@ KeyPair sorted_keys(const EdgeKey& one, const EdgeKey& other) {
     return std::minmax(one, other);
 }
 
-// Whether a seam within a panel with linked halves is the image of one in its drawn half.
-bool is_of_images(const Panel& panel, const KeyPair& keys) {
-    return has_linked_halves(panel) && keys.first.role == EdgeRole::Image && keys.second.role == EdgeRole::Image;
+// Whether a seam within a panel with linked halves joins two edges of this half. Those of EdgeRole::Image are images.
+bool is_of_half(const Panel& panel, const KeyPair& keys, EdgeRole half) {
+    return has_linked_halves(panel) && keys.first.role == half && keys.second.role == half;
 }
 
 KeyPair with_role(KeyPair keys, EdgeRole role) {
     keys.first.role = keys.second.role = role;
     return sorted_keys(keys.first, keys.second);
-}
-
-// The seams within a panel with linked halves that its drawn half has, and their images.
-bool is_of_drawn(const Panel& panel, const KeyPair& keys) {
-    return has_linked_halves(panel) && keys.first.role == EdgeRole::Drawn && keys.second.role == EdgeRole::Drawn;
 }
 
 // Seams within panels, by their panel and keys.
@@ -167,7 +162,7 @@ class SeamEvaluation {
         const auto panel = index_.find(seam.first.panel);
         if (panel == index_.end() || seam.first.panel != seam.second.panel) return false;
         const Panel& own = sources_.panels[panel->second];
-        return link_of(own) || is_of_images(own, sorted_keys(seam.first.edge, seam.second.edge));
+        return link_of(own) || is_of_half(own, sorted_keys(seam.first.edge, seam.second.edge), EdgeRole::Image);
     }
 
     // The dart of the drawn panel, or of its drawn half, that gives the panel this one. Null: there is none.
@@ -175,7 +170,8 @@ class SeamEvaluation {
         const Panel& root = drawn(panel);
         const auto darts = darts_.find(root.name);
         if (darts == darts_.end()) return nullptr;
-        const auto dart = darts->second.find(is_of_images(root, keys) ? with_role(keys, EdgeRole::Drawn) : keys);
+        const auto dart =
+            darts->second.find(is_of_half(root, keys, EdgeRole::Image) ? with_role(keys, EdgeRole::Drawn) : keys);
         return dart == darts->second.end() ? nullptr : dart->second;
     }
 
@@ -186,7 +182,7 @@ class SeamEvaluation {
         if (!dart) throw InputError("", "", "panel '" + seam.first.panel + "' has a seam that its source has not");
         SourceSeam made = *dart;
         EdgeKey first = seam.first.edge;
-        if (is_of_images(drawn(seam.first.panel), keys)) first.role = EdgeRole::Drawn;
+        if (is_of_half(drawn(seam.first.panel), keys, EdgeRole::Image)) first.role = EdgeRole::Drawn;
         if (made.first.edge != first) swap_sides(made);
         made.first = seam.first;
         made.second = seam.second;
@@ -200,13 +196,13 @@ class SeamEvaluation {
         for (const SourceSeam& seam : sources_.seams) {
             if (seam.first.panel != root.name || seam.second.panel != root.name) continue;
             const KeyPair keys = sorted_keys(seam.first.edge, seam.second.edge);
-            if (is_of_images(root, keys)) continue;
+            if (is_of_half(root, keys, EdgeRole::Image)) continue;
             SourceSeam made = seam;
             made.first.panel = made.second.panel = panel.name;
             made.properties = copy_of(made.properties);
             add_missing(made);
             made.first.edge.role = made.second.edge.role = EdgeRole::Image;
-            if (is_of_drawn(root, keys)) add_missing(made);
+            if (is_of_half(root, keys, EdgeRole::Drawn)) add_missing(made);
         }
     }
 
@@ -243,6 +239,11 @@ std::optional<Link> link_of(const Panel& panel) {
     if (!panel.mirror_of.empty()) return Link{Derivation::Mirror, panel.mirror_of};
     if (!panel.copy_of.empty()) return Link{Derivation::Copy, panel.copy_of};
     return {};
+}
+
+bool has_links(const Pattern& pattern) {
+    return std::ranges::any_of(pattern.panels,
+                               [](const Panel& panel) { return link_of(panel) || has_linked_halves(panel); });
 }
 
 std::optional<Link> link_with(const Pattern& pattern, const Panel& panel) {
@@ -331,7 +332,7 @@ Sources sources_of(const Pattern& pattern) {
         const Panel& panel = pattern.panels[as_size(seam.first.panel)];
         const bool is_derived =
             seam.first.panel == seam.second.panel &&
-            (link_of(panel) || is_of_images(panel, sorted_keys(source.first.edge, source.second.edge)));
+            (link_of(panel) || is_of_half(panel, sorted_keys(source.first.edge, source.second.edge), EdgeRole::Image));
         if (is_derived) keep_names(source.properties, seam);
         if (!is_derived) source.properties = seam;
         source.properties.first = source.properties.second = {};

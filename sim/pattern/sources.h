@@ -27,6 +27,9 @@ struct Link {
 // How a panel is derived. None: it is drawn.
 std::optional<Link> link_of(const Panel& panel);
 
+// Whether a panel is derived, or has linked halves (sim/pattern/halves.h).
+bool has_links(const Pattern& pattern);
+
 // The link of the panel to its source, or else to the first that is derived from it, by the name of the other panel.
 std::optional<Link> link_with(const Pattern& pattern, const Panel& panel);
 

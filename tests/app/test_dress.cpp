@@ -453,7 +453,7 @@ TEST(DressOnAFile, takes_the_body_that_the_garment_names_and_raises_both_to_the_
     EXPECT_EQ(over.exit_code, 2) << over.out;
 }
 
-TEST(DressOnAFile, tells_what_check_warns_of_in_its_notes_and_in_the_report) {
+TEST(DressOnAFile, tells_warnings_as_notes_and_in_the_report_when_a_usable_file_has_faults) {
     const ScratchFolder folder;
     sim::Json garment = sim::read_json(source_folder() + "/patterns/two_squares.json");
     sim::Json& back = garment["pattern"]["panels"]["back"]["selvedge"];

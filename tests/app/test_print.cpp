@@ -54,7 +54,7 @@ TEST(PrintCommand, cutting_layout_says_how_much_fabric_it_takes) {
     }
 }
 
-TEST(PrintCommand, tells_what_reading_the_file_warned_of_as_match_does) {
+TEST(PrintCommand, tells_warnings_as_match_does_when_the_file_has_unknown_keys) {
     const ScratchFolder folder;
     sim::Json garment = sim::read_json(source_folder() + "/patterns/two_squares.json");
     garment["pattern"]["panels"]["back"]["selvedge"]["grainlin"] = sim::Json(0.0);

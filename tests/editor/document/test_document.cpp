@@ -144,7 +144,7 @@ TEST(Document, a_garment_is_put_over_taken_off_and_both_are_undone) {
     EXPECT_EQ(document.text(), alone);
 }
 
-TEST(Document, tells_once_what_reading_a_file_warned_of) {
+TEST(Document, tells_each_warning_once_when_a_file_is_opened) {
     sim::Json file = sim::read_json(source_folder() + "/patterns/two_squares.json");
     sim::Json& back = file["pattern"]["panels"]["back"]["selvedge"];
     back["copy_of"] = "front";

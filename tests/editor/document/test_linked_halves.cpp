@@ -94,7 +94,7 @@ TEST(LinkedHalves, move_a_point_of_the_other_half_when_one_is_moved) {
     }
 }
 
-TEST(LinkedHalves, keep_what_was_not_edited_to_the_last_bit_when_the_image_is_edited) {
+TEST(LinkedHalves, keep_the_bits_of_unedited_parts_when_the_image_is_edited) {
     Document document(two_pieces());
     document.run(TransformPanels{
         .panels = {"front"}, .map = {.x_axis = Vec2d(0.96, 0.28), .y_axis = Vec2d(-0.28, 0.96)}, .what = "Turn"});

@@ -275,7 +275,7 @@ TEST(UpdateLinks, whichever_side_was_edited_leads) {
     }
 }
 
-TEST(UpdateLinks, a_copy_made_in_the_same_edit_takes_what_was_edited) {
+TEST(UpdateLinks, give_a_new_copy_the_edit_of_its_source_when_one_command_makes_both) {
     sim::Pattern before = with_sleeve(false);
     symmetric_copy(before, 0, true, {1, 0});
     for (const int place : {0, 1, 2}) {

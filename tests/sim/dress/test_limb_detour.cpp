@@ -91,7 +91,7 @@ TEST(RaisedArms, let_cloth_fall_only_where_there_is_gravity) {
 }
 
 // Sewn only: what it looks like under the skirt is decided then.
-TEST(RaisedArms, leave_the_sleeves_of_what_is_worn_round_the_arms) {
+TEST(RaisedArms, leave_worn_sleeves_round_the_arms_when_a_garment_is_put_over) {
     const std::filesystem::path tshirt = std::filesystem::path(source_folder()) / "patterns" / "tshirt.json";
     Pattern pattern = load_pattern(tshirt).pattern;
     put_over(pattern, wide_skirt(2.6));
