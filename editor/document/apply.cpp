@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <set>
 #include <string>
 #include <type_traits>
 
@@ -16,6 +15,7 @@
 #include "editor/geometry/seam_edit.h"
 #include "editor/geometry/sewing.h"
 #include "sim/core/error.h"
+#include "sim/core/printable.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/fabric_file.h"
 #include "sim/pattern/field_visit.h"
@@ -560,14 +560,16 @@ Outcome apply(sim::Pattern& pattern, const Command& command) {
 }
 
 std::vector<std::string> take_up(sim::PatternDocument& document) {
+    std::vector<std::string> ended;
+    for (sim::EndedLink& link : end_broken_links(document.pattern)) ended.push_back(std::move(link.problem));
     std::vector<std::string> notes;
-    for (sim::EndedLink& link : end_broken_links(document.pattern)) notes.push_back(std::move(link.problem));
-    const std::set<std::string> told(notes.begin(), notes.end());  // reading warned of these too
     for (const sim::Fault& warning : document.warnings) {
-        if (!told.contains(warning.problem))
-            notes.push_back((warning.place.empty() ? "" : warning.place + ": ") + warning.problem);
+        if (std::ranges::count(ended, warning.problem) > 0) continue;  // reading warned of these too
+        notes.push_back((warning.place.empty() ? "" : sim::printable(warning.place) + ": ") +
+                        sim::printable(warning.problem));
     }
     document.warnings.clear();
+    notes.insert(notes.end(), ended.begin(), ended.end());
     return notes;
 }
 

@@ -27,7 +27,7 @@ struct Outcome {
 Outcome apply(sim::Pattern& pattern, const Command& command);
 
 // Prepares a garment that was read for editing: ends its broken links (sim::end_broken_links()). What is to be told of
-// it: the links that ended, and the other warnings of reading it.
+// it: the warnings of reading it, then the links that ended.
 std::vector<std::string> take_up(sim::PatternDocument& document);
 
 }  // namespace selvedge::editor

@@ -171,9 +171,50 @@ bool has_edge(const sim::Panel& half, const sim::Panel& other, const sim::Outlin
     return has_same_ends(half, same, other, edge) && is_same_edge(same, edge);
 }
 
+// `half`: that of the panel with this role.
+std::vector<HalfDart> darts_of_half(const sim::Pattern& pattern, int panel, sim::EdgeRole role,
+                                    const sim::Panel& half) {
+    std::vector<HalfDart> darts;
+    for (const int dart : sim::darts_of(pattern, panel)) {
+        const sim::Seam& seam = pattern.seams[as_size(dart)];
+        const sim::Panel& whole = pattern.panels[as_size(panel)];
+        auto [one, other] = std::pair(edge_key(whole, seam.first.edge), edge_key(whole, seam.second.edge));
+        if (one.role != role || other.role != role) continue;
+        one.role = other.role = sim::EdgeRole::Drawn;
+        if (other < one) std::swap(one, other);
+        const sim::OutlineEdge& edge = half.edges[as_size(find_edge(half, one).value())];
+        const sim::OutlineEdge& sewn = half.edges[as_size(find_edge(half, other).value())];
+        const auto at = [&](int vertex) { return half.vertices[as_size(vertex)]; };
+        darts.push_back({one, other, {at(edge.start), at(edge.end), at(sewn.start), at(sewn.end)}});
+    }
+    return darts;
+}
+
+bool have_same_keys(const std::vector<HalfDart>& some, const std::vector<HalfDart>& others) {
+    return std::ranges::is_permutation(some, others, [](const HalfDart& dart, const HalfDart& same) {
+        return dart.one == same.one && dart.other == same.other;
+    });
+}
+
+bool has_dart(const std::vector<HalfDart>& darts, const HalfDart& dart) {
+    return std::ranges::any_of(
+        darts, [&](const HalfDart& one) { return std::ranges::equal(one.ends, dart.ends, is_same_place); });
+}
+
+// Whether the half has the darts that the edit added, and not those that it removed.
+bool are_darts_kept(const HalfEdit& edit, const std::vector<HalfDart>& made) {
+    return std::ranges::all_of(
+               edit.darts_now,
+               [&](const HalfDart& dart) { return has_dart(edit.darts_before, dart) || has_dart(made, dart); }) &&
+           std::ranges::none_of(made, [&](const HalfDart& dart) {
+               return has_dart(edit.darts_before, dart) && !has_dart(edit.darts_now, dart);
+           });
+}
+
 // Whether the half has what the edit changed in it. More points may have come where it is sewn, which divide edges.
-bool is_kept(const HalfEdit& edit, const sim::Panel& made) {
+bool is_kept(const HalfEdit& edit, const sim::Panel& made, const std::vector<HalfDart>& made_darts) {
     const sim::Panel &before = edit.before, &now = edit.now;
+    if (!are_darts_kept(edit, made_darts)) return false;
     for (const Vec2d& point : now.vertices) {
         if (!has_point(before.vertices, point) && !has_point(made.vertices, point)) return false;
     }
@@ -206,14 +247,30 @@ bool has_fold_of(const sim::Panel& now, const sim::Panel& before) {
     return true;
 }
 
-std::optional<HalfEdit> edit_of(const sim::Panel& before, sim::EdgeRole role, const sim::Panel& now) {
-    const std::optional<sim::Panel> was = half_of(before, role);
+// A panel of a pattern, as an edit finds it.
+struct PanelOf {
+    const sim::Pattern& pattern;
+    int index = 0;
+
+    const sim::Panel& panel() const { return pattern.panels[as_size(index)]; }
+};
+
+// `half`: that of `now` with this role.
+std::optional<HalfEdit> edit_of(const PanelOf& before, const PanelOf& now, sim::EdgeRole role, const sim::Panel& half) {
+    const std::optional<sim::Panel> was = half_of(before.panel(), role);
     if (!was) return {};
-    return HalfEdit{.before = *was, .now = now, .is_changed = is_half_changed(*was, now)};
+    HalfEdit edit{.before = *was,
+                  .now = half,
+                  .darts_before = darts_of_half(before.pattern, before.index, role, *was),
+                  .darts_now = darts_of_half(now.pattern, now.index, role, half)};
+    edit.is_changed = is_half_changed(*was, half) || !have_same_keys(edit.darts_before, edit.darts_now);
+    return edit;
 }
 
-// `before`: the panel as it was, or null. None: it has no halves that are linked.
-std::optional<Halves> halves_of(const sim::Panel& panel, const sim::Panel* before) {
+// `was`: the panel before. None: it has no halves that are linked.
+std::optional<Halves> halves_of(const PanelOf& now, const std::optional<PanelOf>& was) {
+    const sim::Panel& panel = now.panel();
+    const sim::Panel* before = was ? &was->panel() : nullptr;
     std::optional<sim::Panel> drawn = half_of(panel, sim::EdgeRole::Drawn);
     std::optional<sim::Panel> other = half_of(panel, sim::EdgeRole::Image);
     const bool had_halves = before != nullptr && before->fold_key == panel.fold_key;
@@ -241,8 +298,8 @@ std::optional<Halves> halves_of(const sim::Panel& panel, const sim::Panel* befor
     sim::Panel placed = mapped_panel(*other, image * fold_reflection(*drawn));
     Halves halves{.drawn = *drawn, .other = sim::mirror_image(*drawn)};
     if (had_halves) {
-        halves.edits.drawn = edit_of(*before, sim::EdgeRole::Drawn, *drawn);
-        halves.edits.other = edit_of(*before, sim::EdgeRole::Image, *other);
+        halves.edits.drawn = edit_of(*was, now, sim::EdgeRole::Drawn, *drawn);
+        halves.edits.other = edit_of(*was, now, sim::EdgeRole::Image, *other);
     }
     const sim::Panel alike = halves.other;
     halves.other.vertices = std::move(placed.vertices);
@@ -261,15 +318,16 @@ std::optional<Halves> halves_of(const sim::Panel& panel, const sim::Panel* befor
 
 DividedPattern divide_halves(const sim::Pattern& pattern, const sim::Pattern& before) {
     DividedPattern parts{.pattern = pattern, .divided = {}};
-    const auto was = [&](std::size_t panel) -> const sim::Panel* {
+    const auto was = [&](std::size_t panel) -> std::optional<PanelOf> {
         const auto found = std::ranges::find(before.panels, pattern.panels[panel].name, &sim::Panel::name);
-        if (found != before.panels.end()) return &*found;
-        return before.panels.size() == pattern.panels.size() ? &before.panels[panel] : nullptr;
+        if (found != before.panels.end()) return PanelOf{before, static_cast<int>(found - before.panels.begin())};
+        if (before.panels.size() != pattern.panels.size()) return {};
+        return PanelOf{before, static_cast<int>(panel)};
     };
     std::vector<int> other(pattern.panels.size(), -1);
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
         if (!sim::has_linked_halves(pattern.panels[i])) continue;
-        std::optional<Halves> halves = halves_of(pattern.panels[i], was(i));
+        std::optional<Halves> halves = halves_of({pattern, static_cast<int>(i)}, was(i));
         if (!halves) continue;
         other[i] = static_cast<int>(parts.pattern.panels.size());
         parts.divided.push_back(std::move(halves->edits));
@@ -317,9 +375,11 @@ void expect_both_kept(const DividedPattern& parts, const sim::Pattern& made) {
         const std::optional<HalfEdit>&drawn = divided.drawn, &other = divided.other;
         if (!drawn || !other || !drawn->is_changed || !other->is_changed) continue;
         const sim::Panel& panel = made.panels[as_size(divided.panel)];
-        if (is_kept(*drawn, half_of(panel, sim::EdgeRole::Drawn).value()) &&
-            is_kept(*other, half_of(panel, sim::EdgeRole::Image).value()))
-            continue;
+        const auto is_edit_kept = [&](const HalfEdit& edit, sim::EdgeRole role) {
+            const sim::Panel half = half_of(panel, role).value();
+            return is_kept(edit, half, darts_of_half(made, divided.panel, role, half));
+        };
+        if (is_edit_kept(*drawn, sim::EdgeRole::Drawn) && is_edit_kept(*other, sim::EdgeRole::Image)) continue;
         throw GeometryError("The halves of panel " + panel.name + " are linked and would not be alike: change one of " +
                                 "them at a time, or unlink the panel first.",
                             {{panel.name, -1, -1}});

@@ -2,6 +2,7 @@
 // Panels with linked halves (sim/pattern/halves.h) as two panels each: the drawn half, in the panel's place, and the
 // other half, which is a mirror image of it (Panel::mirror_of), has its name too, and stands after all panels. So
 // halves are kept alike as linked panels are. For update_links (linked_panels.h); for the sources of this module.
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -9,10 +10,19 @@
 
 namespace selvedge::editor {
 
+// A seam within a half.
+struct HalfDart {
+    sim::EdgeKey one;  // of its edges, as EdgeRole::Drawn; one < other
+    sim::EdgeKey other;
+    std::array<Vec2d, 4> ends;  // m, of both edges, in the frame of the panel
+};
+
 // What an edit made of one half. In the frame of its panel.
 struct HalfEdit {
     sim::Panel before;
     sim::Panel now;
+    std::vector<HalfDart> darts_before;
+    std::vector<HalfDart> darts_now;
     bool is_changed = false;  // more than that its ends on the fold were moved, which belong to both halves
 };
 

@@ -60,6 +60,27 @@ std::map<PartRef, Vec2d> all_vertices(const SheetGeometry& geometry) {
     return vertices;
 }
 
+// The points that a command moves, by more than rounding: those of linked panels and halves too. None where it cannot
+// be applied. Pre: there is no preview, so the geometry is the document's.
+std::set<PartRef> moved_by(ToolContext& context, const std::optional<Command>& command) {
+    if (!command || !has_links(context.document.pattern())) return {};
+    SheetGeometry after = context.geometry;
+    try {
+        context.document.preview(*command);
+    } catch (const GeometryError&) {
+        return {};  // the drag says why
+    }
+    after.update(context.document.pattern(), context.document.revision());
+    context.document.rollback();
+    constexpr double kRounding = 1e-9;  // m
+    std::set<PartRef> moved;
+    for (const auto& [vertex, at] : all_vertices(context.geometry)) {
+        const std::optional<Vec2d> now = after.vertex(vertex);
+        if (now && (*now - at).norm() > kRounding) moved.insert(vertex);
+    }
+    return moved;
+}
+
 // The move in world space, m, after which copies of the panels stand beside all that is there.
 Vec3d move_beside(const ToolContext& context, const std::set<std::string>& panels) {
     std::vector<sim::Panel> copies;
@@ -122,10 +143,12 @@ void SelectTool::begin_move(ToolContext& context, const SheetPointer& pointer) {
     const std::vector<PartRef> vertices = selected_vertices(context.geometry, moved_);
     moving_.moving = {vertices.begin(), vertices.end()};
     moving_.moving_panels = moved_.panels;
-    before_.clear();
-    if (has_links(context.document.pattern())) before_ = all_vertices(context.geometry);
     is_copying_ = pointer.modifiers.alt && !moved_.panels.empty();
-    if (is_copying_) copy_move_ = move_beside(context, moved_.panels);
+    if (is_copying_) {
+        copy_move_ = move_beside(context, moved_.panels);
+    } else {
+        moving_.moving.merge(moved_by(context, move_selected(context.geometry, moved_, pointer.at - pressed_at_)));
+    }
     if (!moved_.panels.empty()) {
         held_ = nearest_vertex(context.geometry, moved_.panels, pressed_at_);
     } else {
@@ -152,14 +175,6 @@ void SelectTool::drag(ToolContext& context, const SheetPointer& pointer) {
 void SelectTool::move_to(ToolContext& context, const SheetPointer& pointer) {
     SnapOptions options = snap_options(context, pointer.modifiers);
     options.moving = moving_.moving;
-    // So are those that the last preview has moved along, of linked panels and halves.
-    constexpr double kRounding = 1e-9;  // m
-    if (!before_.empty()) {
-        for (const auto& [vertex, at] : all_vertices(context.geometry)) {
-            const auto before = before_.find(vertex);
-            if (before != before_.end() && (at - before->second).norm() > kRounding) options.moving.insert(vertex);
-        }
-    }
     options.moving_panels = is_copying_ ? context.document.selection().panels : moving_.moving_panels;
     options.origin = held_;
     // Panels move by whole grid steps, so that they keep their offset from the grid.
@@ -462,7 +477,11 @@ void TransformTool::drag(ToolContext& context, const SheetPointer& pointer) {
         box_ = context.geometry.box_of(held_);
         if (box_.isEmpty()) return;
     }
-    is_dragging_ = true;
+    if (!std::exchange(is_dragging_, true) && mode_ == TransformMode::Scale) {
+        constexpr double kSmaller = 0.9;  // any factor shows what is scaled along
+        const PlaneMap map = scaling_about(box_.center(), Vec2d(kSmaller, kSmaller));
+        scaled_ = moved_by(context, transform_selected(context.geometry, held_, map, "Scale"));
+    }
     mode_ == TransformMode::Rotate ? rotate(context, pointer) : scale(context, pointer);
 }
 
@@ -485,6 +504,7 @@ void TransformTool::scale(ToolContext& context, const SheetPointer& pointer) {
     const Vec2d held = handle_place(box_, *handle_);
     SnapOptions options = snap_options(context, pointer.modifiers);
     options.to_directions = false;
+    options.moving = scaled_;
     options.moving_panels = touched_panels(held_);
     const Vec2d to = snap(context.geometry, pointer.at, options).point;
     factors_ = Vec2d(1, 1);

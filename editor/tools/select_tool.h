@@ -1,6 +1,5 @@
 #pragma once
 // The tools select and move, edit point, rotate and scale; the commands that act on a selection; maps of the sheet.
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -60,7 +59,6 @@ class SelectTool : public Tool {
     Vec2d held_ = Vec2d::Zero();  // the point that snaps, at its position before the drag
     Vec2d by_ = Vec2d::Zero();
     SnapOptions moving_;
-    std::map<PartRef, Vec2d> before_;  // on the sheet, m, before the drag: all vertices of a pattern with links
     Snap snapped_;
     Selection moved_;                  // the dragged parts
     bool is_copying_ = false;          // an Alt-drag, which copies the panels of moved_
@@ -145,6 +143,7 @@ class TransformTool : public Tool {
     Vec2d pressed_at_ = Vec2d::Zero();
     std::optional<Vec2d> handle_;  // -1, 0 or 1 per axis: a corner or a side's middle
     bool is_dragging_ = false;
+    std::set<PartRef> scaled_;  // the points that are scaled along, of linked panels and halves too
     double angle_ = 0;
     Vec2d factors_ = Vec2d(1, 1);
 };

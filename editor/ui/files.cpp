@@ -51,9 +51,9 @@ void show_document(AppState& state, sim::PatternDocument source, const std::stri
     state.shows_start_page = false;
     ++state.documents_opened;
     begin_journal(state);
-    if (const auto newer = state.workspace.document->read_only_reason())
-        state.workspace.messages.warn("'" + document_name(state) + "' cannot be saved: " + *newer);
     state.workspace.tell_notes();
+    if (const auto newer = state.workspace.document->read_only_reason())  // last: the status line shows the last one
+        state.workspace.messages.warn("'" + document_name(state) + "' cannot be saved: " + *newer);
 }
 
 // Runs `go_on` at once if there are no unsaved changes.

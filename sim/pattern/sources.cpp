@@ -393,14 +393,23 @@ bool is_near(const Part& one, const Part& other) {
     return is_same;
 }
 
+// What seams within a panel have besides their sides and names, by the keys of their edges, from the smaller key on.
+using PropertiesByKeys = std::map<KeyPair, Seam>;
+
+PropertiesByKeys::value_type keyed_properties(Seam seam, const Panel& panel) {
+    const EdgeKey one = edge_key(panel, seam.first.edge), other = edge_key(panel, seam.second.edge);
+    if (other < one) reverse_fields(seam);
+    seam = copy_of(std::move(seam));
+    seam.first = seam.second = {};
+    return {sorted_keys(one, other), std::move(seam)};
+}
+
 // Whether the panel has the darts of its source, wherever they are in the pattern.
 bool has_darts_of_source(const Pattern& pattern, const Panel& made, int panel, int source) {
     const auto darts_by = [&](int index, const Panel& keyed) {
-        std::set<KeyPair> darts;
-        for (const int dart : darts_of(pattern, index)) {
-            const Seam& seam = pattern.seams[as_size(dart)];
-            darts.insert(sorted_keys(edge_key(keyed, seam.first.edge), edge_key(keyed, seam.second.edge)));
-        }
+        PropertiesByKeys darts;
+        for (const int dart : darts_of(pattern, index))
+            darts.insert(keyed_properties(pattern.seams[as_size(dart)], keyed));
         return darts;
     };
     return darts_by(panel, made) == darts_by(source, pattern.panels[as_size(source)]);
@@ -454,19 +463,19 @@ bool are_halves_alike(const Pattern& pattern, int index) {
     if (half->vertices[as_size(fold.start)] == half->vertices[as_size(fold.end)]) return false;
     Panel whole = whole_of(*half);
     renumber(whole, panel.edges);
-    std::map<EdgeRole, std::set<KeyPair>> darts;
+    std::map<EdgeRole, PropertiesByKeys> darts;
     for (const int dart : darts_of(pattern, index)) {
-        const Seam& seam = pattern.seams[as_size(dart)];
-        const EdgeKey one = edge_key(panel, seam.first.edge), other = edge_key(panel, seam.second.edge);
-        if (one.role == other.role) darts[one.role].insert(with_role({one, other}, EdgeRole::Drawn));
+        const auto [keys, properties] = keyed_properties(pattern.seams[as_size(dart)], panel);
+        if (keys.first.role == keys.second.role)
+            darts[keys.first.role].emplace(with_role(keys, EdgeRole::Drawn), properties);
     }
     return is_near(whole, panel) &&
            std::ranges::equal(whole.edges, panel.edges, {}, &OutlineEdge::key, &OutlineEdge::key) &&
            darts[EdgeRole::Drawn] == darts[EdgeRole::Image];
 }
 
-// What only reads a file tells it too.
-constexpr const char* kLinkEnds = ": the link ends when the garment is edited";
+// What only reads a file tells it too, and changes nothing in it.
+constexpr const char* kLinkEnds = ": the link is not followed";
 
 void end_link(Panel& panel) {
     panel.mirror_of.clear();

@@ -144,15 +144,15 @@ TEST(Document, a_garment_is_put_over_taken_off_and_both_are_undone) {
     EXPECT_EQ(document.text(), alone);
 }
 
-TEST(Document, tells_each_warning_once_when_a_file_is_opened) {
+TEST(Document, tells_each_warning_once_and_ended_links_last_when_a_file_is_opened) {
     sim::Json file = sim::read_json(source_folder() + "/patterns/two_squares.json");
     sim::Json& back = file["pattern"]["panels"]["back"]["selvedge"];
     back["copy_of"] = "front";
     back["grainlin"] = sim::Json(0.0);
     const std::string text = write_json(file);
     const std::vector<std::string> expected{
-        "'back' is not the copy of 'front': the link ends when the garment is edited",
-        "pattern.panels.back.selvedge.grainlin: unknown key 'grainlin': is 'grainline' meant?"};
+        "pattern.panels.back.selvedge.grainlin: unknown key 'grainlin': is 'grainline' meant?",
+        "'back' is not the copy of 'front': the link is not followed"};
     Document opened(sim::parse_pattern(text, "two.json"));
     EXPECT_EQ(opened.take_notes(), expected);
     Document under(shipped("tshirt.json"));

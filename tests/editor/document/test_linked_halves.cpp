@@ -317,6 +317,33 @@ TEST(LinkedHalves, refuse_an_edit_that_changes_them_differently) {
     }
 }
 
+TEST(LinkedHalves, refuse_an_edit_that_removes_different_darts_or_a_dart_and_a_point) {
+    Document document = unfolded_front();
+    for (const int number : {1, 2}) {
+        const int edge = edge_by_key(document, number);
+        document.run(AddDart{.panel = "front", .edge = edge, .t = 0.5, .width = 0.01, .depth = 0.02});
+    }
+    const auto seam_at = [&](sim::EdgeRole role, std::size_t which) {
+        std::vector<int> seams = sim::darts_of(document.pattern(), 0);
+        std::erase_if(seams, [&](int seam) {
+            return edge_key(front_of(document), document.pattern().seams[as_size(seam)].first.edge).role != role;
+        });
+        return seams.at(which);
+    };
+    const int drawn = seam_at(sim::EdgeRole::Drawn, 0), image = seam_at(sim::EdgeRole::Image, 1);
+    const PartRef corner{"front", start_by_key(document, 2)};
+    const std::string before = document.text();
+    for (const RemoveParts& parts :
+         {RemoveParts{.seams = {drawn, image}}, RemoveParts{.vertices = {corner}, .seams = {image}}}) {
+        EXPECT_THROW(document.run(parts), GeometryError);
+        EXPECT_EQ(document.text(), before);
+    }
+    document.run(RemoveParts{.seams = {drawn, seam_at(sim::EdgeRole::Image, 0)}});
+    EXPECT_EQ(sim::darts_of(document.pattern(), 0).size(), 2U);
+    expect_alike(document);
+    expect_undone(document, before);
+}
+
 TEST(LinkedHalves, take_an_edit_that_changes_them_alike) {
     const Document start = marked_front();
     std::vector<PartRef> all;

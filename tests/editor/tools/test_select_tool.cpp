@@ -63,6 +63,19 @@ TEST(SelectTool, a_dragged_point_does_not_snap_to_points_that_follow_it) {
     EXPECT_TRUE(halves.vertex("left", 5).isApprox(Vec2d(-0.225, 0.225), 1e-9)) << "the image";
 }
 
+// A point of the linked copy where the first move of a drag ends.
+TEST(SelectTool, a_point_that_is_dragged_in_one_move_does_not_snap_to_points_that_follow_it) {
+    SheetUser user;
+    user.document.run(SymmetricCopy{.panels = {"left"}, .is_linked = true, .shift = Vec2d(0.7, 0)});
+    user.document.run(MoveVertices{.vertices = {{"left", 2}}, .by = Vec2d(0.03, 0.03)});  // in line with no other point
+    const Vec2d follower = user.vertex(user.pattern().panels.back().name, 2);
+    user.choose("edit_point");
+    user.press({0.23, 0.23});
+    user.move(follower + Vec2d(0.004, 0.004));
+    user.release(follower + Vec2d(0.004, 0.004));
+    EXPECT_NEAR(user.vertex("left", 2).x(), follower.x() + 0.005, 1e-9);
+}
+
 TEST(SelectTool, select_all_and_boxes_pass_over_hidden_and_locked_panels) {
     SheetUser user;
     user.document.set_panel_states({.hidden = {}, .locked = {"left"}});
@@ -570,6 +583,18 @@ TEST(ScaleTool, a_handle_scales_about_the_opposite_one) {
     EXPECT_NEAR(user.vertex("left", 2).x() - user.vertex("left", 0).x(), 0.2, 1e-6);
     user.type("0");
     EXPECT_FALSE(user.message().empty());
+}
+
+TEST(ScaleTool, a_handle_does_not_snap_to_points_that_are_scaled_along) {
+    SheetUser user;
+    user.document.run(SymmetricCopy{.panels = {"left"}, .is_linked = true, .shift = Vec2d(0.7, 0)});
+    const Vec2d follower = user.vertex(user.pattern().panels.back().name, 2);
+    user.click({0.1, 0.06});
+    user.choose("scale");
+    user.press({0.2, 0.2});
+    user.move(follower + Vec2d(0.004, 0.004));
+    user.release(follower + Vec2d(0.004, 0.004));
+    EXPECT_NEAR(user.vertex("left", 2).x(), follower.x() + 0.005, 1e-6);
 }
 
 TEST(MergeTool, joins_the_panels_of_a_seam_and_says_where_there_is_none) {

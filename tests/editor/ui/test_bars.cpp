@@ -8,6 +8,7 @@
 #include "editor/tools/tool_table.h"
 #include "editor/ui/editor.h"
 #include "editor/ui/files.h"
+#include "sim/core/json.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/editor/ui/services_without_files.h"
 #include "tests/support/checkout.h"
@@ -96,6 +97,16 @@ TEST_F(BarsOfEditor, the_tools_scroll_where_two_columns_are_too_long) {
     editor_.frame({{.kind = InputEvent::Kind::Wheel, .y = -50}}, size, 1.0 / 30);
     show(size);
     EXPECT_LT(tool_box(last).high.y(), 345);
+}
+
+TEST_F(BarsOfEditor, the_status_line_says_first_that_a_newer_garment_cannot_be_saved) {
+    sim::Json file = sim::read_json(source_folder() + "/patterns/two_squares.json");
+    file["selvedge"]["format"] = sim::Json(sim::kGarmentFormat + 1);
+    file["pattern"]["panels"]["back"]["selvedge"]["grainlin"] = sim::Json(0.0);
+    open_loaded(editor_.state(), sim::parse_pattern(write_json(file), "newer.json"), "newer.json");
+    const Message* shown = editor_.state().workspace.messages.shown();
+    ASSERT_NE(shown, nullptr);
+    EXPECT_NE(shown->text.find("'newer.json' cannot be saved"), std::string::npos) << shown->text;
 }
 
 }  // namespace

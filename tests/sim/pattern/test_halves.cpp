@@ -122,20 +122,22 @@ TEST(LinkedHalves, that_another_program_changed_are_told_and_kept) {
     const auto move_image = [](Pattern& pattern) { pattern.panels[0].vertices[5].y() += 0.002; };
     const auto remove_notch = [](Pattern& pattern) { pattern.panels[0].notches.pop_back(); };
     const auto remove_seam = [](Pattern& pattern) { pattern.seams.erase(pattern.seams.begin()); };
+    const auto ease_image = [](Pattern& pattern) { pattern.seams[1].is_eased = !pattern.seams[1].is_eased; };
     const auto lose_keys = [](Pattern& pattern) {
         for (OutlineEdge& edge : pattern.panels[0].edges) edge.key = {};
     };
     Pattern pattern = linked;
     EXPECT_TRUE(end_broken_links(pattern).empty());
     EXPECT_EQ(pattern, linked);
-    for (const auto& change : std::vector<void (*)(Pattern&)>{move_image, remove_notch, remove_seam, lose_keys}) {
+    for (const auto& change :
+         std::vector<void (*)(Pattern&)>{move_image, remove_notch, remove_seam, ease_image, lose_keys}) {
         pattern = linked;
         change(pattern);
         const Pattern changed = pattern;
         EXPECT_EQ(end_broken_links(pattern),
                   (std::vector<EndedLink>{{"front",
                                            "the halves of 'front' are not mirror images of each other: the "
-                                           "link ends when the garment is edited"}}));
+                                           "link is not followed"}}));
         EXPECT_FALSE(has_linked_halves(pattern.panels[0]));
         EXPECT_EQ(pattern.panels[0].vertices, changed.panels[0].vertices);
         EXPECT_EQ(evaluate(sources_of(pattern)), pattern);

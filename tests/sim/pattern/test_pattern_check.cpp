@@ -301,7 +301,7 @@ TEST(CheckFile, does_not_warn_of_a_seam_that_is_eased) {
 TEST(CheckFile, refuses_a_mirror_image_of_a_mirror_image) {
     std::string text = replaced(sample_text(), R"("back": {)", R"("back": {"selvedge": {"mirror_of": "front"}, )");
     EXPECT_EQ(faults_of(text), Lines{"f.json: pattern.panels.back: warning: 'back' is not the mirror image of "
-                                     "'front': the link ends when the garment is edited"});
+                                     "'front': the link is not followed"});
     text = replaced(text, R"("front": {)", R"("front": {"selvedge": {"mirror_of": "back"}, )");
     EXPECT_EQ(
         faults_of(text),

@@ -107,9 +107,8 @@ TEST(Sources, links_of_panels_that_another_program_changed_end) {
     pattern.panels[3].fabric = "silk";
     const Pattern changed = pattern;
     EXPECT_EQ(end_broken_links(pattern),
-              (std::vector<EndedLink>{
-                  {"image", "'image' is not the mirror image of 'front': the link ends when the garment is edited"},
-                  {"copy", "'copy' is not the copy of 'front': the link ends when the garment is edited"}}));
+              (std::vector<EndedLink>{{"image", "'image' is not the mirror image of 'front': the link is not followed"},
+                                      {"copy", "'copy' is not the copy of 'front': the link is not followed"}}));
     EXPECT_FALSE(link_of(pattern.panels[2]) || link_of(pattern.panels[3]));
     EXPECT_EQ(pattern.panels[2].vertices, changed.panels[2].vertices);
     EXPECT_EQ(pattern.panels[3].fabric, "silk");
@@ -142,8 +141,7 @@ TEST(Sources, broken_links_are_warned_of_at_the_panel_when_a_file_is_read) {
     const std::vector<std::string> faults = faults_of(text);
     ASSERT_EQ(faults.size(), 1U);
     EXPECT_EQ(faults[0],
-              "f.json: pattern.panels.copy: warning: 'copy' is not the copy of 'front': the link ends when the "
-              "garment is edited");
+              "f.json: pattern.panels.copy: warning: 'copy' is not the copy of 'front': the link is not followed");
     const PatternDocument document = parse_pattern(text, "f.json");
     ASSERT_EQ(document.warnings.size(), 1U);
     EXPECT_EQ(describe(document.warnings[0]), faults[0]);
