@@ -55,16 +55,33 @@ bool is_warp_over(sim::Weave weave, double end, double pick) {
     return false;
 }
 
-// Where the ray through a position in the picture meets the sheet, m along weft and warp.
-Vec2d place_on_sheet(const SheetView& view, const render::Camera& camera, const Vec2d& at_px, int side_px) {
-    const double half = std::tan(camera.fov_y / 2.0);
-    const Vec2d ndc = at_px * (2.0 / side_px) - Vec2d(1, 1);
-    const Vec3d way(ndc.x() * half, ndc.y() * half, -1);  // the camera looks along -z
-    const SheetAxes axes = axes_of(view);
-    const Vec3d normal = axes.weft.cross(axes.warp), eye = camera.eye.cast<double>();
-    const Vec3d hit = eye - way * (normal.dot(eye) / normal.dot(way));
-    return {axes.weft.dot(hit), axes.warp.dot(hit)};
-}
+// A sheet seen by a camera that looks along -z.
+class SeenSheet {
+ public:
+    SeenSheet(const SheetView& view, int side_px)
+        : eye_(sheet_scene(view).camera.eye.cast<double>()),
+          axes_(axes_of(view)),
+          normal_(axes_.weft.cross(axes_.warp)),
+          height_(normal_.dot(eye_)),
+          half_(std::tan(sheet_scene(view).camera.fov_y / 2.0)),
+          side_px_(side_px) {}
+
+    // Where the ray through a position in the picture meets the sheet, m along weft and warp.
+    Vec2d at(const Vec2d& px) const {
+        const Vec2d ndc = px * (2.0 / side_px_) - Vec2d(1, 1);
+        const Vec3d way(ndc.x() * half_, ndc.y() * half_, -1);
+        const Vec3d hit = eye_ - way * (height_ / normal_.dot(way));
+        return {axes_.weft.dot(hit), axes_.warp.dot(hit)};
+    }
+
+ private:
+    Vec3d eye_;
+    SheetAxes axes_;
+    Vec3d normal_;
+    double height_;  // m, of the eye over the sheet
+    double half_;    // of the picture's height at a distance of 1
+    int side_px_;
+};
 
 struct Threads {
     std::vector<Vec3d> warp, weft;
@@ -138,7 +155,7 @@ LinearPicture to_linear(const render::Image& image) {
 
 LinearPicture dyes_seen(const SheetView& view, int side_px, int samples) {
     const Threads threads{linear_threads(thread_colours(view.sett)), weft_threads(view.sett)};
-    const render::Camera camera = sheet_scene(view).camera;
+    const SeenSheet sheet(view, side_px);
     LinearPicture picture{.side_px = side_px, .pixels = {}};
     std::minstd_rand random(1);
     const auto within = [&] { return double(random() - 1) / double(std::minstd_rand::max()); };
@@ -147,7 +164,7 @@ LinearPicture dyes_seen(const SheetView& view, int side_px, int samples) {
             Vec3d sum = Vec3d::Zero();
             for (int i = 0; i < samples * samples; ++i) {
                 const double right = (i % samples + within()) / samples, up = (i / samples + within()) / samples;
-                sum += dye_at(view, threads, place_on_sheet(view, camera, Vec2d(x + right, y + up), side_px));
+                sum += dye_at(view, threads, sheet.at(Vec2d(x + right, y + up)));
             }
             picture.pixels.push_back(sum / (samples * samples));
         }
