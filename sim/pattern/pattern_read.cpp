@@ -51,9 +51,9 @@ class Reader : private FaultReader {
         const Node pattern = root_.member("pattern");
         if (!pattern) return error(root_, "no key 'pattern': not a garment specification");
         if (!expect(pattern, Json::Kind::Object)) return;
-        read_panels(pattern);
+        const bool are_panels_known = read_panels(pattern);
         check_mirrors();
-        if (!out_.pattern.panels.empty()) read_seams(pattern);
+        if (are_panels_known) read_seams(pattern);
         read_additions(root_.member("selvedge"));
     }
 
@@ -76,17 +76,19 @@ class Reader : private FaultReader {
             error(coords, "'" + *word + "' is neither relative nor absolute");
     }
 
-    void read_panels(const Node& pattern) {
+    // Whether it is known which panels there are: else each stitch would be said to have none.
+    bool read_panels(const Node& pattern) {
         const Node panels = pattern.member("panels");
-        if (!panels) return error(pattern, "no key 'panels'");
-        if (!expect(panels, Json::Kind::Object)) return;
+        if (!panels) error(pattern, "no key 'panels'");
+        if (!panels || !expect(panels, Json::Kind::Object)) return false;
         // A garment that was only begun can be saved and opened; one with a photo to trace is at its usual beginning.
         const Json* own = root_.value->find("selvedge");
         const bool has_photos = own && own->find("underlays");
         const std::size_t count = panels.value->members().size();
         if (count == 0 && !has_photos) warn(panels, "no panels");
         if (count > kMostPanels) {
-            return error(panels, std::to_string(count) + " panels: at most " + std::to_string(kMostPanels));
+            error(panels, std::to_string(count) + " panels: at most " + std::to_string(kMostPanels));
+            return false;
         }
         for (const Json::Member& member : panels.value->members()) {
             const Node node{&member.value, json_path(panels.path, member.key)};
@@ -99,6 +101,7 @@ class Reader : private FaultReader {
             out_.places.push_back(node.path);
             out_.pattern.panels.push_back(std::move(panel));
         }
+        return true;
     }
 
     void read_panel(const Node& node, Panel& panel) {

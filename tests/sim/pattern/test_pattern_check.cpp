@@ -277,6 +277,14 @@ TEST(CheckFile, allows_a_garment_without_panels_with_a_warning) {
     EXPECT_TRUE(parse_pattern(text, "f.json").pattern.panels.empty());
 }
 
+TEST(CheckFile, refuses_stitches_of_a_garment_without_panels) {
+    const std::string text =
+        R"({"pattern":{"panels":{},"stitches":[[{"panel":"front","edge":0},{"panel":"back","edge":0}]]}})";
+    EXPECT_EQ(faults_of(text), (Lines{"f.json: pattern.panels: warning: no panels",
+                                      "f.json: pattern.stitches[0][0].panel: no panel 'front'",
+                                      "f.json: pattern.stitches[0][1].panel: no panel 'back'"}));
+}
+
 TEST(CheckFile, is_silent_about_a_sound_file) {
     EXPECT_TRUE(faults_of(sample_text()).empty());
 }
