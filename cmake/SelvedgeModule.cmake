@@ -113,9 +113,10 @@ endfunction()
 add_custom_target(selvedge_modules)  # all of them
 
 # selvedge_module([USES folder ...] [LINK target ...] [PRIVATE_LINK target ...] [ALONE file ...])
-# makes a library of all sources and headers in this folder. Sources that are ALONE are compiled by themselves. Each header must compile alone. For one that has a source of
-# its name, scripts/checks shows it: the source includes it first (tests/style) and nothing is precompiled there. The
-# others have a source made for that, which the target all_verify_interface_header_sets compiles and scripts/checks parses.
+# makes a library of all sources and headers in this folder. Sources that are ALONE are compiled by themselves. Each
+# header must compile alone. For one that has a source of its name, scripts/checks shows it: the source includes it first
+# (tests/style), and is parsed with nothing precompiled but what the header includes itself. The others have a source made
+# for that, which the target all_verify_interface_header_sets compiles and scripts/checks parses.
 function(selvedge_module)
   cmake_parse_arguments(ARG "" "" "USES;LINK;PRIVATE_LINK;ALONE" ${ARGN})
   file(RELATIVE_PATH folder ${CMAKE_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})

@@ -15,7 +15,6 @@
 #include "editor/geometry/seam_edit.h"
 #include "editor/geometry/sewing.h"
 #include "sim/core/error.h"
-#include "sim/core/printable.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/fabric_file.h"
 #include "sim/pattern/field_visit.h"
@@ -565,8 +564,7 @@ std::vector<std::string> take_up(sim::PatternDocument& document) {
     std::vector<std::string> notes;
     for (const sim::Fault& warning : document.warnings) {
         if (std::ranges::count(ended, warning.problem) > 0) continue;  // reading warned of these too
-        notes.push_back((warning.place.empty() ? "" : sim::printable(warning.place) + ": ") +
-                        sim::printable(warning.problem));
+        notes.push_back((warning.place.empty() ? "" : warning.place + ": ") + warning.problem);
     }
     document.warnings.clear();
     notes.insert(notes.end(), ended.begin(), ended.end());

@@ -178,22 +178,16 @@ std::vector<HalfDart> darts_of_half(const sim::Pattern& pattern, int panel, sim:
     for (const int dart : sim::darts_of(pattern, panel)) {
         const sim::Seam& seam = pattern.seams[as_size(dart)];
         const sim::Panel& whole = pattern.panels[as_size(panel)];
-        auto [one, other] = std::pair(edge_key(whole, seam.first.edge), edge_key(whole, seam.second.edge));
-        if (one.role != role || other.role != role) continue;
-        one.role = other.role = sim::EdgeRole::Drawn;
-        if (other < one) std::swap(one, other);
-        const sim::OutlineEdge& edge = half.edges[as_size(find_edge(half, one).value())];
-        const sim::OutlineEdge& sewn = half.edges[as_size(find_edge(half, other).value())];
+        auto keys = std::pair(edge_key(whole, seam.first.edge), edge_key(whole, seam.second.edge));
+        if (keys.first.role != role || keys.second.role != role) continue;
+        keys.first.role = keys.second.role = sim::EdgeRole::Drawn;
+        if (keys.second < keys.first) std::swap(keys.first, keys.second);
+        const sim::OutlineEdge& edge = half.edges[as_size(find_edge(half, keys.first).value())];
+        const sim::OutlineEdge& sewn = half.edges[as_size(find_edge(half, keys.second).value())];
         const auto at = [&](int vertex) { return half.vertices[as_size(vertex)]; };
-        darts.push_back({one, other, {at(edge.start), at(edge.end), at(sewn.start), at(sewn.end)}});
+        darts.push_back({keys, {at(edge.start), at(edge.end), at(sewn.start), at(sewn.end)}});
     }
     return darts;
-}
-
-bool have_same_keys(const std::vector<HalfDart>& some, const std::vector<HalfDart>& others) {
-    return std::ranges::is_permutation(some, others, [](const HalfDart& dart, const HalfDart& same) {
-        return dart.one == same.one && dart.other == same.other;
-    });
 }
 
 bool has_dart(const std::vector<HalfDart>& darts, const HalfDart& dart) {
@@ -201,26 +195,19 @@ bool has_dart(const std::vector<HalfDart>& darts, const HalfDart& dart) {
         darts, [&](const HalfDart& one) { return std::ranges::equal(one.ends, dart.ends, is_same_place); });
 }
 
-// Whether the half has the darts that the edit added, and not those that it removed.
-bool are_darts_kept(const HalfEdit& edit, const std::vector<HalfDart>& made) {
-    return std::ranges::all_of(
-               edit.darts_now,
-               [&](const HalfDart& dart) { return has_dart(edit.darts_before, dart) || has_dart(made, dart); }) &&
-           std::ranges::none_of(made, [&](const HalfDart& dart) {
-               return has_dart(edit.darts_before, dart) && !has_dart(edit.darts_now, dart);
-           });
+// Whether `made` has what an edit added to a list, and not what it removed. has(list, one): whether one is in it.
+template <class T, class Has>
+bool is_list_kept(const std::vector<T>& before, const std::vector<T>& now, const std::vector<T>& made, Has has) {
+    return std::ranges::all_of(now, [&](const T& one) { return has(before, one) || has(made, one); }) &&
+           std::ranges::none_of(made, [&](const T& one) { return has(before, one) && !has(now, one); });
 }
 
 // Whether the half has what the edit changed in it. More points may have come where it is sewn, which divide edges.
 bool is_kept(const HalfEdit& edit, const sim::Panel& made, const std::vector<HalfDart>& made_darts) {
     const sim::Panel &before = edit.before, &now = edit.now;
-    if (!are_darts_kept(edit, made_darts)) return false;
-    for (const Vec2d& point : now.vertices) {
-        if (!has_point(before.vertices, point) && !has_point(made.vertices, point)) return false;
-    }
-    for (const Vec2d& point : made.vertices) {
-        if (has_point(before.vertices, point) && !has_point(now.vertices, point)) return false;
-    }
+    if (!is_list_kept(before.vertices, now.vertices, made.vertices, has_point) ||
+        !is_list_kept(edit.darts_before, edit.darts_now, made_darts, has_dart))
+        return false;
     for (const sim::OutlineEdge& edge : now.edges) {
         const std::optional<int> found = find_edge(made, edge.key);
         if (!found || has_edge(before, now, edge) || has_edge(made, now, edge)) continue;
@@ -263,7 +250,8 @@ std::optional<HalfEdit> edit_of(const PanelOf& before, const PanelOf& now, sim::
                   .now = half,
                   .darts_before = darts_of_half(before.pattern, before.index, role, *was),
                   .darts_now = darts_of_half(now.pattern, now.index, role, half)};
-    edit.is_changed = is_half_changed(*was, half) || !have_same_keys(edit.darts_before, edit.darts_now);
+    edit.is_changed = is_half_changed(*was, half) || !std::ranges::is_permutation(edit.darts_before, edit.darts_now, {},
+                                                                                  &HalfDart::keys, &HalfDart::keys);
     return edit;
 }
 

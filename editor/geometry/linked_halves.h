@@ -4,6 +4,7 @@
 // halves are kept alike as linked panels are. For update_links (linked_panels.h); for the sources of this module.
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "sim/pattern/pattern.h"
@@ -12,9 +13,8 @@ namespace selvedge::editor {
 
 // A seam within a half.
 struct HalfDart {
-    sim::EdgeKey one;  // of its edges, as EdgeRole::Drawn; one < other
-    sim::EdgeKey other;
-    std::array<Vec2d, 4> ends;  // m, of both edges, in the frame of the panel
+    std::pair<sim::EdgeKey, sim::EdgeKey> keys;  // of its edges, as EdgeRole::Drawn, the smaller first
+    std::array<Vec2d, 4> ends;                   // m, of both edges, in the frame of the panel
 };
 
 // What an edit made of one half. In the frame of its panel.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/core/error.h"
+#include "sim/core/printable.h"
 #include "sim/dress/anchor.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/motion/grounding.h"
@@ -36,7 +37,7 @@ bool Workspace::run_together(const std::vector<Command>& commands) {
 }
 
 void Workspace::tell_notes() {
-    for (const std::string& text : document->take_notes()) messages.warn(text);
+    for (const std::string& text : document->take_notes()) messages.warn(sim::printable(text));
 }
 
 bool Workspace::preview(const Command& command) {

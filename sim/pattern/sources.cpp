@@ -475,7 +475,7 @@ bool are_halves_alike(const Pattern& pattern, int index) {
 }
 
 // What only reads a file tells it too, and changes nothing in it.
-constexpr const char* kLinkEnds = ": the link is not followed";
+constexpr const char* kNotFollowed = ": the link is not followed";
 
 void end_link(Panel& panel) {
     panel.mirror_of.clear();
@@ -493,7 +493,7 @@ std::vector<EndedLink> end_broken_links(Pattern& pattern) {
         give_keys(panel);
         if (!has_linked_halves(panel) || are_halves_alike(pattern, static_cast<int>(i))) continue;
         ended.push_back(
-            {panel.name, "the halves of '" + panel.name + "' are not mirror images of each other" + kLinkEnds});
+            {panel.name, "the halves of '" + panel.name + "' are not mirror images of each other" + kNotFollowed});
         panel.fold_key = 0;
     }
     const std::map<std::string, std::size_t> index = index_by_name(pattern.panels);
@@ -518,15 +518,15 @@ std::vector<EndedLink> end_broken_links(Pattern& pattern) {
             }
             ended.push_back({panel.name, "'" + panel.name + "' is not the " +
                                              (link->kind == Derivation::Mirror ? "mirror image" : "copy") + " of '" +
-                                             link->source + "'" + kLinkEnds});
+                                             link->source + "'" + kNotFollowed});
             end_link(panel);
             give_keys(panel);
         }
     }
     for (Panel& panel : pattern.panels) {
         if (known.contains(panel.name)) continue;
-        ended.push_back(
-            {panel.name, "'" + panel.name + "' is derived from a panel that is not there, or from itself" + kLinkEnds});
+        ended.push_back({panel.name, "'" + panel.name + "' is derived from a panel that is not there, or from itself" +
+                                         kNotFollowed});
         end_link(panel);
         give_keys(panel);
     }

@@ -58,12 +58,12 @@ bool is_warp_over(sim::Weave weave, double end, double pick) {
 // A sheet seen by a camera that looks along -z.
 class SeenSheet {
  public:
-    SeenSheet(const SheetView& view, int side_px)
-        : eye_(sheet_scene(view).camera.eye.cast<double>()),
+    SeenSheet(const SheetView& view, const render::Camera& camera, int side_px)
+        : eye_(camera.eye.cast<double>()),
           axes_(axes_of(view)),
           normal_(axes_.weft.cross(axes_.warp)),
           height_(normal_.dot(eye_)),
-          half_(std::tan(sheet_scene(view).camera.fov_y / 2.0)),
+          half_(std::tan(camera.fov_y / 2.0)),
           side_px_(side_px) {}
 
     // Where the ray through a position in the picture meets the sheet, m along weft and warp.
@@ -155,7 +155,7 @@ LinearPicture to_linear(const render::Image& image) {
 
 LinearPicture dyes_seen(const SheetView& view, int side_px, int samples) {
     const Threads threads{linear_threads(thread_colours(view.sett)), weft_threads(view.sett)};
-    const SeenSheet sheet(view, side_px);
+    const SeenSheet sheet(view, sheet_scene(view).camera, side_px);
     LinearPicture picture{.side_px = side_px, .pixels = {}};
     std::minstd_rand random(1);
     const auto within = [&] { return double(random() - 1) / double(std::minstd_rand::max()); };
