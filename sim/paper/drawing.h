@@ -81,6 +81,7 @@ struct DrawnPart {
     std::vector<DrawnText> texts = {};
     CutInstructions cut = {};
     std::string size = {};
+    std::string category = {};                     // what the piece is, where the file says it beside the name: "FRONT"
     std::optional<DrawnPlacement> placement = {};  // none: the file does not say
 
     bool operator==(const DrawnPart&) const = default;
@@ -105,6 +106,13 @@ struct Measurement {
     bool operator==(const Measurement&) const = default;
 };
 
+struct DrawingUnit {
+    const char* name = "";
+    double metres = 0;
+
+    bool operator==(const DrawingUnit& other) const { return metres == other.metres; }
+};
+
 struct Drawing {
     std::string title;
     std::string format = {};  // "FreeSewing SVG", "DXF-AAMA R10", for reports
@@ -112,6 +120,8 @@ struct Drawing {
     std::vector<DrawnSeam> seams = {};
     std::optional<DrawnBody> body = {};          // of the parts' placements; none: the file states none
     std::optional<double> metres_per_unit = {};  // none: the file does not say
+    std::vector<DrawingUnit> likely_units = {};  // if it does not: those that it may mean, the likeliest first
+    std::string sample_size = {};                // that the file names; empty: none
     std::optional<double> allowance = {};        // m, that the file states for the whole pattern
     std::vector<Measurement> measurements = {};  // of the body that it was drafted for
     bool is_upright = true;                      // parts are drawn as they are worn; otherwise as they lie on cloth

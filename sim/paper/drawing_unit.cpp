@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
+#include <span>
 
 #include "sim/paper/path_builder.h"
 #include "sim/pattern/outline.h"
@@ -16,6 +18,8 @@ constexpr std::array kUnits = std::to_array<DrawingUnit>({{"mm", 0.001},
                                                           {"pt (72 to the inch)", 0.0254 / 72},
                                                           {"m", 1}});
 
+constexpr double kSmallest = 0.25, kLargest = 1.8;  // m, of a garment's largest panel
+
 }  // namespace
 
 double size_of(const DrawnPath& path) {
@@ -29,17 +33,34 @@ double size_of(const DrawnPath& path) {
 }
 
 DrawingUnit guess_unit(const Drawing& drawing) {
-    constexpr double kSmallest = 0.25, kLargest = 1.8;  // m, of a garment's largest panel
     double largest = 0;
     for (const DrawnPart& part : drawing.parts) {
         for (const DrawnPath& path : part.paths) {
             if (path.is_closed && path.kind != LineKind::Help) largest = std::max(largest, size_of(path));
         }
     }
-    for (const DrawingUnit& unit : kUnits) {
+    const std::span<const DrawingUnit> units =
+        drawing.likely_units.empty() ? std::span<const DrawingUnit>(kUnits) : drawing.likely_units;
+    for (const DrawingUnit& unit : units) {
         if (largest * unit.metres >= kSmallest && largest * unit.metres <= kLargest) return unit;
     }
-    return kUnits[0];
+    return units.front();
+}
+
+std::string doubt_of_size(double largest, double metres_per_unit) {
+    constexpr double kTooSmall = 0.12, kTooLarge = 3;  // m: between them lie a baby's bonnet and a train
+    if (largest >= kTooSmall && largest <= kTooLarge) return {};
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(), "the largest part is %.3g cm long: no garment is so %s", 100 * largest,
+                  largest < kTooSmall ? "small" : "large");
+    std::string doubt = text.data();
+    for (const DrawingUnit& unit : kUnits) {
+        const double length = largest / metres_per_unit * unit.metres;
+        if (length < kSmallest || length > kLargest) continue;
+        std::snprintf(text.data(), text.size(), "; --unit %.2s would make it %.3g cm", unit.name, 100 * length);
+        return doubt + text.data();
+    }
+    return doubt;
 }
 
 }  // namespace selvedge::sim

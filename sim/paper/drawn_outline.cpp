@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "sim/core/math.h"
+#include "sim/paper/closed_chains.h"
+#include "sim/paper/joined_path.h"
 #include "sim/paper/path_builder.h"
 #include "sim/paper/polyline_outline.h"
 #include "sim/pattern/edge_shape.h"
@@ -49,35 +51,6 @@ DrawnPath without_facets(const DrawnPath& path) {
         corners.push_back(path.vertices[as_size(edge.start)]);
     }
     return has_facets(corners) ? outline_of_points(corners, true, {.tolerance = kTolerance}) : path;
-}
-
-// ---- Lines that make an outline together.
-
-Vec2d first_point(const DrawnPath& path) {
-    return path.vertices[as_size(path.edges.front().start)];
-}
-
-Vec2d last_point(const DrawnPath& path) {
-    return path.vertices[as_size(path.edges.back().end)];
-}
-
-DrawnPath turned_round(DrawnPath path) {
-    std::ranges::reverse(path.edges);
-    for (OutlineEdge& edge : path.edges) edge = reversed_edge(edge);
-    return path;
-}
-
-// Appends a path that begins where the other ends.
-void append(DrawnPath& path, const DrawnPath& more) {
-    const int offset = static_cast<int>(path.vertices.size());
-    path.vertices.insert(path.vertices.end(), more.vertices.begin(), more.vertices.end());
-    const int meeting = path.edges.back().end;
-    for (std::size_t e = 0; e < more.edges.size(); ++e) {
-        OutlineEdge edge = more.edges[e];
-        edge.start = e == 0 ? meeting : edge.start + offset;
-        edge.end += offset;
-        path.edges.push_back(edge);
-    }
 }
 
 Eigen::AlignedBox2d box_of(const DrawnPath& path) {
@@ -125,46 +98,32 @@ Panel outline_of(const DrawnPath& drawn) {
 }
 
 std::optional<JoinedOutline> joined_outline(const std::vector<DrawnPath>& paths, double gap) {
-    constexpr double kLeastSize = 0.8;                    // of the part's
-    std::vector<std::pair<DrawnPath, std::size_t>> open;  // with its index
+    constexpr double kLeastSize = 0.8;  // of the part's
+    std::vector<std::size_t> open;
+    std::vector<std::vector<Vec2d>> lines;
     Eigen::AlignedBox2d part;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         const DrawnPath& path = paths[i];
         if (path.edges.empty()) continue;
         if (path.kind == LineKind::Cut || path.kind == LineKind::Internal || path.kind == LineKind::Unknown)
             part.extend(box_of(path));
-        if (path.kind == LineKind::Internal && !path.is_closed) open.emplace_back(path, i);
+        if (path.kind != LineKind::Internal || path.is_closed) continue;
+        open.push_back(i);
+        lines.push_back(points_of_path(path));
     }
     if (open.size() < 2) return std::nullopt;
-    std::ranges::stable_sort(open, std::greater<>(),
-                             [](const auto& one) { return box_of(one.first).diagonal().norm(); });
-    DrawnPath outline = open.front().first;
-    std::vector<std::size_t> used{open.front().second};
-    open.erase(open.begin());
-    const auto is_met = [&](const DrawnPath& one) { return (first_point(one) - last_point(outline)).norm() <= gap; };
-    while ((first_point(outline) - last_point(outline)).norm() > gap) {
-        auto next = std::ranges::find_if(open, [&](const auto& one) { return is_met(one.first); });
-        if (next == open.end()) {
-            next = std::ranges::find_if(open, [&](const auto& one) { return is_met(turned_round(one.first)); });
-            if (next == open.end()) return std::nullopt;
-            next->first = turned_round(next->first);
-        }
-        append(outline, next->first);
-        used.push_back(next->second);
-        open.erase(next);
+    const ClosedChains found = find_closed_chains(lines, {.gap = gap});
+    if (found.chains.empty()) return std::nullopt;
+    JoinedOutline joined;
+    std::vector<const DrawnPath*> members;
+    for (const ChainLink& link : found.chains.front()) {
+        joined.used.push_back(open[link.line]);
+        members.push_back(&paths[joined.used.back()]);
     }
-    if (box_of(outline).diagonal().norm() < kLeastSize * part.diagonal().norm()) return std::nullopt;
-    std::vector<Vec2d> corners;
-    for (OutlineEdge& edge : outline.edges) {
-        corners.push_back(outline.vertices[as_size(edge.start)]);
-        edge.start = static_cast<int>(corners.size()) - 1;
-        edge.end = edge.start + 1;
-    }
-    outline.edges.back().end = 0;
-    outline.vertices = std::move(corners);
-    outline.kind = LineKind::Sew;
-    outline.is_closed = true;
-    return JoinedOutline{std::move(outline), std::move(used)};
+    joined.outline = joined_path(members, found.chains.front());
+    joined.outline.kind = LineKind::Sew;
+    if (box_of(joined.outline).diagonal().norm() < kLeastSize * part.diagonal().norm()) return std::nullopt;
+    return joined;
 }
 
 }  // namespace selvedge::sim

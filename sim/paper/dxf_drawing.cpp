@@ -2,20 +2,28 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <set>
+#include <tuple>
 
 #include "sim/core/error.h"
+#include "sim/core/lower_case.h"
+#include "sim/core/printable.h"
+#include "sim/paper/closed_chains.h"
 #include "sim/paper/cut_text.h"
+#include "sim/paper/dxf_blocks.h"
+#include "sim/paper/dxf_entities.h"
+#include "sim/paper/dxf_layers.h"
+#include "sim/paper/dxf_lines.h"
 #include "sim/paper/dxf_records.h"
 #include "sim/paper/dxf_text.h"
 #include "sim/paper/path_builder.h"
 #include "sim/paper/placement_record.h"
+#include "sim/paper/plain_parts.h"
 #include "sim/paper/polyline_outline.h"
+#include "sim/paper/size_names.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
 
@@ -23,247 +31,10 @@ namespace selvedge::sim {
 namespace {
 
 constexpr std::size_t kMostEntities = 100000;
-constexpr std::size_t kMostVertices = 2000000;
-constexpr double kLargestNumber = 1e7;  // drawing units
 
-std::string lower(std::string_view text) {
-    std::string small(text);
-    for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return small;
+bool is_outline_layer(int layer) {
+    return layer == kBoundaryLayer || layer == kSewLayer;
 }
-
-// ---- Layers.
-
-// The number of a layer; words that other programs use stand for it; -1: neither.
-int layer_number(std::string_view name) {
-    const std::string small = lower(name);
-    std::string_view digits = small;
-    for (const std::string_view prefix : {"layer_", "layer-", "layer"}) {
-        if (digits.starts_with(prefix)) digits.remove_prefix(prefix.size());
-    }
-    int number = -1;
-    const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (error == std::errc() && stop == digits.data() + digits.size()) return number;
-    constexpr std::array<std::pair<std::string_view, int>, 14> words{{{"cut", 1},
-                                                                      {"boundary", 1},
-                                                                      {"outline", 1},
-                                                                      {"contour", 1},
-                                                                      {"sew", 14},
-                                                                      {"stitch", 14},
-                                                                      {"seam", 14},
-                                                                      {"notch", 4},
-                                                                      {"grain", 7},
-                                                                      {"mirror", 6},
-                                                                      {"fold", 6},
-                                                                      {"drill", 13},
-                                                                      {"internal", 8},
-                                                                      {"text", 15}}};
-    for (const auto& [word, layer] : words) {
-        if (small.find(word) != std::string::npos) return layer;
-    }
-    return -1;
-}
-
-bool is_notch_layer(int layer) {
-    return layer == 4 || (layer >= 80 && layer <= 83);
-}
-
-NotchKind notch_of_layer(int layer) {
-    return layer == 80   ? NotchKind::T
-           : layer == 81 ? NotchKind::Castle
-           : layer == 82 ? NotchKind::V
-           : layer == 83 ? NotchKind::U
-                         : NotchKind::Slit;
-}
-
-// ---- Entities as lines of points.
-
-struct DxfLine {
-    int layer = -1;
-    std::vector<Vec2d> points;
-    bool is_closed = false;
-    int line = 0;  // in the file
-};
-
-struct DxfPiece {
-    std::string name;
-    int line = 0;
-    std::vector<DxfLine> lines = {};
-    std::vector<std::pair<int, Vec2d>> points = {};       // with their layers
-    std::vector<std::pair<int, std::string>> texts = {};  // with their layers
-    DxfRecords records = {};                              // of files of Selvedge
-};
-
-class EntityReader {
- public:
-    EntityReader(const std::string& file, std::vector<std::string>& notes) : file_(file), notes_(notes) {}
-
-    // Adds what an entity draws. POLYLINE takes its vertices from the entities that follow; returns how many it took.
-    std::size_t read(const std::vector<DxfEntity>& all, std::size_t index, DxfPiece& piece) {
-        const DxfEntity& entity = all[index];
-        const int layer = layer_number(entity.text(8).value_or(""));
-        if (entity.type == "POLYLINE") return read_polyline(all, index, layer, piece);
-        if (entity.type == "LWPOLYLINE") return read_lwpolyline(entity, layer, piece), 0U;
-        if (entity.type == "LINE")
-            return add(piece, {layer, {point(entity, 10), point(entity, 11)}, false, entity.line}), 0U;
-        if (entity.type == "POINT") return piece.points.emplace_back(layer, point(entity, 10)), 0U;
-        if (entity.type == "TEXT" || entity.type == "MTEXT" || entity.type == "ATTRIB" || entity.type == "ATTDEF")
-            return piece.texts.emplace_back(layer, dxf_string(entity.text(1).value_or(""))), 0U;
-        if (entity.type == "ARC" || entity.type == "CIRCLE") return read_arc(entity, layer, piece), 0U;
-        if (entity.type == "SPLINE") return read_spline(entity, layer, piece), 0U;
-        if (entity.type != "INSERT" && entity.type != "SEQEND" && unknown_.emplace(std::string(entity.type), 0).second)
-            notes_.push_back("line " + std::to_string(entity.line) + ": " + std::string(entity.type) + " left out");
-        return 0;
-    }
-
- private:
-    [[noreturn]] void fail(const DxfEntity& entity, const std::string& problem) const {
-        throw InputError(file_, "line " + std::to_string(entity.line), std::string(entity.type) + ": " + problem);
-    }
-
-    double coordinate(const DxfEntity& entity, std::string_view text) const {
-        const auto value = dxf_number(text);
-        if (!value || std::abs(*value) > kLargestNumber)
-            fail(entity, "'" + std::string(text.substr(0, 40)) + "' is no coordinate");
-        return *value;
-    }
-
-    Vec2d point(const DxfEntity& entity, int code) const {
-        const auto x = entity.text(code), y = entity.text(code + 10);
-        if (!x || !y) fail(entity, "a point is missing");
-        return {coordinate(entity, *x), coordinate(entity, *y)};
-    }
-
-    void add(DxfPiece& piece, DxfLine line) {
-        vertices_ += line.points.size();
-        if (vertices_ > kMostVertices) throw InputError(file_, "", "more than 2 million vertices");
-        if (line.points.size() >= 2) piece.lines.push_back(std::move(line));
-    }
-
-    // Points on the arc that a bulge (the tangent of a quarter of its angle) makes between two vertices.
-    static void append_bulge(std::vector<Vec2d>& points, const Vec2d& to, double bulge) {
-        const Vec2d from = points.back();
-        const double angle = 4 * std::atan(bulge);
-        const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / (5 * std::numbers::pi / 180))));
-        const Vec2d half = (to - from) / 2;
-        const double rise = std::tan(angle / 2);
-        if (bulge != 0 && std::abs(rise) > 1e-9) {
-            const Vec2d centre = from + half + Vec2d(-half.y(), half.x()) / rise;
-            for (int i = 1; i < steps; ++i)
-                points.emplace_back(centre + Eigen::Rotation2Dd(angle * i / steps) * (from - centre));
-        }
-        points.push_back(to);
-    }
-
-    static bool closes(const DxfEntity& entity) {
-        return (static_cast<int>(std::clamp(entity.number(70).value_or(0), 0.0, 1e6)) & 1) != 0;
-    }
-
-    // Vertices with their bulges, as points; `is_closed` also where the last vertex repeats the first.
-    DxfLine joined(const std::vector<std::pair<Vec2d, double>>& vertices, bool is_closed, int layer, int line) const {
-        DxfLine out{.layer = layer, .points = {}, .is_closed = is_closed, .line = line};
-        for (std::size_t i = 0; i < vertices.size(); ++i) {
-            if (i == 0) {
-                out.points.push_back(vertices[0].first);
-            } else {
-                append_bulge(out.points, vertices[i].first, vertices[i - 1].second);
-            }
-        }
-        if (vertices.size() < 3) return out;
-        if (is_closed) append_bulge(out.points, vertices[0].first, vertices.back().second);
-        out.is_closed = is_closed || out.points.front() == out.points.back();
-        return out;
-    }
-
-    std::size_t read_polyline(const std::vector<DxfEntity>& all, std::size_t index, int layer, DxfPiece& piece) {
-        std::vector<std::pair<Vec2d, double>> vertices;
-        std::size_t taken = 0;
-        for (std::size_t i = index + 1; i < all.size() && all[i].type == "VERTEX"; ++i) {
-            vertices.emplace_back(point(all[i], 10), std::clamp(all[i].number(42).value_or(0), -1e3, 1e3));
-            ++taken;
-        }
-        if (index + taken + 1 < all.size() && all[index + taken + 1].type == "SEQEND") ++taken;
-        add(piece, joined(vertices, closes(all[index]), layer, all[index].line));
-        return taken;
-    }
-
-    void read_lwpolyline(const DxfEntity& entity, int layer, DxfPiece& piece) {
-        std::vector<std::pair<Vec2d, double>> vertices;
-        for (const DxfGroup& group : entity.groups) {
-            if (group.code == 10) vertices.emplace_back(Vec2d(coordinate(entity, group.value), 0), 0);
-            if (vertices.empty()) continue;
-            if (group.code == 20) vertices.back().first.y() = coordinate(entity, group.value);
-            if (group.code == 42) vertices.back().second = std::clamp(dxf_number(group.value).value_or(0), -1e3, 1e3);
-        }
-        add(piece, joined(vertices, closes(entity), layer, entity.line));
-    }
-
-    void read_arc(const DxfEntity& entity, int layer, DxfPiece& piece) {
-        const Vec2d centre = point(entity, 10);
-        const double radius = entity.number(40).value_or(0);
-        if (!(radius > 0) || radius > kLargestNumber) fail(entity, "the radius is wrong");
-        const bool is_circle = entity.type == "CIRCLE";
-        const double degree = std::numbers::pi / 180;
-        const double from = is_circle ? 0 : std::fmod(entity.number(50).value_or(0), 360) * degree;
-        double to = is_circle ? 2 * std::numbers::pi : std::fmod(entity.number(51).value_or(360), 360) * degree;
-        if (to <= from) to += 2 * std::numbers::pi;
-        const int steps = std::max(2, static_cast<int>(std::ceil((to - from) / (3 * degree))));
-        DxfLine line{.layer = layer, .points = {}, .is_closed = is_circle, .line = entity.line};
-        for (int i = 0; i <= steps; ++i) {
-            const double angle = from + (to - from) * i / steps;
-            line.points.emplace_back(centre + radius * Vec2d(std::cos(angle), std::sin(angle)));
-        }
-        if (is_circle) line.points.back() = line.points.front();
-        add(piece, std::move(line));
-    }
-
-    // Points of a B-spline by de Boor's recursion. (de Boor 1972)
-    static Vec2d spline_point(const std::vector<Vec2d>& control, const std::vector<double>& knots, std::size_t degree,
-                              double t) {
-        std::size_t span = degree;
-        while (span + 1 < control.size() && knots[span + 1] <= t) ++span;
-        std::vector<Vec2d> d(control.begin() + static_cast<std::ptrdiff_t>(span - degree),
-                             control.begin() + static_cast<std::ptrdiff_t>(span) + 1);
-        for (std::size_t r = 1; r <= degree; ++r) {
-            for (std::size_t j = degree; j >= r; --j) {
-                const double low = knots[span - degree + j], high = knots[span + 1 + j - r];
-                const double s = high > low ? (t - low) / (high - low) : 0;
-                d[j] = (1 - s) * d[j - 1] + s * d[j];
-            }
-        }
-        return d[degree];
-    }
-
-    void read_spline(const DxfEntity& entity, int layer, DxfPiece& piece) {
-        std::vector<Vec2d> control;
-        std::vector<double> knots;
-        for (const DxfGroup& group : entity.groups) {
-            if (group.code == 10) control.emplace_back(coordinate(entity, group.value), 0);
-            if (group.code == 20 && !control.empty()) control.back().y() = coordinate(entity, group.value);
-            if (group.code == 40) knots.push_back(dxf_number(group.value).value_or(0));
-        }
-        const auto degree = static_cast<std::size_t>(std::clamp(entity.number(71).value_or(3), 1.0, 10.0));
-        if (control.size() <= degree || knots.size() != control.size() + degree + 1 || !std::ranges::is_sorted(knots))
-            fail(entity, "its knots do not fit its control points");
-        DxfLine line{.layer = layer, .points = {}, .is_closed = false, .line = entity.line};
-        const double from = knots[degree], to = knots[control.size()];
-        const std::size_t steps = std::min<std::size_t>(16 * control.size(), 20000);
-        for (std::size_t i = 0; i <= steps; ++i) {
-            const double t = from + (to - from) * static_cast<double>(i) / static_cast<double>(steps);
-            line.points.push_back(spline_point(control, knots, degree, t));
-        }
-        line.is_closed = closes(entity) || (line.points.front() - line.points.back()).norm() == 0;
-        if (line.is_closed) line.points.push_back(line.points.front());
-        add(piece, std::move(line));
-    }
-
-    const std::string& file_;
-    std::vector<std::string>& notes_;
-    std::map<std::string, int> unknown_;
-    std::size_t vertices_ = 0;
-};
-
-// ---- The file.
 
 class DxfReader {
  public:
@@ -273,12 +44,26 @@ class DxfReader {
         drawing_.format = "DXF";
         drawing_.is_upright = false;
         read_sections();
-        if (pieces_.empty()) split_loose();
+        read_pieces();
+        if (!version_.empty()) drawing_.format += " (" + std::string(version_) + ")";
+        if (hidden_ > 0)
+            drawing_.notes.push_back(count_text(static_cast<std::size_t>(hidden_), "hidden element") + " left out");
+        std::vector<DxfPiece> pieces = placed_pieces(blocks_, loose_.inserts, file_, drawing_.notes);
+        for (const DxfPiece& piece : pieces) {
+            for (const DxfLayerText& text : piece.texts) read_file_text(text.text);
+        }
+        settle_unit(pieces);
         bool has_sewing_lines = false;
-        for (const DxfPiece& piece : pieces_) has_sewing_lines |= find_sewing_line(piece) != nullptr;
-        for (const DxfPiece& piece : pieces_) add_part(piece, has_sewing_lines);
+        for (DxfPiece& piece : pieces) {
+            join_outlines(piece, gap_in(piece), joints_);
+            has_sewing_lines |= find_sewing_line(piece) != nullptr;
+        }
+        tell_joined();
+        for (DxfPiece& piece : pieces) add_part(std::move(piece), has_sewing_lines);
+        add_loose_parts();
         add_seams();
         drawing_.body = read_body_phrase(body_text_);
+        find_sample_size();
         name_again();
         if (drawing_.parts.empty()) refuse_open();
         return std::move(drawing_);
@@ -287,41 +72,45 @@ class DxfReader {
  private:
     // Where no line is closed: names the largest of those that were meant to be.
     [[noreturn]] void refuse_open() const {
+        if (first_open_) throw *first_open_;
         const DxfLine* found = nullptr;
         for (const DxfLine& line : loose_.lines) {
-            if (!line.is_closed && line.points.size() > 2 && (!found || extent(line) > extent(*found))) found = &line;
+            if (!line.is_closed && line.points.size() > 2 && (!found || extent_of(line) > extent_of(*found)))
+                found = &line;
         }
-        if (!found) throw InputError(file_, "", "no closed line: nothing that could be a panel");
+        const std::string hidden = hidden_ > 0 ? "; " + std::to_string(hidden_) + " elements are hidden" : "";
+        if (!found) throw InputError(file_, "", "no closed line: nothing that could be a panel" + hidden);
         throw InputError(file_, "line " + std::to_string(found->line),
                          open_by(gap_of(*found), drawing_.metres_per_unit) +
-                             ", and no other line is closed: nothing that could be a panel");
+                             ", and no other line is closed: nothing that could be a panel" + hidden);
     }
-
-    static double gap_of(const DxfLine& line) { return (line.points.front() - line.points.back()).norm(); }
 
     void read_sections() {
         std::string_view section;
         std::vector<DxfEntity> entities;
+        const auto finish = [&] {
+            if (section == "TABLES") read_layers(entities);
+            if (section == "BLOCKS") block_entities_ = std::move(entities);
+            if (section == "ENTITIES") std::ranges::move(entities, std::back_inserter(loose_entities_));
+            section = {};
+            entities = {};
+        };
         for (std::size_t i = 0; i < groups_.size(); ++i) {
             const DxfGroup& group = groups_[i];
             if (group.code == 0 && group.value == "SECTION") {
+                finish();
                 section = i + 1 < groups_.size() ? groups_[i + 1].value : std::string_view();
-                entities.clear();
             } else if (group.code == 0 && group.value == "ENDSEC") {
-                if (section == "BLOCKS") read_blocks(entities);
-                if (section == "ENTITIES") read_entities(entities);
-                section = {};
+                finish();
             } else if (section == "HEADER" && group.code == 9 && i + 1 < groups_.size()) {
                 read_variable(group.value, groups_[i + 1]);
-            } else if (section == "BLOCKS" || section == "ENTITIES") {
+            } else if (section == "TABLES" || section == "BLOCKS" || section == "ENTITIES") {
                 if (group.code == 0) entities.push_back({.type = group.value, .line = group.line, .groups = {}});
                 if (group.code != 0 && !entities.empty()) entities.back().groups.push_back(group);
                 if (entities.size() > kMostEntities * 20) throw InputError(file_, "", "more than 2 million entities");
             }
         }
-        // A file that was cut off still has its last section.
-        if (section == "BLOCKS") read_blocks(entities);
-        if (section == "ENTITIES") read_entities(entities);
+        finish();  // a file that was cut off still has its last section
     }
 
     void read_variable(std::string_view name, const DxfGroup& value) {
@@ -334,117 +123,129 @@ class DxfReader {
         }
     }
 
-    void read_blocks(const std::vector<DxfEntity>& entities) {
-        EntityReader reader(file_, drawing_.notes);
-        std::optional<DxfPiece> piece;
-        for (std::size_t i = 0; i < entities.size(); ++i) {
-            const DxfEntity& entity = entities[i];
+    // Layers that are frozen, or off: their colour is negative.
+    void read_layers(const std::vector<DxfEntity>& tables) {
+        for (const DxfEntity& entity : tables) {
+            if (entity.type != "LAYER") continue;
+            const int flags = static_cast<int>(std::clamp(entity.number(70).value_or(0), 0.0, 1e6));
+            const bool is_hidden = (flags & 1) != 0 || entity.number(62).value_or(1) < 0;
+            if (is_hidden) hidden_layers_.insert(dxf_string(entity.text(2).value_or("")));
+        }
+    }
+
+    void read_pieces() {
+        DxfEntityReader reader(file_, hidden_layers_, drawing_.notes);
+        std::optional<DxfPiece> block;
+        for (std::size_t i = 0; i < block_entities_.size(); ++i) {
+            const DxfEntity& entity = block_entities_[i];
             if (entity.type == "BLOCK") {
-                piece = DxfPiece{.name = dxf_string(entity.text(2).value_or("")), .line = entity.line};
+                block = DxfPiece{.name = dxf_string(entity.text(2).value_or("")), .line = entity.line};
+                block->base = {entity.number(10).value_or(0), entity.number(20).value_or(0)};
             } else if (entity.type == "ENDBLK") {
-                const bool is_layout = piece && (piece->name.starts_with('*') || piece->name.starts_with('$'));
-                if (piece && !is_layout && !piece->lines.empty()) pieces_.push_back(std::move(*piece));
-                piece.reset();
-            } else if (piece) {
-                i += reader.read(entities, i, *piece);
+                if (block) blocks_.push_back(std::move(*block));
+                block.reset();
+            } else if (block) {
+                i += reader.read(block_entities_, i, *block);
             }
         }
+        for (std::size_t i = 0; i < loose_entities_.size(); ++i) i += reader.read(loose_entities_, i, loose_);
+        hidden_ = reader.hidden();
+        for (const DxfLayerText& text : loose_.texts) read_file_text(text.text);
     }
 
-    void read_entities(const std::vector<DxfEntity>& entities) {
-        EntityReader reader(file_, drawing_.notes);
-        for (std::size_t i = 0; i < entities.size(); ++i) i += reader.read(entities, i, loose_);
-        for (const auto& [layer, text] : loose_.texts) read_file_text(text);
-    }
+    // ---- The unit.
 
-    // Files without blocks: each closed line that lies in no other is a piece, with what lies in it.
-    void split_loose() {
-        std::vector<Eigen::AlignedBox2d> boxes;
-        for (DxfLine& line : loose_.lines) {
-            close(line);
-            Eigen::AlignedBox2d box;
+    static double largest_side(const DxfPiece& piece) {
+        Eigen::AlignedBox2d box;
+        for (const DxfLine& line : piece.lines) {
             for (const Vec2d& p : line.points) box.extend(p);
-            boxes.push_back(box);
         }
-        constexpr std::size_t kMost = 5000;
-        if (loose_.lines.size() > kMost) throw InputError(file_, "ENTITIES", "more than 5,000 lines, and no blocks");
-        std::vector<std::size_t> outer;
-        for (std::size_t i = 0; i < loose_.lines.size(); ++i) {
-            if (!loose_.lines[i].is_closed) continue;
-            const bool is_inside = std::ranges::any_of(loose_.lines, [&](const DxfLine& other) {
-                const auto k = static_cast<std::size_t>(&other - loose_.lines.data());
-                return k != i && other.is_closed && boxes[k].contains(boxes[i]) &&
-                       (boxes[k].sizes().prod() > boxes[i].sizes().prod() || k < i);
-            });
-            if (!is_inside) outer.push_back(i);
-        }
-        for (const std::size_t o : outer) {
-            DxfPiece piece{.name = "piece_" + std::to_string(pieces_.size() + 1), .line = loose_.lines[o].line};
-            piece.lines.push_back(loose_.lines[o]);
-            piece.lines.back().layer = 1;
-            for (std::size_t i = 0; i < loose_.lines.size(); ++i) {
-                if (i != o && boxes[o].contains(boxes[i].center())) piece.lines.push_back(loose_.lines[i]);
-            }
-            for (const auto& point : loose_.points) {
-                if (boxes[o].contains(point.second)) piece.points.push_back(point);
-            }
-            pieces_.push_back(std::move(piece));
-        }
-        note_open_outlines(outer, boxes);
+        return box.isEmpty() ? 0 : box.sizes().maxCoeff();
     }
 
-    // Of loose lines that lie in no piece, and whose ends nearly meet.
-    void note_open_outlines(const std::vector<std::size_t>& outer, const std::vector<Eigen::AlignedBox2d>& boxes) {
-        constexpr double kNearly = 0.1;  // of the line's size
-        for (std::size_t i = 0; i < loose_.lines.size(); ++i) {
-            const DxfLine& line = loose_.lines[i];
-            if (line.is_closed || line.points.size() < 4 || gap_of(line) > kNearly * extent(line)) continue;
-            if (std::ranges::any_of(outer, [&](std::size_t o) { return boxes[o].contains(boxes[i].center()); }))
+    // "METRIC" is mm by the standard. Some programs mean cm: pieces that would fit a doll tell.
+    void settle_unit(const std::vector<DxfPiece>& pieces) {
+        constexpr double kTooSmall = 0.12, kMillimetre = 0.001, kCentimetre = 0.01;  // m
+        if (!is_metric_) return;
+        const bool is_stated = drawing_.metres_per_unit == kCentimetre || drawing_.metres_per_unit == 1.0;
+        if (!is_stated) drawing_.metres_per_unit = kMillimetre;
+        double largest = 0;
+        for (const DxfPiece& piece : pieces) largest = std::max(largest, largest_side(piece));
+        const bool is_small = largest > 0 && largest * kMillimetre < kTooSmall && largest * kCentimetre > 2 * kTooSmall;
+        if (drawing_.metres_per_unit != kMillimetre || !is_small) return;
+        drawing_.metres_per_unit = kCentimetre;
+        drawing_.notes.emplace_back(
+            "'Units: METRIC' is mm by the standard, in which no garment is so small: taken as cm; --unit sets another");
+    }
+
+    // What ends that meet may lie apart, file units: where no unit is known, a fraction of the piece.
+    double gap_in(const DxfPiece& piece) const {
+        constexpr double kShare = 2e-4;
+        return drawing_.metres_per_unit ? kJoinGap / *drawing_.metres_per_unit : kShare * largest_side(piece);
+    }
+
+    // ---- Lines that belong to no piece.
+
+    void add_loose_parts() {
+        if (loose_.lines.empty()) return;
+        DxfJoints joints;
+        join_loose(loose_, gap_in(loose_), joints);
+        add_plain(loose_, {}, joints);
+    }
+
+    // Lines without the layers of a pattern program, as a drawing whose shapes tell.
+    void add_plain(const DxfPiece& piece, const std::string& name, const DxfJoints& joints) {
+        PlainDrawing plain{.metres_per_unit = drawing_.metres_per_unit};
+        std::map<std::string, int> layers;
+        for (const DxfLine& line : piece.lines) {
+            if (is_quality_layer(line.layer)) continue;
+            PlainShape shape{.path = path_of(piece, line, plain_kind(line.layer))};
+            if (is_notch_layer(line.layer) && !line.is_closed) {
+                plain.marks.push_back({.at = line.points.front(), .notch = notch_of_layer(line.layer)});
                 continue;
-            drawing_.notes.push_back("line " + std::to_string(line.line) + ": " +
-                                     open_by(gap_of(line), drawing_.metres_per_unit) + ", left out");
+            }
+            const int number = layers.try_emplace(line.layer_name, static_cast<int>(layers.size()) + 1).first->second;
+            constexpr int kFirstSize = 24;  // a layer below is one of the standard's
+            const bool is_name = line.layer < 0 || line.layer >= kFirstSize;
+            shape.groups.push_back(
+                {.number = number, .label = is_name ? line.layer_name : std::string(), .is_layer = true});
+            if (!name.empty()) shape.path.name = name;
+            shape.style = line.style;
+            plain.shapes.push_back(std::move(shape));
         }
+        for (const auto& [layer, at] : piece.points) {
+            if (layer == kDrillLayer) plain.marks.push_back({.kind = MarkKind::Drill, .at = at});
+            if (is_notch_layer(layer)) plain.marks.push_back({.at = at, .notch = notch_of_layer(layer)});
+        }
+        for (const DxfLayerText& text : piece.texts) plain.texts.push_back({text.at, text.text});
+        joints_.outlines += joints.outlines;
+        joints_.widest_gap = std::max(joints_.widest_gap, joints.widest_gap);
+        tell_joined();
+        add_plain_parts(std::move(plain), file_, drawing_);
+    }
+
+    static LineKind plain_kind(int layer) {
+        if (layer == kSewLayer) return LineKind::Sew;
+        const LineKind kind = kind_of_layer(layer);
+        return kind == LineKind::Help ? LineKind::Unknown : kind;
+    }
+
+    void tell_joined() {
+        if (joints_.outlines == 0) return;
+        std::array<char, 96> text{};
+        std::snprintf(text.data(), text.size(), "%s drawn in pieces: joined where lines meet",
+                      count_text(joints_.outlines, "outline").c_str());
+        std::string note = text.data();
+        if (joints_.widest_gap > 0 && drawing_.metres_per_unit) {
+            std::snprintf(text.data(), text.size(), ", up to %.2g mm apart",
+                          1000 * *drawing_.metres_per_unit * joints_.widest_gap);
+            note += text.data();
+        }
+        drawing_.notes.push_back(std::move(note));
+        joints_ = {};
     }
 
     // ---- A piece.
-
-    static double extent(const DxfLine& line) {
-        Eigen::AlignedBox2d box;
-        for (const Vec2d& p : line.points) box.extend(p);
-        return box.isEmpty() ? 0 : box.sizes().norm();
-    }
-
-    static const DxfLine* largest(const DxfPiece& piece, int layer) {
-        const DxfLine* found = nullptr;
-        for (const DxfLine& line : piece.lines) {
-            if (line.layer != layer || !line.is_closed || line.points.size() < 4) continue;
-            if (!found || extent(line) > extent(*found)) found = &line;
-        }
-        return found;
-    }
-
-    // Layer 14, or a closed line on layer 8 that is nearly as large as the boundary.
-    static const DxfLine* find_sewing_line(const DxfPiece& piece) {
-        if (const DxfLine* sewn = largest(piece, 14)) return sewn;
-        const DxfLine* boundary = largest(piece, 1);
-        const DxfLine* inner = largest(piece, 8);
-        constexpr double kNearly = 0.7;
-        return boundary && inner && extent(*inner) > kNearly * extent(*boundary) ? inner : nullptr;
-    }
-
-    // Ends that nearly meet are one; returns false if the line stays open.
-    bool close(DxfLine& line) {
-        if (line.is_closed) return true;
-        const double gap = gap_of(line);
-        constexpr double kGap = 0.2e-3;  // m
-        if (line.points.size() < 4 || gap * unit() > kGap) return false;
-        line.points.back() = line.points.front();
-        line.is_closed = true;
-        if (gap > 0)
-            drawing_.notes.push_back("line " + std::to_string(line.line) +
-                                     ": open by a fifth of a millimetre or less, closed");
-        return true;
-    }
 
     double unit() const { return drawing_.metres_per_unit.value_or(0.001); }
 
@@ -475,20 +276,14 @@ class DxfReader {
 
     void add_part(DxfPiece piece, bool has_sewing_lines) {
         constexpr double kMoved = 1e-4;  // m: an outline that is drawn farther from its record was changed
-        for (DxfLine& line : piece.lines) {
-            const bool is_outline = line.layer == 1 || line.layer == 14;
-            if (!close(line) && is_outline && line.points.size() > 3) {
-                throw InputError(
-                    file_, "line " + std::to_string(line.line),
-                    "the outline of '" + piece.name + "' is " + open_by(gap_of(line), drawing_.metres_per_unit));
-            }
-        }
+        const DxfLine* sewn = find_sewing_line(piece);
+        const DxfLine* boundary = largest_closed(piece, kBoundaryLayer);
+        if (!sewn && !boundary) return add_without_boundary(piece);
+        if (!boundary) note_open_boundary(piece);
         DrawnPart part{.name = piece.name};
         read_texts(piece, part);
         take_unit(piece.records);
         bool has_records = false;
-        const DxfLine* sewn = find_sewing_line(piece);
-        const DxfLine* boundary = largest(piece, 1);
         for (const DxfLine& line : piece.lines) {
             const LineKind kind = &line == sewn       ? LineKind::Sew
                                   : &line == boundary ? (sewn || has_sewing_lines ? LineKind::Cut : LineKind::Unknown)
@@ -500,31 +295,59 @@ class DxfReader {
                 has_records = true;
             } else if (is_notch_layer(line.layer)) {
                 add_notch(part, line.layer, line.points.front(), line.points.back(), sewn ? sewn : boundary);
-            } else if (line.layer < 84 || line.layer > 87) {
+            } else if (!is_quality_layer(line.layer)) {
                 const bool is_ours = !piece.records.outline.edges.empty() && &line != sewn;
                 part.paths.push_back(is_ours ? as_drawn(line, kind) : path_of(piece, line, kind));
             }
         }
         for (const auto& [layer, at] : piece.points) {
             if (is_notch_layer(layer)) add_notch(part, layer, at, at, sewn ? sewn : boundary);
-            if (layer == 13) part.marks.push_back({.kind = MarkKind::Drill, .at = at});
+            if (layer == kDrillLayer) part.marks.push_back({.kind = MarkKind::Drill, .at = at});
         }
         if (has_records) take_records(piece.records, part);
         if (has_records && !piece.records.is_placement_broken) part.placement = piece.records.placement;
-        if (boundary || sewn) {
-            drawing_.parts.push_back(std::move(part));
-        } else {
-            drawing_.notes.push_back("line " + std::to_string(piece.line) + ": block '" + piece.name +
-                                     "' has no closed boundary, left out");
+        drawing_.parts.push_back(std::move(part));
+    }
+
+    // Of a piece whose sewing line is closed.
+    void note_open_boundary(const DxfPiece& piece) {
+        for (const DxfLine& line : piece.lines) {
+            if (line.layer != kBoundaryLayer || line.points.size() < 4) continue;
+            drawing_.notes.push_back("line " + std::to_string(line.line) + ": the outline of '" + piece.name + "' is " +
+                                     open_by(gap_of(line), drawing_.metres_per_unit) +
+                                     ": only its sewing line is taken");
+            return;
         }
     }
 
-    static LineKind kind_of_layer(int layer) {
-        if (layer == 6) return LineKind::FoldEdge;
-        if (layer == 7) return LineKind::Grain;
-        if (layer == 8) return LineKind::Internal;
-        if (layer == 11) return LineKind::Cutout;
-        return LineKind::Help;
+    // Of a block without the standard's layers the shapes tell; of one with them, that its outline is open.
+    void add_without_boundary(DxfPiece& piece) {
+        const DxfLine* open = nullptr;
+        for (const DxfLine& line : piece.lines) {
+            if (is_outline_layer(line.layer) && (!open || gap_of(line) > gap_of(*open))) open = &line;
+        }
+        const std::string place = "line " + std::to_string(open ? open->line : piece.line);
+        if (!open) {
+            const std::size_t parts = drawing_.parts.size();
+            DxfJoints joints;
+            join_loose(piece, gap_in(piece), joints);
+            DrawnPart texts;
+            read_texts(piece, texts);
+            const std::string name = texts.name.empty() ? piece.name : texts.name;
+            if (may_enclose(piece)) add_plain(piece, name, joints);
+            for (std::size_t p = parts; p < drawing_.parts.size(); ++p) drawing_.parts[p].size = texts.size;
+            if (drawing_.parts.size() == parts)
+                drawing_.notes.push_back(place + ": block '" + piece.name + "' has no closed boundary, left out");
+            return;
+        }
+        const std::string problem =
+            "the outline of '" + piece.name + "' is " + open_by(gap_of(*open), drawing_.metres_per_unit);
+        if (!first_open_) first_open_ = InputError(file_, place, problem);
+        drawing_.notes.push_back(place + ": " + problem + ", left out");
+    }
+
+    static bool may_enclose(const DxfPiece& piece) {
+        return std::ranges::any_of(piece.lines, [](const DxfLine& line) { return line.is_closed; });
     }
 
     // The notch is where its line begins or ends on the outline.
@@ -562,14 +385,19 @@ class DxfReader {
     DrawnPath path_of(const DxfPiece& piece, const DxfLine& line, LineKind kind) const {
         constexpr double kTolerance = 1e-4;  // m
         constexpr double kOnLine = 1e-4;     // of the line's size
-        PolylineOptions options{.tolerance = kTolerance / unit()};
+        constexpr double kShare = 1e-4;      // of the line's size, where no unit is known
+        PolylineOptions options{.tolerance = drawing_.metres_per_unit ? kTolerance / *drawing_.metres_per_unit
+                                                                      : kShare * extent_of(line)};
         std::vector<Vec2d> points = line.points;
         if (line.is_closed && points.front() == points.back()) points.pop_back();
         const bool is_outline = kind == LineKind::Sew || kind == LineKind::Cut || kind == LineKind::Unknown;
-        const double reach = kOnLine * extent(line);
+        const double reach = kOnLine * extent_of(line);
+        const bool has_turns =
+            std::ranges::any_of(piece.points, [](const auto& one) { return one.first == kTurnLayer; });
+        if (!has_turns || !is_outline) options.corners = line.corners;
         for (const std::pair<int, Vec2d>& point : piece.points) {
             const Vec2d& at = point.second;
-            if (point.first != 2 || !is_outline) continue;
+            if (point.first != kTurnLayer || !is_outline) continue;
             const auto nearest = std::ranges::min_element(points, {}, [&](const Vec2d& p) { return (p - at).norm(); });
             if ((*nearest - at).norm() < reach) options.corners.push_back(static_cast<int>(nearest - points.begin()));
         }
@@ -582,7 +410,7 @@ class DxfReader {
     // ---- Texts: "Piece Name: FRONT", "Size: M", "Quantity: 2".
 
     static std::optional<std::string> value_after(const std::string& text, std::string_view key) {
-        if (!lower(text).starts_with(key)) return std::nullopt;
+        if (!lower_case(text).starts_with(key)) return std::nullopt;
         std::size_t at = key.size();
         while (at < text.size() && (text[at] == ' ' || text[at] == ':')) ++at;
         std::string value = text.substr(at);
@@ -590,13 +418,19 @@ class DxfReader {
         return value;
     }
 
+    static std::optional<std::string> size_in(const std::string& text) {
+        if (const auto size = value_after(text, "size name")) return size;
+        return value_after(text, "size");
+    }
+
     void read_file_text(const std::string& text) {
         if (const auto style = value_after(text, "style name")) drawing_.title = *style;
         if (const auto units = value_after(text, "units")) {
-            const std::string word = lower(*units);
-            if (word.starts_with("metric")) drawing_.metres_per_unit = 0.001;
+            const std::string word = lower_case(*units);
+            is_metric_ = word.starts_with("metric");
             if (word.starts_with("english") || word.starts_with("imperial")) drawing_.metres_per_unit = 0.0254;
         }
+        if (const auto size = value_after(text, "sample size"); size && !size->empty()) drawing_.sample_size = *size;
         if (text.starts_with("SELVEDGE")) drawing_.is_upright = true;
         if (text.starts_with("SELVEDGE SEAM ")) seam_texts_.push_back(text);
         if (text.starts_with("SELVEDGE SEWING ")) sewing_texts_.push_back(text);
@@ -606,17 +440,18 @@ class DxfReader {
     }
 
     void read_texts(DxfPiece& piece, DrawnPart& part) {
-        for (const auto& [layer, text] : piece.texts) {
+        for (const auto& [layer, at, text] : piece.texts) {
             if (read_dxf_record(text, piece.records)) continue;
-            read_file_text(text);
             if (const auto name = value_after(text, "piece name"); name && !name->empty()) {
                 part.name = *name;
-            } else if (const auto size = value_after(text, "size")) {
+            } else if (const auto size = size_in(text)) {
                 part.size = *size;
+            } else if (const auto category = value_after(text, "category")) {
+                part.category = *category;
             } else {
                 read_cut_text(text, part.cut);
             }
-            part.texts.push_back({Vec2d::Zero(), text});
+            part.texts.push_back({at, text});
         }
     }
 
@@ -653,6 +488,31 @@ class DxfReader {
         }
     }
 
+    // Where the file names none: pattern programs write how often a piece is cut only beside the sample size.
+    void find_sample_size() {
+        take_sizes_from_names();
+        if (!drawing_.sample_size.empty()) return;
+        std::set<std::string> with, without;
+        for (const DrawnPart& part : drawing_.parts) {
+            if (!part.size.empty()) (part.cut.pieces ? with : without).insert(part.size);
+        }
+        if (with.size() == 1 && !without.empty() && !without.contains(*with.begin()))
+            drawing_.sample_size = *with.begin();
+    }
+
+    // Of blocks per size that say no size: "FRONT_S", "FRONT_M".
+    void take_sizes_from_names() {
+        std::vector<std::string> names;
+        for (const DrawnPart& part : drawing_.parts) {
+            if (!part.size.empty()) return;
+            names.push_back(part.name);
+        }
+        const auto splits = split_sizes(names);
+        for (std::size_t p = 0; p < splits.size(); ++p) {
+            if (splits[p]) std::tie(drawing_.parts[p].name, drawing_.parts[p].size) = *splits[p];
+        }
+    }
+
     // Names that differ, so that reports can tell the pieces apart; one size has each name once.
     void name_again() {
         std::map<std::pair<std::string, std::string>, int> used;
@@ -660,13 +520,18 @@ class DxfReader {
             const int number = ++used[{part.name, part.size}];
             if (number > 1) part.name += "_" + std::to_string(number);
         }
-        if (!version_.empty()) drawing_.format += " (" + std::string(version_) + ")";
     }
 
     const std::string& file_;
     std::vector<DxfGroup> groups_;
-    std::vector<DxfPiece> pieces_;
-    DxfPiece loose_;
+    std::vector<DxfEntity> block_entities_, loose_entities_;
+    std::set<std::string> hidden_layers_;
+    int hidden_ = 0;  // entities
+    std::vector<DxfPiece> blocks_;
+    DxfPiece loose_;                        // what lies in no block
+    DxfJoints joints_;                      // not told yet
+    bool is_metric_ = false;                // the file says "METRIC"
+    std::optional<InputError> first_open_;  // of the first block whose outline is open
     std::vector<std::string> seam_texts_, sewing_texts_;
     std::vector<std::string> property_texts_ = {};
     std::string body_text_;

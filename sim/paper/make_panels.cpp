@@ -5,30 +5,33 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
-#include <numbers>
 
 #include "sim/core/error.h"
+#include "sim/core/lower_case.h"
 #include "sim/core/math.h"
+#include "sim/paper/closed_chains.h"
 #include "sim/paper/cut_line.h"
 #include "sim/paper/drawing_unit.h"
 #include "sim/paper/drawn_allowances.h"
 #include "sim/paper/drawn_outline.h"
+#include "sim/paper/fold_edge.h"
+#include "sim/paper/outline_place.h"
 #include "sim/paper/outline_repair.h"
 #include "sim/paper/path_builder.h"
 #include "sim/paper/placement_record.h"
 #include "sim/paper/polyline_outline.h"
+#include "sim/paper/size_names.h"
+#include "sim/paper/upright_panels.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/fabric_file.h"
 #include "sim/pattern/field_moves.h"
 #include "sim/pattern/outline.h"
-#include "sim/pattern/segment_distance.h"
 #include "sim/proposals/panel_role.h"
 
 namespace selvedge::sim {
 namespace {
 
-constexpr double kChordError = 1e-4;  // m, for distances to curves
+constexpr double kChordError = 1e-4;  // m, of lines from curves
 constexpr double kLargestPanel = 30;  // m; further from the origin, panels are moved to it
 
 std::string in_cm(double metres) {
@@ -58,36 +61,6 @@ std::string joined(const std::vector<std::string>& words) {
 DrawnPath scaled(DrawnPath path, double scale) {
     transform(path, Eigen::Affine2d(Eigen::Scaling(scale)));
     return path;
-}
-
-struct OutlinePlace {
-    int edge = 0;
-    double t = 0;
-    double distance = std::numeric_limits<double>::infinity();  // m
-};
-
-OutlinePlace nearest_on_edge(const Panel& panel, std::size_t edge, const Vec2d& p) {
-    const std::vector<Vec2d> line = outline_polyline(panel, panel.edges[edge], kChordError);
-    OutlinePlace best{.edge = static_cast<int>(edge)};
-    double total = 0, at = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const Vec2d along = line[i + 1] - line[i];
-        const double length = along.norm(), s = nearest_fraction(p, line[i], line[i + 1]);
-        const double distance = (line[i] + s * along - p).norm();
-        if (distance < best.distance) best.distance = distance, at = total + s * length;
-        total += length;
-    }
-    best.t = total > 0 ? std::clamp(at / total, 0.0, 1.0) : 0;
-    return best;
-}
-
-OutlinePlace nearest_place(const Panel& panel, const Vec2d& p) {
-    OutlinePlace best;
-    for (std::size_t e = 0; e < panel.edges.size(); ++e) {
-        const OutlinePlace place = nearest_on_edge(panel, e, p);
-        if (place.distance < best.distance) best = place;
-    }
-    return best;
 }
 
 // ---- Parts.
@@ -155,12 +128,10 @@ class PartReader {
         return panel;
     }
 
-    static constexpr double kGap = 0.5e-3;  // m, between the ends of lines that are joined
-
     std::optional<Panel> read_outline() {
         const DrawnPath* path = largest(LineKind::Cut);
         const DrawnPath* sewn = largest(LineKind::Sew);
-        const auto joined = sewn ? std::nullopt : joined_outline(part_.paths, kGap / scale_);
+        const auto joined = sewn ? std::nullopt : joined_outline(part_.paths, kJoinGap / scale_);
         if (joined) {
             note("the outline is drawn as lines that meet: joined");
             sewn = &joined->outline;
@@ -241,7 +212,7 @@ class PartReader {
             OutlinePlace place = nearest_place(panel_, at);
             if (place.distance > kReach) continue;
             if (mark.edge && as_size(*mark.edge) < panel_.edges.size()) {
-                const OutlinePlace named = nearest_on_edge(panel_, as_size(*mark.edge), at);
+                const OutlinePlace named = place_on_edge(panel_, as_size(*mark.edge), at);
                 if (named.distance < place.distance + kSamePlace) place = named;
             }
             panel_.notches.push_back({.edge = place.edge, .t = place.t, .kind = mark.notch, .count = mark.count});
@@ -308,16 +279,36 @@ class PartReader {
                 note("a fold is drawn, but no straight edge lies on it: not unfolded");
                 continue;
             }
-            const Vec2d start = panel_.vertices[as_size(panel_.edges[as_size(*edge)].start)];
-            const Vec2d end = panel_.vertices[as_size(panel_.edges[as_size(*edge)].end)];
-            if (!has_grain_line()) panel_.grain_angle = upright_angle(end - start);
-            const Panel whole = unfolded(panel_, *edge);
-            if (find_outline_crossings(whole, {.most = 1}).empty())
-                panel_ = whole;
-            else
-                note("unfolded, it would cross itself: left as it is drawn");
+            return unfold_over(*edge);
+        }
+        if (part_.cut.is_on_fold.value_or(false)) unfold_by_text();
+    }
+
+    void unfold_over(int edge) {
+        const Vec2d start = panel_.vertices[as_size(panel_.edges[as_size(edge)].start)];
+        const Vec2d end = panel_.vertices[as_size(panel_.edges[as_size(edge)].end)];
+        if (!has_grain_line()) panel_.grain_angle = upright_angle(end - start);
+        const Panel whole = unfolded(panel_, edge);
+        if (find_outline_crossings(whole, {.most = 1}).empty())
+            panel_ = whole;
+        else
+            note("unfolded, it would cross itself: left as it is drawn");
+    }
+
+    // A text says that it is cut on the fold, and no line says where that is.
+    void unfold_by_text() {
+        std::vector<DrawnText> texts = part_.texts;
+        for (DrawnText& text : texts) text.at *= scale_;
+        const FoldEdge fold = find_fold_edge(panel_, texts);
+        if (!fold.edge) {
+            note(fold.is_any
+                     ? "cut on the fold by its text, but several edges could be the fold: not unfolded"
+                     : "cut on the fold by its text, but no straight edge along the grain is found: not unfolded");
             return;
         }
+        note("cut on the fold by its text: unfolded over the straight edge of " +
+             in_cm(outline_length(panel_, panel_.edges[as_size(*fold.edge)])));
+        unfold_over(*fold.edge);
     }
 
     void place() {
@@ -370,7 +361,9 @@ class PanelMaker {
                 file_, "",
                 "no closed outline: " + (first_open_.empty() ? "nothing that could be a panel" : first_open_));
         }
-        if (!drawing_.is_upright && drawing_.seams.empty()) set_upright();
+        doubt_scale();
+        if (!drawing_.is_upright && drawing_.seams.empty() && turn_upright(out_.pattern.panels))
+            out_.notes.emplace_back("the parts lie on their sides: turned upright");
         add_seams(first_panel);
         finish_pairs();
         place_on_body();
@@ -382,20 +375,32 @@ class PanelMaker {
  private:
     void choose_size() {
         if (!options_.size.empty()) {
-            if (std::ranges::find(out_.sizes, options_.size) == out_.sizes.end()) {
+            const auto size = find_size(options_.size);
+            if (!size) {
                 throw InputError(file_, "",
                                  out_.sizes.empty() ? "the file names no sizes"
                                                     : "no size '" + options_.size + "': " + joined(out_.sizes));
             }
-            out_.pattern.size = options_.size;
+            out_.pattern.size = *size;
             return;
         }
         if (out_.sizes.empty()) return;
-        out_.pattern.size = out_.sizes[(out_.sizes.size() - 1) / 2];
+        const auto sample = find_size(drawing_.sample_size);
+        std::vector<std::string> sorted = out_.sizes;
+        sort_sizes(sorted);
+        out_.pattern.size = sample ? *sample : sorted[(sorted.size() - 1) / 2];
         if (out_.sizes.size() > 1) {
             out_.notes.push_back("sizes " + joined(out_.sizes) + ": took " + out_.pattern.size +
-                                 "; --size takes another");
+                                 (sample ? ", the sample size" : "") + "; --size takes another");
         }
+    }
+
+    // The size of the file that is meant, in whatever case it is written; none: it has no such size.
+    std::optional<std::string> find_size(const std::string& wanted) const {
+        if (std::ranges::find(out_.sizes, wanted) != out_.sizes.end()) return wanted;
+        const auto found = std::ranges::find_if(
+            out_.sizes, [&](const std::string& size) { return lower_case(size) == lower_case(wanted); });
+        return found == out_.sizes.end() ? std::nullopt : std::optional(*found);
     }
 
     void choose_scale() {
@@ -408,6 +413,13 @@ class PanelMaker {
         out_.is_unit_guessed = true;
         out_.notes.push_back(std::string("the file names no unit: 1 unit taken as 1 ") + unit.name +
                              " from the size of the parts; --unit sets another");
+    }
+
+    void doubt_scale() {
+        double largest = 0;
+        for (const Panel& panel : out_.pattern.panels)
+            largest = std::max(largest, outline_box(panel, 1e-3).sizes().maxCoeff());
+        if (const std::string doubt = doubt_of_size(largest, scale_); !doubt.empty()) out_.notes.push_back(doubt);
     }
 
     static bool is_other_material(const std::string& material) {
@@ -434,6 +446,10 @@ class PanelMaker {
             if (first_open_.empty()) first_open_ = open;
             return;
         }
+        const PanelRole role = role_of_name(panel->name), told = role_of_name(part.category);
+        const bool is_named = role.part != GarmentPart::Unknown || role.face != Face::None;
+        if (!is_named && (told.part != GarmentPart::Unknown || told.face != Face::None))
+            panel->name += " " + part.category;
         panel->name = free_name(panel->name.empty() ? "panel" : panel->name);
         if (is_shipped_fabric(part.cut.material)) {
             panel->fabric = part.cut.material;
@@ -480,64 +496,6 @@ class PanelMaker {
         std::string name = wanted;
         for (int number = 2; is_taken(name); ++number) name = wanted + "_" + std::to_string(number);
         return name;
-    }
-
-    // ---- Which way is up. Pieces are laid out along the cloth, which runs across the table.
-
-    static Eigen::Affine2d turn(double angle) { return Eigen::Affine2d(Eigen::Rotation2Dd(angle)); }
-
-    static bool is_strip(const Panel& panel) {
-        constexpr double kStrip = 2.5;
-        const Vec2d size = outline_box(panel, 1e-3).sizes();
-        return size.maxCoeff() > kStrip * size.minCoeff();
-    }
-
-    // Whether the outline is its own image in the vertical or the horizontal through its middle.
-    static bool is_symmetric(const Panel& panel, Eigen::Index axis) {
-        constexpr double kNear = 0.004;  // m
-        const Vec2d middle = outline_box(panel, 1e-3).center();
-        return std::ranges::all_of(panel.edges, [&](const OutlineEdge& edge) {
-            Vec2d image = outline_point(panel, edge, 0.3);
-            image[axis] = 2 * middle[axis] - image[axis];
-            return nearest_place(panel, image).distance < kNear;
-        });
-    }
-
-    // How much wider the cloth is at the lower end of the panel than at the upper one, m.
-    static double widening(const Panel& panel) {
-        const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
-        const double band = 0.1 * box.sizes().y();
-        Eigen::AlignedBox2d low, high;
-        for (const OutlineEdge& edge : panel.edges) {
-            for (const Vec2d& p : outline_polyline(panel, edge, 1e-3)) {
-                if (p.y() < box.min().y() + band) low.extend(p);
-                if (p.y() > box.max().y() - band) high.extend(p);
-            }
-        }
-        return low.sizes().x() - high.sizes().x();
-    }
-
-    void set_upright() {
-        for (std::size_t p = 0; p < out_.pattern.panels.size(); ++p) {
-            Panel& panel = out_.pattern.panels[p];
-            if (std::abs(panel.grain_angle) > 0.01 && !is_strip(panel))
-                panel = mapped_panel(panel, turn(-panel.grain_angle));
-        }
-        // Without grain lines, symmetric pieces tell: their axis is upright, and the hem is their wider end.
-        double sideways = 0, upright = 0, up = 0;
-        for (const Panel& panel : out_.pattern.panels) {
-            const bool across = is_symmetric(panel, 0), along = is_symmetric(panel, 1);
-            if (is_strip(panel) || across == along || panel.grain_angle != 0) continue;
-            const double area = outline_area(panel);
-            (along ? sideways : upright) += area;
-            if (along) up += area * widening(mapped_panel(panel, turn(std::numbers::pi / 2)));
-        }
-        if (sideways <= upright) return;
-        for (Panel& panel : out_.pattern.panels) {
-            panel = mapped_panel(panel, turn((up > 0 ? 1 : -1) * std::numbers::pi / 2));
-            panel.grain_angle = 0;
-        }
-        out_.notes.emplace_back("the parts lie on their sides: turned upright");
     }
 
     // Seams that the file states. A part that was unfolded or left out has none.
@@ -607,7 +565,7 @@ class PanelMaker {
         const bool comes_once = role.part == Collar || role.part == CollarStand || role.part == Yoke ||
                                 role.part == Waistband || role.part == Hood ||
                                 (role.part == Torso && role.face != Face::None);
-        return comes_once && is_symmetric(out_.pattern.panels[p], 0);
+        return comes_once && is_mirrored_in_itself(out_.pattern.panels[p], 0);
     }
 
     // By its name, or because it is the front or the back of one half of the body, or lies beside the middle of a
@@ -621,11 +579,12 @@ class PanelMaker {
             return std::ranges::any_of(part.paths,
                                        [](const DrawnPath& path) { return path.kind == LineKind::FoldEdge; });
         });
-        if (has_fold && may_lie_beside && !is_symmetric(panel, 0) && !is_symmetric(panel, 1)) return true;
+        if (has_fold && may_lie_beside && !is_mirrored_in_itself(panel, 0) && !is_mirrored_in_itself(panel, 1))
+            return true;
         const bool is_face =
             (role.face != Face::None && (role.part == GarmentPart::Torso || role.part == GarmentPart::Skirt)) ||
             role.part == GarmentPart::Hood || role.part == GarmentPart::Yoke;
-        return is_face && !is_symmetric(panel, 0) && !is_symmetric(panel, 1);
+        return is_face && !is_mirrored_in_itself(panel, 0) && !is_mirrored_in_itself(panel, 1);
     }
 
     // Whether the file draws the mirror image itself.

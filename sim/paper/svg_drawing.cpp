@@ -13,6 +13,7 @@
 #include "sim/paper/freesewing_lines.h"
 #include "sim/paper/path_builder.h"
 #include "sim/paper/placement_record.h"
+#include "sim/paper/plain_parts.h"
 #include "sim/paper/record_words.h"
 #include "sim/paper/svg_path.h"
 #include "sim/paper/svg_shapes.h"
@@ -23,8 +24,6 @@
 
 namespace selvedge::sim {
 namespace {
-
-constexpr double kGap = 0.2e-3;  // m: ends that are nearer than this are meant to be one
 
 bool contains(const std::string& text, std::string_view part) {
     return text.find(part) != std::string::npos;
@@ -48,7 +47,7 @@ class FreesewingReader {
     Drawing read() {
         drawing_.format = "FreeSewing SVG";
         drawing_.is_y_down = true;
-        drawing_.metres_per_unit = document_.metres_per_unit;
+        drawing_.metres_per_unit = document_.unit.metres_per_unit;
         for (const SvgText& text : document_.texts) text_along_[text.along] += text.text.text + " ";
         for (const SvgShape& shape : document_.shapes) add_shape(shape);
         for (const SvgUse& use : document_.uses) add_use(use);
@@ -131,7 +130,7 @@ class OwnReader {
     Drawing read() {
         drawing_.format = "Selvedge SVG";
         drawing_.is_y_down = true;
-        drawing_.metres_per_unit = document_.metres_per_unit;
+        drawing_.metres_per_unit = document_.unit.metres_per_unit;
         for (const SvgShape& shape : document_.shapes) add_shape(shape);
         for (const auto& seam : document_.seams) add_seam(seam);
         drawing_.body = read_body_phrase(document_.body);
@@ -285,280 +284,33 @@ class OwnReader {
 
 // ---- Plain drawings.
 
-// A closed path, seen as an area.
-struct Area {
-    std::size_t shape = 0;
-    std::vector<Vec2d> points = {};
-    Eigen::AlignedBox2d box = {};
-    double area = 0;
-    std::optional<std::size_t> parent = {};  // the smallest area around it
-};
-
-double area_of(const std::vector<Vec2d>& points) {
-    double twice = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) twice += cross2(points[i], points[(i + 1) % points.size()]);
-    return std::abs(twice) / 2;
+PlainGroup plain_group(const SvgGroup& group) {
+    return {.number = group.number, .id = group.id, .label = group.label, .is_layer = group.is_layer};
 }
 
-// Whether points are off a line: of an outline that crosses itself, lobes that turn left and right may cancel out.
-bool has_lobes(const std::vector<Vec2d>& points) {
-    double area = 0;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        area += std::abs(cross2(points[i] - points[0], points[i + 1] - points[0]));
-    return area > 0;
+Drawing read_plain(const SvgDocument& document, const std::string& file) {
+    Drawing drawing;
+    drawing.format = "SVG";
+    drawing.is_y_down = true;
+    drawing.metres_per_unit = document.unit.metres_per_unit;
+    drawing.likely_units = document.unit.likely;
+    drawing.notes = document.notes;
+    PlainDrawing plain{.metres_per_unit = document.unit.metres_per_unit};
+    for (const SvgShape& shape : document.shapes) {
+        PlainShape& one = plain.shapes.emplace_back(PlainShape{.path = shape.path, .classes = shape.classes});
+        std::ranges::transform(shape.groups, std::back_inserter(one.groups), plain_group);
+        one.style = shape.look.stroke + "|" + shape.look.dashes;
+        one.is_filled_only = shape.look.stroke == "none" && shape.look.fill != "none";
+    }
+    for (const SvgText& text : document.texts) plain.texts.push_back(text.text);
+    if (!document.unit.page.isEmpty()) {
+        const Eigen::AlignedBox2d& page = document.unit.page;
+        plain.page =
+            Eigen::AlignedBox2d(Vec2d(page.min().x(), -page.max().y()), Vec2d(page.max().x(), -page.min().y()));
+    }
+    add_plain_parts(std::move(plain), file, drawing);
+    return drawing;
 }
-
-bool is_generated(const std::string& id) {
-    if (id.empty()) return true;
-    for (const std::string_view prefix :
-         {"path", "rect", "polygon", "polyline", "circle", "ellipse", "SVGID", "use", "g", "layer", "Layer_", "line"}) {
-        if (!id.starts_with(prefix)) continue;
-        const std::string rest = id.substr(prefix.size());
-        if (std::ranges::all_of(
-                rest, [](char c) { return std::isdigit(static_cast<unsigned char>(c)) || c == '-' || c == '_'; }))
-            return true;
-    }
-    return false;
-}
-
-class PlainReader {
- public:
-    PlainReader(const SvgDocument& document, const std::string& file) : document_(document), file_(file) {}
-
-    Drawing read() {
-        drawing_.format = "SVG";
-        drawing_.is_y_down = true;
-        drawing_.metres_per_unit = document_.metres_per_unit;
-        drawing_.notes = document_.notes;
-        shapes_ = document_.shapes;
-        close_small_gaps();
-        find_areas();
-        for (std::size_t a = 0; a < areas_.size(); ++a) {
-            if (!areas_[a].parent) add_part(a);
-        }
-        if (drawing_.parts.empty()) refuse_open();
-        add_open_shapes();
-        add_texts();
-        name_parts();
-        return std::move(drawing_);
-    }
-
- private:
-    // Ends that nearly meet are one.
-    void close_small_gaps() {
-        const double gap = kGap / drawing_.metres_per_unit.value_or(0.001);
-        for (SvgShape& shape : shapes_) {
-            DrawnPath& path = shape.path;
-            if (path.is_closed || path.edges.size() < 2) continue;
-            const double open = (path.vertices.back() - path.vertices.front()).norm();
-            if (open > gap || open == 0) continue;
-            path.vertices.pop_back();
-            path.edges.back().end = 0;
-            path.is_closed = true;
-            drawing_.notes.push_back(path.place + ": open by a fifth of a millimetre or less, closed");
-        }
-    }
-
-    // Where no path is closed: names the largest of those that were meant to be.
-    void refuse_open() const {
-        const DrawnPath* largest = nullptr;
-        double most = 0;
-        for (const SvgShape& shape : shapes_) {
-            Eigen::AlignedBox2d box;
-            for (const Vec2d& v : shape.path.vertices) box.extend(v);
-            if (shape.path.is_closed || shape.path.vertices.size() < 3 || !(box.sizes().sum() > most)) continue;
-            largest = &shape.path;
-            most = box.sizes().sum();
-        }
-        if (!largest) return;
-        throw InputError(file_, largest->place,
-                         open_by(gap_of(*largest), drawing_.metres_per_unit) +
-                             ", and no other path is closed: nothing that could be a panel");
-    }
-
-    void find_areas() {
-        for (std::size_t i = 0; i < shapes_.size(); ++i) {
-            const DrawnPath& path = shapes_[i].path;
-            if (!path.is_closed || path.edges.size() < 2) continue;
-            Area area{.shape = i};
-            const Panel panel = as_panel(path);
-            for (const Vec2d& v : path.vertices) area.box.extend(v);
-            const double error = std::max(1e-9, 1e-3 * area.box.sizes().maxCoeff());
-            for (const OutlineEdge& edge : panel.edges) {
-                const std::vector<Vec2d> line = outline_polyline(panel, edge, error);
-                area.points.insert(area.points.end(), line.begin(), line.end() - 1);
-            }
-            for (const Vec2d& p : area.points) area.box.extend(p);
-            area.area = area_of(area.points);
-            if (area.area > 0 || has_lobes(area.points)) areas_.push_back(std::move(area));
-            if (areas_.size() > kMostAreas) throw InputError(file_, "", "more than 3,000 closed paths");
-        }
-        for (std::size_t a = 0; a < areas_.size(); ++a) {
-            for (std::size_t b = 0; b < areas_.size(); ++b) {
-                const bool is_around = a != b && areas_[b].area > areas_[a].area &&
-                                       areas_[b].box.contains(areas_[a].box) &&
-                                       is_inside(areas_[a].points[0], areas_[b].points) &&
-                                       is_inside(areas_[a].points[areas_[a].points.size() / 2], areas_[b].points);
-                if (is_around && (!areas_[a].parent || areas_[b].area < areas_[*areas_[a].parent].area))
-                    areas_[a].parent = b;
-            }
-        }
-    }
-
-    // The words that the file has for a shape: its own, and those of its groups.
-    static std::string words_of(const SvgShape& shape) {
-        std::string words = lower_case(shape.path.name) + " " + lower_case(shape.classes);
-        for (const SvgGroup& group : shape.groups) words += " " + lower_case(group.id) + " " + lower_case(group.label);
-        return words;
-    }
-
-    static LineKind kind_of_words(const SvgShape& shape) {
-        const std::string words = words_of(shape);
-        if (contains(words, "grain") || contains(words, "fadenlauf")) return LineKind::Grain;
-        if (contains(words, "fold") && !shape.path.is_closed) return LineKind::FoldEdge;
-        if (contains(words, "sew") || contains(words, "stitch") || contains(words, "seamline") ||
-            contains(words, "seam line") || contains(words, "seam_line")) {
-            return LineKind::Sew;
-        }
-        if (contains(words, "cut")) return LineKind::Cut;
-        if (contains(words, "help") || contains(words, "guide")) return LineKind::Help;
-        return LineKind::Unknown;
-    }
-
-    // Whether one closed path runs inside another at a nearly constant distance: the sewing line in the cut line.
-    bool is_inset(const Area& inner, const Area& outer) const {
-        constexpr double kSpread = 0.35;
-        double sum = 0;
-        std::vector<double> distances;
-        for (const Vec2d& p : inner.points) {
-            distances.push_back(distance_to_outline(p, outer.points));
-            sum += distances.back();
-        }
-        const double mean = sum / static_cast<double>(distances.size());
-        std::ranges::sort(distances);
-        const double low = distances[distances.size() / 10], high = distances[distances.size() * 9 / 10];
-        const double size = std::sqrt(outer.area);
-        return mean > 0 && high - low < kSpread * mean && mean < 0.15 * size && inner.area > 0.5 * outer.area;
-    }
-
-    void add_part(std::size_t a) {
-        const SvgShape& shape = shapes_[areas_[a].shape];
-        DrawnPart part;
-        part.paths.push_back(shape.path);
-        part.paths.back().kind = kind_of_words(shape);
-        if (part.paths.back().kind == LineKind::Help) return;
-        bool has_sewing_line = false;
-        for (std::size_t b = 0; b < areas_.size(); ++b) {
-            if (areas_[b].parent != a) continue;
-            DrawnPath path = shapes_[areas_[b].shape].path;
-            path.kind = kind_of_words(shapes_[areas_[b].shape]);
-            if (!has_sewing_line && (path.kind == LineKind::Sew || is_inset(areas_[b], areas_[a]))) {
-                path.kind = LineKind::Sew;
-                has_sewing_line = true;
-            } else if (path.kind != LineKind::Help) {
-                path.kind = LineKind::Internal;
-            }
-            part.paths.push_back(std::move(path));
-        }
-        LineKind& outer = part.paths.front().kind;
-        if (has_sewing_line) outer = LineKind::Cut;
-        if (outer != LineKind::Cut && outer != LineKind::Sew) outer = LineKind::Unknown;
-        part_of_area_.push_back(a);
-        drawing_.parts.push_back(std::move(part));
-    }
-
-    // The part whose area holds a point, or is nearest to it within a reach; none outside of all.
-    DrawnPart* part_at(const Vec2d& p) {
-        for (std::size_t i = 0; i < drawing_.parts.size(); ++i) {
-            const Area& area = areas_[part_of_area_[i]];
-            if (area.box.contains(p) && is_inside(p, area.points)) return &drawing_.parts[i];
-        }
-        return nullptr;
-    }
-
-    static double length_of(const DrawnPath& path) {
-        double length = 0;
-        for (std::size_t i = 1; i < path.vertices.size(); ++i)
-            length += (path.vertices[i] - path.vertices[i - 1]).norm();
-        return length;
-    }
-
-    void add_open_shapes() {
-        const double unit = drawing_.metres_per_unit.value_or(0.001);
-        for (const SvgShape& shape : shapes_) {
-            if (shape.path.is_closed || shape.path.vertices.size() < 2) continue;
-            const Vec2d from = shape.path.vertices.front(), to = shape.path.vertices.back();
-            DrawnPart* part = part_at((from + to) / 2);
-            if (!part) part = part_at(from);
-            if (!part) part = part_at(to);
-            if (!part && nearly_closes(shape.path)) {
-                drawing_.notes.push_back(shape.path.place + ": " +
-                                         open_by(gap_of(shape.path), drawing_.metres_per_unit) + ", left out");
-            }
-            if (!part) continue;
-            const std::string words = words_of(shape);
-            const double length = unit * length_of(shape.path);
-            constexpr double kShortest = 0.001, kLongest = 0.016;  // m, of a notch
-            const bool is_short = length > kShortest && length < kLongest && shape.path.edges.size() <= 2;
-            DrawnPath path = shape.path;
-            path.kind = kind_of_words(shape);
-            if (contains(words, "notch") || (is_short && path.kind == LineKind::Unknown)) {
-                part->marks.push_back({.at = (from + to) / 2});
-                continue;
-            }
-            if (path.kind != LineKind::Grain && path.kind != LineKind::FoldEdge && path.kind != LineKind::Help)
-                path.kind = LineKind::Internal;
-            part->paths.push_back(std::move(path));
-        }
-    }
-
-    void add_texts() {
-        for (const SvgText& text : document_.texts) {
-            DrawnPart* part = part_at(text.text.at);
-            if (!part) continue;
-            read_cut_text(text.text.text, part->cut);
-            part->texts.push_back(text.text);
-        }
-    }
-
-    // By the path's own name, that of the nearest group of its own, its first text, or its number.
-    void name_parts() {
-        for (std::size_t i = 0; i < drawing_.parts.size(); ++i) {
-            DrawnPart& part = drawing_.parts[i];
-            const SvgShape& shape = shapes_[areas_[part_of_area_[i]].shape];
-            std::vector<std::string> names{shape.path.name};
-            for (auto group = shape.groups.rbegin(); group != shape.groups.rend(); ++group) {
-                if (is_shared(*group)) continue;
-                names.push_back(group->label);
-                names.push_back(group->id);
-            }
-            for (const DrawnText& text : part.texts) names.push_back(text.text);
-            const auto name = std::ranges::find_if(names, [](const std::string& one) { return !is_generated(one); });
-            part.name = name == names.end() ? "panel_" + std::to_string(i + 1)
-                                            : name->substr(0, name->find('\n')).substr(0, 60);
-        }
-    }
-
-    // Whether a group holds several parts, so that its name is not that of one.
-    bool is_shared(const SvgGroup& group) const {
-        int parts = 0;
-        for (const std::size_t area : part_of_area_) {
-            const auto& groups = shapes_[areas_[area].shape].groups;
-            parts +=
-                std::ranges::any_of(groups, [&](const SvgGroup& one) { return one.number == group.number; }) ? 1 : 0;
-        }
-        return parts > 1;
-    }
-
-    static constexpr std::size_t kMostAreas = 3000;
-
-    const SvgDocument& document_;
-    const std::string& file_;
-    std::vector<SvgShape> shapes_;
-    std::vector<Area> areas_;
-    std::vector<std::size_t> part_of_area_;  // per part: its outermost area
-    Drawing drawing_;
-};
 
 }  // namespace
 
@@ -572,7 +324,7 @@ Drawing read_svg(std::string_view text, const std::string& file) {
     Drawing drawing;
     if (document.is_freesewing) drawing = FreesewingReader(document).read();
     if (drawing.parts.empty() && OwnReader::is_own(document)) drawing = OwnReader(document, file).read();
-    if (drawing.parts.empty()) drawing = PlainReader(document, file).read();
+    if (drawing.parts.empty()) drawing = read_plain(document, file);
     if (drawing.parts.empty()) throw InputError(file, "", "no closed path: nothing that could be a panel");
     return drawing;
 }

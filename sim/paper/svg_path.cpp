@@ -300,6 +300,65 @@ std::optional<Eigen::Affine2d> parse_transform(std::string_view text) {
     }
 }
 
+namespace {
+
+// Values of a CSS function as the numbers that SVG has: lengths in px, angles in degrees. None: one has another unit.
+std::optional<std::vector<double>> css_values(std::string_view text) {
+    struct Unit {
+        std::string_view name;
+        double factor;
+    };
+    constexpr std::array kUnits = std::to_array<Unit>({{"", 1},
+                                                       {"px", 1},
+                                                       {"in", 96},
+                                                       {"cm", 96 / 2.54},
+                                                       {"mm", 96 / 25.4},
+                                                       {"pt", 96.0 / 72},
+                                                       {"deg", 1},
+                                                       {"rad", 180 / std::numbers::pi},
+                                                       {"grad", 0.9},
+                                                       {"turn", 360}});
+    std::vector<double> values;
+    while (true) {
+        const std::size_t first = text.find_first_not_of(" \t\r\n,");
+        if (first == std::string_view::npos) return values;
+        text.remove_prefix(first);
+        const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n,"));
+        const std::optional<SvgLength> length = parse_length(word);
+        const auto unit = length ? std::ranges::find(kUnits, length->unit, &Unit::name) : kUnits.end();
+        if (unit == kUnits.end()) return std::nullopt;
+        values.push_back(length->value * unit->factor);
+        text.remove_prefix(word.size());
+    }
+}
+
+std::optional<Eigen::Affine2d> one_css_transform(std::string_view name, std::vector<double> v) {
+    const bool is_along_y = name.ends_with('Y') && name != "skewY";
+    if (v.size() == 1 && (name == "translateX" || name == "translateY"))
+        return one_transform("translate", {is_along_y ? 0 : v[0], is_along_y ? v[0] : 0});
+    if (v.size() == 1 && (name == "scaleX" || name == "scaleY"))
+        return one_transform("scale", {is_along_y ? 1 : v[0], is_along_y ? v[0] : 1});
+    return one_transform(name, v);
+}
+
+}  // namespace
+
+std::optional<Eigen::Affine2d> parse_css_transform(std::string_view text) {
+    Eigen::Affine2d map = Eigen::Affine2d::Identity();
+    while (true) {
+        const std::size_t first = text.find_first_not_of(" \t\r\n");
+        if (first == std::string_view::npos) return map;
+        text.remove_prefix(first);
+        const std::size_t open = text.find('('), end = text.find(')');
+        if (open == std::string_view::npos || end == std::string_view::npos || end < open) return std::nullopt;
+        const auto values = css_values(text.substr(open + 1, end - open - 1));
+        const auto one = values ? one_css_transform(text.substr(0, open), *values) : std::nullopt;
+        if (!one) return std::nullopt;
+        map = map * *one;
+        text.remove_prefix(end + 1);
+    }
+}
+
 std::optional<SvgLength> parse_length(std::string_view text) {
     Scanner scan(text);
     SvgLength length;

@@ -21,6 +21,9 @@ void draw_ellipse(const Vec2d& centre, const Vec2d& radii, bool keeps_circles, P
 // "translate(2, 3) rotate(30)"; none if the text is wrong.
 std::optional<Eigen::Affine2d> parse_transform(std::string_view text);
 
+// A CSS transform: lengths in px, angles in deg, rad, grad or turn; also translateX() and its like. Nullopt for others.
+std::optional<Eigen::Affine2d> parse_css_transform(std::string_view text);
+
 // All numbers of a text, separated by blanks and commas; stops where there is none.
 std::vector<double> parse_numbers(std::string_view text);
 

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <pugixml.hpp>
 
 #include "sim/core/error.h"
+#include "sim/core/printable.h"
 #include "sim/paper/path_builder.h"
 #include "sim/paper/svg_path.h"
 
@@ -18,7 +20,6 @@ constexpr int kMostElements = 200000;
 constexpr std::size_t kMostEdges = 2000000;
 constexpr int kDeepestElement = 256;
 constexpr double kLargestUnits = 1e9;  // user units
-constexpr double kMetresPerInch = 0.0254;
 
 // The name without its namespace prefix.
 std::string_view local_name(const char* name) {
@@ -38,23 +39,6 @@ std::string_view reference(const pugi::xml_node& node) {
         if (local_name(one.name()) == "href") return value.starts_with('#') ? value.substr(1) : std::string_view();
     }
     return {};
-}
-
-bool is_hidden(const pugi::xml_node& node) {
-    const std::string_view style = attribute(node, "style"), display = attribute(node, "display");
-    const auto says = [&](std::string_view what) { return style.find(what) != std::string_view::npos; };
-    return display == "none" || attribute(node, "visibility") == "hidden" || says("display:none") ||
-           says("display: none") || says("visibility:hidden");
-}
-
-double metres_of(std::string_view unit) {
-    if (unit == "mm") return 0.001;
-    if (unit == "cm") return 0.01;
-    if (unit == "in") return kMetresPerInch;
-    if (unit == "pt") return kMetresPerInch / 72;
-    if (unit == "pc") return kMetresPerInch / 6;
-    if (unit == "Q") return 0.00025;
-    return 0;
 }
 
 std::map<std::string, std::string> own_data(const pugi::xml_node& node) {
@@ -90,7 +74,7 @@ std::string decoded_id(std::string_view id) {
 class Walker {
  public:
     Walker(const pugi::xml_document& document, std::string_view text, const std::string& file)
-        : text_(text), file_(file) {
+        : document_(document), text_(text), file_(file) {
         for (const pugi::xml_node& node : document.children()) collect_ids(node, 0);
     }
 
@@ -98,9 +82,13 @@ class Walker {
         const std::string_view classes = attribute(root, "class");
         out_.is_freesewing = classes.find("freesewing") != std::string_view::npos || root.attribute("freesewing") ||
                              root.attribute("xmlns:freesewing");
+        out_.unit = svg_unit(document_, root, out_.is_freesewing);
+        if (!out_.unit.note.empty()) out_.notes.push_back(out_.unit.note);
         Place place;
+        place.viewport = out_.unit.viewport;
+        place.look = styles_.look_of(root, place.look);
         walk_children(root, place);
-        read_unit(root);
+        if (hidden_ > 0) out_.notes.push_back(count_text(hidden_, "hidden element") + " left out");
         return std::move(out_);
     }
 
@@ -110,6 +98,8 @@ class Walker {
         std::vector<SvgGroup> groups = {};
         int depth = 0;
         int uses = 0;  // that lead here
+        Vec2d viewport = Vec2d::Zero();
+        SvgLook look = {};
     };
 
     [[noreturn]] void fail(const pugi::xml_node& node, const std::string& problem) const {
@@ -136,34 +126,16 @@ class Walker {
         if (++elements_ > kMostElements) throw InputError(file_, "", "more than 200,000 elements");
         const std::string_view id = attribute(node, "id");
         if (!id.empty()) by_id_.emplace(id, node);
+        if (local_name(node.name()) == "style") add_sheet(node);
         for (const pugi::xml_node& child : node.children()) {
             if (child.type() == pugi::node_element) collect_ids(child, depth + 1);
         }
     }
 
-    // ---- Units: lengths in the drawing are those of the root's viewBox.
-
-    static std::optional<SvgLength> size_of(const pugi::xml_node& root, const char* name) {
-        return parse_length(attribute(root, name));
-    }
-
-    void read_unit(const pugi::xml_node& root) {
-        const std::vector<double> box = parse_numbers(attribute(root, "viewBox"));
-        const auto width = size_of(root, "width"), height = size_of(root, "height");
-        const auto unit_of = [&](const std::optional<SvgLength>& size, std::size_t axis) {
-            if (!size || metres_of(size->unit) == 0) return 0.0;
-            const double metres = size->value * metres_of(size->unit);
-            const double units = box.size() == 4 ? box[axis] : metres / (0.0254 / 96);
-            return units > 0 ? metres / units : 0.0;
-        };
-        const double across = unit_of(width, 2), down = unit_of(height, 3);
-        if (across > 0 || down > 0) {
-            out_.metres_per_unit = across > 0 && down > 0 ? std::min(across, down) : std::max(across, down);
-        } else if (out_.is_freesewing) {
-            out_.metres_per_unit = 0.001;
-        } else if (root.attribute("inkscape:version")) {
-            out_.metres_per_unit = 0.0254 / 96;
-        }
+    void add_sheet(const pugi::xml_node& style) {
+        std::string css;
+        for (const pugi::xml_node& text : style.children()) css += text.value();
+        styles_.add_sheet(css);
     }
 
     // ---- Elements.
@@ -178,21 +150,31 @@ class Walker {
         const std::string_view name = local_name(node.name());
         constexpr std::array<std::string_view, 8> skipped{"defs",    "symbol", "clipPath", "mask",
                                                           "pattern", "marker", "style",    "script"};
-        if (std::ranges::find(skipped, name) != skipped.end() || is_hidden(node)) return;
+        if (std::ranges::find(skipped, name) != skipped.end()) return;
         if (name == "metadata") return read_seams(node);
         if (++visited_ > kMostElements) fail(node, "the file uses its own elements more than 200,000 times");
         if (above.depth > kDeepestElement) fail(node, "elements use each other without end");
         Place place = above;
         ++place.depth;
-        if (const std::string_view text = attribute(node, "transform"); !text.empty()) {
-            const auto map = parse_transform(text);
-            if (!map || !map->matrix().allFinite()) fail(node, "the transform is wrong");
-            place.map = above.map * *map;
+        place.look = styles_.look_of(node, above.look);
+        if (!place.look.is_drawn) {
+            ++hidden_;
+            return;
         }
+        place.map = above.map * transform_of(node, place.look);
         if (name == "g" || name == "svg" || name == "a" || name == "switch") return walk_group(node, place);
         if (name == "use") return walk_use(node, place);
         if (name == "text") return read_text(node, place);
         read_shape(node, name, place);
+    }
+
+    // That of the style goes before the attribute.
+    Eigen::Affine2d transform_of(const pugi::xml_node& node, const SvgLook& look) const {
+        const std::string_view attributes = attribute(node, "transform");
+        if (attributes.empty() && look.transform.empty()) return Eigen::Affine2d::Identity();
+        const auto map = look.transform.empty() ? parse_transform(attributes) : parse_css_transform(look.transform);
+        if (!map || !map->matrix().allFinite()) fail(node, "the transform is wrong");
+        return *map;
     }
 
     SvgGroup group_of(const pugi::xml_node& node) {
@@ -206,18 +188,30 @@ class Walker {
     }
 
     void walk_group(const pugi::xml_node& node, Place place) {
-        if (local_name(node.name()) == "svg") {
-            const auto x = parse_length(attribute(node, "x")), y = parse_length(attribute(node, "y"));
-            place.map.translate(Vec2d(x ? x->value : 0, y ? y->value : 0));
-        }
+        if (local_name(node.name()) == "svg") enter_viewport(node, {}, place);
         place.groups.push_back(group_of(node));
         walk_children(node, place);
     }
 
+    // Of an inner <svg>, or of a <symbol> as `use` sizes it: what is in it has coordinates of its own.
+    void enter_viewport(const pugi::xml_node& node, const pugi::xml_node& use, Place& place) const {
+        const pugi::xml_node& sized = use && (use.attribute("width") || use.attribute("height")) ? use : node;
+        const std::vector<double> box = parse_numbers(attribute(node, "viewBox"));
+        const Vec2d size(sized.attribute("width") ? length(sized, "width", place.viewport.x()) : place.viewport.x(),
+                         sized.attribute("height") ? length(sized, "height", place.viewport.y()) : place.viewport.y());
+        const Vec2d at =
+            use ? Vec2d(0, 0) : Vec2d(length(node, "x", place.viewport.x()), length(node, "y", place.viewport.y()));
+        place.map = place.map * viewport_map(box, {at, at + size}, attribute(node, "preserveAspectRatio"));
+        place.viewport = box.size() == 4 ? Vec2d(box[2], box[3]) : size;
+    }
+
+    double length(const pugi::xml_node& node, const char* name, double reference) const {
+        return svg_length(attribute(node, name), reference, out_.unit.pixels_per_inch);
+    }
+
     void walk_use(const pugi::xml_node& node, Place place) {
         const std::string id(reference(node));
-        const auto x = parse_length(attribute(node, "x")), y = parse_length(attribute(node, "y"));
-        const Vec2d shift(x ? x->value : 0, y ? y->value : 0);
+        const Vec2d shift(length(node, "x", place.viewport.x()), length(node, "y", place.viewport.y()));
         const Vec2d at = place.map * shift;
         out_.uses.push_back({id, {at.x(), -at.y()}, place.groups});
         // FreeSewing's marks are drawings of their own: their place is all that counts.
@@ -226,19 +220,24 @@ class Walker {
         constexpr int kMostUses = 32;
         if (++place.uses > kMostUses) fail(node, "elements use each other without end");
         place.map.translate(shift);
-        if (local_name(target->second.name()) == "symbol") return walk_children(target->second, place);
+        const std::string_view used = local_name(target->second.name());
+        if (used == "symbol") {
+            enter_viewport(target->second, node, place);
+            place.look = styles_.look_of(target->second, place.look);
+            return walk_children(target->second, place);
+        }
         walk(target->second, place);
     }
 
-    static double number(const pugi::xml_node& node, const char* name) {
-        const auto length = parse_length(attribute(node, name));
-        return length ? length->value : 0;
+    // Two lengths, along x and along y.
+    Vec2d pair(const pugi::xml_node& node, const char* x, const char* y, const Place& place) const {
+        return {length(node, x, place.viewport.x()), length(node, y, place.viewport.y())};
     }
 
-    void draw_rectangle(const pugi::xml_node& node, bool keeps_circles, PathBuilder& pen) const {
-        const Vec2d low(number(node, "x"), number(node, "y")), size(number(node, "width"), number(node, "height"));
+    void draw_rectangle(const pugi::xml_node& node, const Place& place, bool keeps_circles, PathBuilder& pen) const {
+        const Vec2d low = pair(node, "x", "y", place), size = pair(node, "width", "height", place);
         if (!(size.minCoeff() > 0)) return;
-        double rx = number(node, "rx"), ry = number(node, "ry");
+        auto [rx, ry] = std::pair(length(node, "rx", place.viewport.x()), length(node, "ry", place.viewport.y()));
         if (!node.attribute("ry")) ry = rx;
         if (!node.attribute("rx")) rx = ry;
         const Vec2d r = Vec2d(rx, ry).cwiseMax(0.0).cwiseMin(size / 2), high = low + size;
@@ -270,21 +269,22 @@ class Walker {
     }
 
     // Returns whether the element is a shape.
-    bool draw(const pugi::xml_node& node, std::string_view name, bool keeps_circles, PathBuilder& pen) const {
+    bool draw(const pugi::xml_node& node, std::string_view name, const Place& place, bool keeps_circles,
+              PathBuilder& pen) const {
         if (name == "path") {
             const std::string problem = draw_path_data(attribute(node, "d"), keeps_circles, pen);
             if (!problem.empty()) fail(node, problem);
         } else if (name == "rect") {
-            draw_rectangle(node, keeps_circles, pen);
+            draw_rectangle(node, place, keeps_circles, pen);
         } else if (name == "circle") {
-            draw_ellipse({number(node, "cx"), number(node, "cy")}, Vec2d::Constant(number(node, "r")), keeps_circles,
-                         pen);
+            // A percentage is one of the viewport's diagonal over the root of 2.
+            const double radius = length(node, "r", place.viewport.norm() / std::numbers::sqrt2);
+            draw_ellipse(pair(node, "cx", "cy", place), Vec2d::Constant(radius), keeps_circles, pen);
         } else if (name == "ellipse") {
-            draw_ellipse({number(node, "cx"), number(node, "cy")}, {number(node, "rx"), number(node, "ry")},
-                         keeps_circles, pen);
+            draw_ellipse(pair(node, "cx", "cy", place), pair(node, "rx", "ry", place), keeps_circles, pen);
         } else if (name == "line") {
-            pen.move({number(node, "x1"), number(node, "y1")});
-            pen.line({number(node, "x2"), number(node, "y2")});
+            pen.move(pair(node, "x1", "y1", place));
+            pen.line(pair(node, "x2", "y2", place));
         } else if (name == "polyline" || name == "polygon") {
             draw_points(node, name == "polygon", pen);
         } else {
@@ -293,13 +293,23 @@ class Walker {
         return true;
     }
 
+    // FreeSewing's classes and the lines of Selvedge say what they are, seen or not.
+    bool is_seen(const pugi::xml_node& node, const SvgLook& look) const {
+        if (out_.is_freesewing || !own_data(node).empty()) return look.is_visible;
+        return look.is_visible && (look.fill != "none" || look.stroke != "none");
+    }
+
     void read_shape(const pugi::xml_node& node, std::string_view name, const Place& place) {
         const Eigen::Matrix2d linear = place.map.linear();
         const double a = linear.col(0).squaredNorm(), b = linear.col(1).squaredNorm();
         const bool keeps_circles =
             std::abs(a - b) < 1e-9 * (a + b) && std::abs(linear.col(0).dot(linear.col(1))) < 1e-9 * (a + b);
         PathBuilder pen;
-        if (!draw(node, name, keeps_circles, pen)) return;
+        if (!draw(node, name, place, keeps_circles, pen)) return;
+        if (!is_seen(node, place.look)) {
+            ++hidden_;
+            return;
+        }
         for (DrawnPath& path : pen.take(0, 0)) {
             transform(path, place.map);
             flip(path);
@@ -323,17 +333,19 @@ class Walker {
             shape.text_along = attribute(node, "data-text");
             shape.markers = std::string(attribute(node, "marker-start")) + std::string(attribute(node, "marker-end"));
             shape.data = own_data(node);
+            shape.look = place.look;
             out_.shapes.push_back(std::move(shape));
         }
     }
 
     static void append_text(const pugi::xml_node& node, std::string& text, int depth) {
         if (depth > kDeepestElement) return;
-        text += node.value();
+        if (node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata) text += node.value();
         for (const pugi::xml_node& child : node.children()) append_text(child, text, depth + 1);
     }
 
     void read_text(const pugi::xml_node& node, const Place& place) {
+        if (!place.look.is_visible) return;
         SvgText text;
         text.groups = place.groups;
         append_text(node, text.text.text, 0);
@@ -343,7 +355,7 @@ class Walker {
             if (local_name(child.name()) == "textPath") text.along = reference(child);
             if (!node.attribute("x") && child.attribute("x")) at = child;
         }
-        const Vec2d p = place.map * Vec2d(number(at, "x"), number(at, "y"));
+        const Vec2d p = place.map * pair(at, "x", "y", place);
         text.text.at = {p.x(), -p.y()};
         if (!text.text.text.empty()) out_.texts.push_back(std::move(text));
     }
@@ -360,7 +372,10 @@ class Walker {
         }
     }
 
+    const pugi::xml_document& document_;
     std::string_view text_;
+    SvgStyles styles_;
+    std::size_t hidden_ = 0;
     std::vector<std::size_t> line_ends_;  // offsets; empty: not asked for yet
     const std::string& file_;
     std::map<std::string, pugi::xml_node, std::less<>> by_id_;
@@ -384,7 +399,8 @@ SvgDocument read_svg_document(std::string_view text, const std::string& file) {
     if (text.size() > kLargestFile) throw InputError(file, "", "larger than 64 MB");
     pugi::xml_document document;
     const pugi::xml_parse_result result = document.load_buffer(
-        text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata_single, pugi::encoding_auto);
+        text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata_single | pugi::parse_comments,
+        pugi::encoding_auto);
     if (!result)
         throw InputError(file, place_of_line(text, result.offset), std::string("not XML: ") + result.description());
     for (const pugi::xml_node& node : document.children()) {

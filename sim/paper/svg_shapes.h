@@ -2,12 +2,13 @@
 // The shapes of an SVG document, flattened: every path in the units of the root, y up, with what its elements say of
 // it.
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "sim/paper/drawing.h"
+#include "sim/paper/svg_style.h"
+#include "sim/paper/svg_unit.h"
 
 namespace selvedge::sim {
 
@@ -29,6 +30,7 @@ struct SvgShape {
     std::string text_along = {};  // FreeSewing's data-text
     std::string markers = {};     // marker-start and marker-end
     std::map<std::string, std::string> data = {};
+    SvgLook look = {};
 };
 
 struct SvgUse {
@@ -49,12 +51,12 @@ struct SvgDocument {
     std::vector<SvgText> texts;
     std::vector<std::map<std::string, std::string>> seams;  // attributes of selvedge:seam
     std::string body;                                       // of selvedge:seams; empty: the file states none
-    std::optional<double> metres_per_unit;
+    SvgUnit unit;
     bool is_freesewing = false;
     std::vector<std::string> notes;
 };
 
-// Throws InputError, see read_svg().
+// Without what is hidden: by a style sheet, display, visibility or opacity. Throws InputError, see read_svg().
 SvgDocument read_svg_document(std::string_view text, const std::string& file);
 
 }  // namespace selvedge::sim

@@ -125,7 +125,9 @@ PanelRole role_of_name(std::string_view name) {
     PanelRole role;
     role.part = part_of_words(words);
     if (names_any(words, kFrontWords)) role.face = Face::Front;
-    if (names_any(words, kBackWords)) role.face = role.face == Face::None ? Face::Back : Face::None;
+    const bool ends_in_back =
+        std::ranges::any_of(words, [](const std::string& word) { return word.ends_with("back"); });  // "skirtback"
+    if (ends_in_back || names_any(words, kBackWords)) role.face = role.face == Face::None ? Face::Back : Face::None;
     // The two halves of a sleeve.
     if (role.part == GarmentPart::Sleeve && names_any(words, kUpperWords)) role.face = Face::Front;
     if (role.part == GarmentPart::Sleeve && names_any(words, kUnderWords)) role.face = Face::Back;

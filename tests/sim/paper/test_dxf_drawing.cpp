@@ -91,7 +91,9 @@ TEST(Dxf, names_the_line_of_what_is_wrong) {
     EXPECT_EQ(problem("0\nSECTION\n2\nBLOCKS\n0\nENDSEC\n"), "a.dxf: no closed line: nothing that could be a panel");
     std::string open = one_piece();
     open.replace(open.find("70\n1\n"), 5, "70\n0\n");
-    EXPECT_EQ(problem(open), "a.dxf: line 11: the outline of 'FRONT' is open by 400 mm");
+    const Drawing sewn = read_dxf(open, "a.dxf");  // its sewing line is closed
+    EXPECT_EQ(sewn.notes, std::vector<std::string>{
+                              "line 11: the outline of 'FRONT' is open by 400 mm: only its sewing line is taken"});
 }
 
 // A polyline of a file without blocks.

@@ -126,11 +126,11 @@ TEST(Svg, tells_which_outline_is_open_and_how_far) {
         return problem_of(wrong, [](const std::string& text) { return read_svg(text, "a.svg"); });
     };
     EXPECT_EQ(problem(svg("<path id='hem' d='M0,0H50'/><path id='back' d='M0,0H50V50H0V10'/>")),
-              "a.svg: <path> 'back': open by 10 mm, and no other path is closed: nothing that could be a panel");
+              "a.svg: <path> 'back': open by 10 mm, and no other line is closed: nothing that could be a panel");
     EXPECT_EQ(problem(svg("<g>\n<path d='M0,0H50V50H0V1.25'/></g>")),
-              "a.svg: <path> in line 4: open by 1.25 mm, and no other path is closed: nothing that could be a panel");
+              "a.svg: <path> in line 4: open by 1.25 mm, and no other line is closed: nothing that could be a panel");
     EXPECT_EQ(problem("<svg xmlns='http://www.w3.org/2000/svg'><path d='M0,0H50V50H0V10'/></svg>"),
-              "a.svg: <path> in line 1: open by 10 units, and no other path is closed: nothing that could be a panel");
+              "a.svg: <path> in line 1: open by 10 units, and no other line is closed: nothing that could be a panel");
     // Beside closed ones it is left out, and told.
     const Drawing drawing = read_svg(
         svg("<path id='front' d='M0,0H50V50H0Z'/><path id='back' d='M100,0H150V50H100V1.2'/><path d='M0,90H99'/>"), "");

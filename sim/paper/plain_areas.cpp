@@ -1,0 +1,109 @@
+#include "sim/paper/plain_areas.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/core/error.h"
+#include "sim/paper/path_builder.h"
+#include "sim/paper/size_names.h"
+#include "sim/pattern/outline.h"
+#include "sim/pattern/segment_distance.h"
+
+namespace selvedge::sim {
+namespace {
+
+double area_within(const std::vector<Vec2d>& points) {
+    double twice = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) twice += cross2(points[i], points[(i + 1) % points.size()]);
+    return std::abs(twice) / 2;
+}
+
+// Whether points are off a line: of an outline that crosses itself, lobes that turn left and right may cancel out.
+bool has_lobes(const std::vector<Vec2d>& points) {
+    double area = 0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        area += std::abs(cross2(points[i] - points[0], points[i + 1] - points[0]));
+    return area > 0;
+}
+
+PlainArea area_of_shape(const DrawnPath& path, std::size_t shape) {
+    PlainArea area{.shape = shape};
+    const Panel panel = as_panel(path);
+    for (const Vec2d& v : path.vertices) area.box.extend(v);
+    const double error = std::max(1e-9, 1e-3 * area.box.sizes().maxCoeff());
+    for (const OutlineEdge& edge : panel.edges) {
+        const std::vector<Vec2d> line = outline_polyline(panel, edge, error);
+        area.points.insert(area.points.end(), line.begin(), line.end() - 1);
+    }
+    for (const Vec2d& p : area.points) area.box.extend(p);
+    area.area = area_within(area.points);
+    return area;
+}
+
+// The same outline, drawn again.
+bool repeats(const PlainArea& area, const PlainArea& other) {
+    constexpr double kSame = 1e-4;  // of its size
+    const double near = kSame * other.box.diagonal().norm();
+    if ((area.box.min() - other.box.min()).norm() > near || (area.box.max() - other.box.max()).norm() > near ||
+        std::abs(area.area - other.area) > kSame * other.area)
+        return false;
+    return std::ranges::all_of(area.points,
+                               [&](const Vec2d& p) { return distance_to_outline(p, other.points) <= 10 * near; });
+}
+
+}  // namespace
+
+std::vector<PlainArea> find_areas(const std::vector<PlainShape>& shapes, const std::string& file) {
+    constexpr std::size_t kMost = 3000;
+    std::vector<PlainArea> areas;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const DrawnPath& path = shapes[i].path;
+        if (!path.is_closed || path.edges.size() < 2) continue;
+        PlainArea area = area_of_shape(path, i);
+        if (!(area.area > 0) && !has_lobes(area.points)) continue;
+        const auto is_same = [&](const PlainArea& other) {
+            return repeats(area, other) && size_of_shape(shapes[i]) == size_of_shape(shapes[other.shape]);
+        };
+        if (std::ranges::any_of(areas, is_same)) continue;
+        areas.push_back(std::move(area));
+        if (areas.size() > kMost) throw InputError(file, "", "more than 3,000 closed paths");
+    }
+    for (std::size_t a = 0; a < areas.size(); ++a) {
+        for (std::size_t b = 0; b < areas.size(); ++b) {
+            const bool is_around = a != b && areas[b].area > areas[a].area && areas[b].box.contains(areas[a].box) &&
+                                   is_inside(areas[a].points[0], areas[b].points) &&
+                                   is_inside(areas[a].points[areas[a].points.size() / 2], areas[b].points);
+            if (is_around && (!areas[a].parent || areas[b].area < areas[*areas[a].parent].area)) areas[a].parent = b;
+        }
+    }
+    return areas;
+}
+
+bool is_inset(const PlainArea& inner, const PlainArea& outer) {
+    constexpr double kSpread = 0.35;
+    double sum = 0;
+    std::vector<double> distances;
+    for (const Vec2d& p : inner.points) {
+        distances.push_back(distance_to_outline(p, outer.points));
+        sum += distances.back();
+    }
+    const double mean = sum / static_cast<double>(distances.size());
+    std::ranges::sort(distances);
+    const double low = distances[distances.size() / 10], high = distances[distances.size() * 9 / 10];
+    const double size = std::sqrt(outer.area);
+    return mean > 0 && high - low < kSpread * mean && mean < 0.15 * size && inner.area > 0.5 * outer.area;
+}
+
+bool is_upright_rectangle(const PlainArea& area, const PlainShape& shape) {
+    constexpr double kNear = 0.01;  // of its size
+    if (std::ranges::any_of(shape.path.edges, [](const OutlineEdge& edge) { return edge.kind != CurveKind::Line; }))
+        return false;
+    const double near = kNear * area.box.sizes().minCoeff();
+    return area.area > (1 - 2 * kNear) * area.box.sizes().prod() &&
+           std::ranges::all_of(area.points, [&](const Vec2d& p) {
+               const Vec2d low = (p - area.box.min()).cwiseAbs(), high = (p - area.box.max()).cwiseAbs();
+               return std::min(low.minCoeff(), high.minCoeff()) <= near;
+           });
+}
+
+}  // namespace selvedge::sim

@@ -1,0 +1,365 @@
+#include "sim/paper/plain_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include "sim/core/error.h"
+#include "sim/core/lower_case.h"
+#include "sim/core/printable.h"
+#include "sim/paper/closed_chains.h"
+#include "sim/paper/cut_text.h"
+#include "sim/paper/joined_path.h"
+#include "sim/paper/not_panels.h"
+#include "sim/paper/path_builder.h"
+#include "sim/paper/plain_areas.h"
+#include "sim/paper/size_names.h"
+#include "sim/paper/size_nests.h"
+#include "sim/pattern/outline.h"
+
+namespace selvedge::sim {
+namespace {
+
+bool says(const std::string& text, std::string_view part) {
+    return text.find(part) != std::string::npos;
+}
+
+bool is_generated(const std::string& id) {
+    if (id.empty()) return true;
+    for (const std::string_view prefix :
+         {"path", "rect", "polygon", "polyline", "circle", "ellipse", "SVGID", "use", "g", "layer", "Layer_", "line"}) {
+        if (!id.starts_with(prefix)) continue;
+        const std::string rest = id.substr(prefix.size());
+        if (std::ranges::all_of(
+                rest, [](char c) { return std::isdigit(static_cast<unsigned char>(c)) || c == '-' || c == '_'; }))
+            return true;
+    }
+    return false;
+}
+
+// The words that the file has for a shape: its own, and those of its groups.
+std::string words_for(const PlainShape& shape) {
+    std::string words = lower_case(shape.path.name) + " " + lower_case(shape.classes);
+    for (const PlainGroup& group : shape.groups) words += " " + lower_case(group.id) + " " + lower_case(group.label);
+    return words;
+}
+
+LineKind kind_for(const PlainShape& shape) {
+    if (shape.path.kind != LineKind::Unknown) return shape.path.kind;
+    const std::string words = words_for(shape);
+    if (says(words, "grain") || says(words, "fadenlauf")) return LineKind::Grain;
+    if (says(words, "fold") && !shape.path.is_closed) return LineKind::FoldEdge;
+    if (says(words, "sew") || says(words, "stitch") || says(words, "seamline") || says(words, "seam line") ||
+        says(words, "seam_line")) {
+        return LineKind::Sew;
+    }
+    if (says(words, "cut")) return LineKind::Cut;
+    if (says(words, "help") || says(words, "guide")) return LineKind::Help;
+    return LineKind::Unknown;
+}
+
+double length_of_path(const DrawnPath& path) {
+    double length = 0;
+    for (std::size_t i = 1; i < path.vertices.size(); ++i) length += (path.vertices[i] - path.vertices[i - 1]).norm();
+    return length;
+}
+
+class PlainReader {
+ public:
+    PlainReader(PlainDrawing plain, const std::string& file, Drawing& drawing)
+        : plain_(std::move(plain)), file_(file), drawing_(drawing) {}
+
+    void read() {
+        const std::size_t first = drawing_.parts.size();
+        for (PlainShape& shape : plain_.shapes) shape.path.kind = kind_for(shape);
+        gap_ = gap_between_ends();
+        join_lines();
+        close_small_gaps();
+        areas_ = find_areas(plain_.shapes, file_);
+        const std::size_t closed = areas_.size();
+        NotPanels left_out = leave_out_what_is_no_panel(plain_, areas_);
+        std::ranges::move(left_out.notes, std::back_inserter(drawing_.notes));
+        if (left_out.metres_per_unit) drawing_.metres_per_unit = plain_.metres_per_unit = left_out.metres_per_unit;
+        nests_ = find_size_nests(plain_, areas_);
+        for (std::size_t a = 0; a < areas_.size(); ++a) {
+            if (!areas_[a].is_left_out && !parent_of_same_size(a)) add_part(a);
+        }
+        if (closed == 0 && drawing_.parts.empty()) refuse_open();
+        add_open_shapes();
+        add_texts();
+        for (const DrawnMark& mark : plain_.marks) {
+            for (DrawnPart* part : parts_at(mark.at)) part->marks.push_back(mark);
+        }
+        name_parts(first);
+    }
+
+ private:
+    // Where the file has no unit, a fraction of the drawing that is as small on any paper.
+    double gap_between_ends() const {
+        constexpr double kShare = 2e-4;
+        if (plain_.metres_per_unit) return kJoinGap / *plain_.metres_per_unit;
+        Eigen::AlignedBox2d box;
+        for (const PlainShape& shape : plain_.shapes) {
+            for (const Vec2d& v : shape.path.vertices) box.extend(v);
+        }
+        return box.isEmpty() ? 0 : kShare * box.diagonal().norm();
+    }
+
+    // Ends that nearly meet are one.
+    void close_small_gaps() {
+        for (PlainShape& shape : plain_.shapes) {
+            DrawnPath& path = shape.path;
+            if (path.is_closed || path.edges.size() < 2 || is_mark_kind(path.kind)) continue;
+            const double open = gap_of(path);
+            if (open > gap_) continue;
+            path.vertices.pop_back();
+            path.edges.back().end = 0;
+            path.is_closed = true;
+            if (open > 0)
+                drawing_.notes.push_back(path.place + ": " + open_by(open, drawing_.metres_per_unit) + ", closed");
+        }
+    }
+
+    static bool is_mark_kind(LineKind kind) {
+        return kind == LineKind::Grain || kind == LineKind::FoldEdge || kind == LineKind::FoldLine ||
+               kind == LineKind::Help;
+    }
+
+    // ---- Outlines that are drawn in pieces.
+
+    void join_lines() {
+        std::vector<std::size_t> open;
+        for (std::size_t i = 0; i < plain_.shapes.size(); ++i) {
+            const DrawnPath& path = plain_.shapes[i].path;
+            if (path.is_closed || path.edges.empty() || gap_of(path) <= gap_ || is_mark_kind(path.kind)) continue;
+            open.push_back(i);
+        }
+        constexpr std::size_t kMost = 20000;
+        if (open.size() > kMost) throw InputError(file_, "", "more than 20,000 open lines: no pattern has as many");
+        if (open.size() < 2) return;
+        const bool has_groups = groups_tell_parts(open);
+        std::vector<KeyedLine> lines;
+        for (const std::size_t i : open) {
+            const PlainShape& shape = plain_.shapes[i];
+            const std::string group = shape.groups.empty() ? "" : std::to_string(shape.groups.back().number);
+            lines.push_back({points_of_path(shape.path), {group + "|" + shape.style, shape.style}});
+        }
+        const Branches first = has_groups ? Branches::Outer : Branches::Faces;
+        const ClosedChains joined = join_in_passes(lines, gap_, {first, Branches::Faces, Branches::Faces});
+        if (joined.chains.empty()) return;
+        replace_joined(open, joined);
+    }
+
+    // Whether groups hold one part each: they are several, and no layers.
+    bool groups_tell_parts(const std::vector<std::size_t>& open) const {
+        std::set<int> groups;
+        for (const std::size_t i : open) {
+            const std::vector<PlainGroup>& all = plain_.shapes[i].groups;
+            if (all.empty() || all.back().is_layer) return false;
+            groups.insert(all.back().number);
+        }
+        return groups.size() > 1;
+    }
+
+    void replace_joined(const std::vector<std::size_t>& open, const ClosedChains& joined) {
+        std::vector<PlainShape> outlines;
+        std::set<std::size_t> used;
+        for (const std::size_t i : joined.repeated) used.insert(open[i]);
+        for (const ClosedChain& chain : joined.chains) {
+            std::vector<const DrawnPath*> paths;
+            for (const ChainLink& link : chain) {
+                paths.push_back(&plain_.shapes[open[link.line]].path);
+                used.insert(open[link.line]);
+            }
+            PlainShape outline = plain_.shapes[open[chain.front().line]];
+            outline.path = joined_path(paths, chain);
+            outline.path.place = paths.front()->place + " and what meets it";
+            if (!std::ranges::all_of(paths, [&](const DrawnPath* one) { return one->name == outline.path.name; }))
+                outline.path.name.clear();
+            outline.is_made_of_lines = true;
+            outline.is_filled_only = false;
+            outlines.push_back(std::move(outline));
+        }
+        tell_joined(joined);
+        std::vector<PlainShape> kept;
+        for (std::size_t i = 0; i < plain_.shapes.size(); ++i) {
+            if (!used.contains(i)) kept.push_back(std::move(plain_.shapes[i]));
+        }
+        // In the order of the file: the largest of what is joined would come first otherwise.
+        std::ranges::stable_sort(outlines, {}, [](const PlainShape& shape) {
+            Eigen::AlignedBox2d box;
+            for (const Vec2d& v : shape.path.vertices) box.extend(v);
+            return box.min().x();
+        });
+        std::ranges::move(kept, std::back_inserter(outlines));
+        plain_.shapes = std::move(outlines);
+    }
+
+    void tell_joined(const ClosedChains& joined) {
+        std::string note = count_text(joined.chains.size(), "outline") + " drawn in pieces: joined where lines meet";
+        if (joined.widest_gap > 0 && drawing_.metres_per_unit) {
+            std::array<char, 64> text{};
+            std::snprintf(text.data(), text.size(), ", up to %.2g mm apart",
+                          1000 * *drawing_.metres_per_unit * joined.widest_gap);
+            note += text.data();
+        }
+        if (joined.shared > 0)
+            note += "; " + count_text(static_cast<std::size_t>(joined.shared), "line") +
+                    " between two of them: both have it";
+        drawing_.notes.push_back(note);
+    }
+
+    // Where no path is closed: names the largest of those that were meant to be.
+    void refuse_open() const {
+        const DrawnPath* largest = nullptr;
+        double most = 0;
+        for (const PlainShape& shape : plain_.shapes) {
+            Eigen::AlignedBox2d box;
+            for (const Vec2d& v : shape.path.vertices) box.extend(v);
+            if (shape.path.is_closed || shape.path.vertices.size() < 3 || !(box.sizes().sum() > most)) continue;
+            largest = &shape.path;
+            most = box.sizes().sum();
+        }
+        if (!largest) return;
+        throw InputError(file_, largest->place,
+                         open_by(gap_of(*largest), drawing_.metres_per_unit) +
+                             ", and no other line is closed: nothing that could be a panel");
+    }
+
+    // ---- Parts.
+
+    // An area within another size of the same part is a part of its own.
+    std::optional<std::size_t> parent_of_same_size(std::size_t a) const {
+        std::optional<std::size_t> parent = areas_[a].parent;
+        while (parent && (areas_[*parent].is_left_out || nests_.are_sizes_of_one(a, *parent)))
+            parent = areas_[*parent].parent;
+        return parent;
+    }
+
+    void add_part(std::size_t a) {
+        const PlainShape& shape = plain_.shapes[areas_[a].shape];
+        DrawnPart part;
+        part.size = nests_.sizes[a];
+        part.paths.push_back(shape.path);
+        if (is_mark_kind(part.paths.back().kind)) return;
+        bool has_sewing_line = false;
+        for (std::size_t b = 0; b < areas_.size(); ++b) {
+            if (areas_[b].is_left_out || parent_of_same_size(b) != a) continue;
+            DrawnPath path = plain_.shapes[areas_[b].shape].path;
+            if (!has_sewing_line && (path.kind == LineKind::Sew || is_inset(areas_[b], areas_[a]))) {
+                path.kind = LineKind::Sew;
+                has_sewing_line = true;
+            } else if (path.kind != LineKind::Help && path.kind != LineKind::Cutout) {
+                path.kind = LineKind::Internal;
+            }
+            part.paths.push_back(std::move(path));
+        }
+        LineKind& outer = part.paths.front().kind;
+        if (has_sewing_line) outer = LineKind::Cut;
+        if (outer != LineKind::Cut && outer != LineKind::Sew) outer = LineKind::Unknown;
+        part_of_area_.push_back(a);
+        drawing_.parts.push_back(std::move(part));
+    }
+
+    std::size_t first_part() const { return drawing_.parts.size() - part_of_area_.size(); }
+
+    // The parts whose areas hold a point: of a nest of sizes, several.
+    std::vector<DrawnPart*> parts_at(const Vec2d& p) {
+        std::vector<DrawnPart*> found;
+        for (std::size_t i = 0; i < part_of_area_.size(); ++i) {
+            const PlainArea& area = areas_[part_of_area_[i]];
+            if (area.box.contains(p) && is_inside(p, area.points)) found.push_back(&drawing_.parts[first_part() + i]);
+        }
+        return found;
+    }
+
+    void add_open_shapes() {
+        const double unit = drawing_.metres_per_unit.value_or(0.001);
+        for (const PlainShape& shape : plain_.shapes) {
+            if (shape.path.is_closed || shape.path.vertices.size() < 2) continue;
+            const Vec2d from = shape.path.vertices.front(), to = shape.path.vertices.back();
+            std::vector<DrawnPart*> parts = parts_at((from + to) / 2);
+            if (parts.empty()) parts = parts_at(from);
+            if (parts.empty()) parts = parts_at(to);
+            if (parts.empty() && nearly_closes(shape.path)) {
+                drawing_.notes.push_back(shape.path.place + ": " +
+                                         open_by(gap_of(shape.path), drawing_.metres_per_unit) + ", left out");
+            }
+            for (DrawnPart* part : parts) add_open(shape, unit, *part);
+        }
+    }
+
+    static void add_open(const PlainShape& shape, double unit, DrawnPart& part) {
+        const Vec2d from = shape.path.vertices.front(), to = shape.path.vertices.back();
+        const double length = unit * length_of_path(shape.path);
+        constexpr double kShortest = 0.001, kLongest = 0.016;  // m, of a notch
+        const bool is_short = length > kShortest && length < kLongest && shape.path.edges.size() <= 2;
+        DrawnPath path = shape.path;
+        if (says(words_for(shape), "notch") || (is_short && path.kind == LineKind::Unknown)) {
+            part.marks.push_back({.at = (from + to) / 2});
+            return;
+        }
+        if (!is_mark_kind(path.kind)) path.kind = LineKind::Internal;
+        part.paths.push_back(std::move(path));
+    }
+
+    void add_texts() {
+        for (const DrawnText& text : plain_.texts) {
+            for (DrawnPart* part : parts_at(text.at)) {
+                read_cut_text(text.text, part->cut);
+                part->texts.push_back(text);
+            }
+        }
+    }
+
+    // By the path's own name, that of the nearest group of its own, its first text, or its number.
+    void name_parts(std::size_t first) {
+        for (std::size_t i = 0; i < part_of_area_.size(); ++i) {
+            DrawnPart& part = drawing_.parts[first + i];
+            const PlainShape& shape = plain_.shapes[areas_[part_of_area_[i]].shape];
+            std::vector<std::string> names{shape.path.name};
+            for (auto group = shape.groups.rbegin(); group != shape.groups.rend(); ++group) {
+                if (is_shared(*group)) continue;
+                names.push_back(group->label);
+                names.push_back(group->id);
+            }
+            for (const DrawnText& text : part.texts) names.push_back(text.text);
+            const auto name = std::ranges::find_if(names, [&](const std::string& one) {
+                return !is_generated(one) && (part.size.empty() || size_of_name(one) != part.size);
+            });
+            part.name = name == names.end() ? "panel_" + std::to_string(i + 1)
+                                            : name->substr(0, name->find('\n')).substr(0, 60);
+            if (const auto split = split_size(part.name); split && split->second == part.size) part.name = split->first;
+        }
+    }
+
+    // Whether a group holds several parts, so that its name is not that of one.
+    bool is_shared(const PlainGroup& group) const {
+        int parts = 0;
+        for (const std::size_t area : part_of_area_) {
+            const std::vector<PlainGroup>& groups = plain_.shapes[areas_[area].shape].groups;
+            parts +=
+                std::ranges::any_of(groups, [&](const PlainGroup& one) { return one.number == group.number; }) ? 1 : 0;
+        }
+        return parts > 1;
+    }
+
+    PlainDrawing plain_;
+    const std::string& file_;
+    Drawing& drawing_;
+    double gap_ = 0;  // file units
+    std::vector<PlainArea> areas_;
+    SizeNests nests_;
+    std::vector<std::size_t> part_of_area_;  // per part of this drawing: its outermost area
+};
+
+}  // namespace
+
+void add_plain_parts(PlainDrawing plain, const std::string& file, Drawing& drawing) {
+    PlainReader(std::move(plain), file, drawing).read();
+}
+
+}  // namespace selvedge::sim

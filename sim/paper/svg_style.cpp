@@ -1,0 +1,237 @@
+#include "sim/paper/svg_style.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdlib>
+
+#include "sim/core/lower_case.h"
+
+namespace selvedge::sim {
+namespace {
+
+constexpr std::size_t kMostRules = 2000;
+
+std::string_view stripped(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n\f";
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string without_comments(std::string_view css) {
+    std::string text;
+    while (!css.empty()) {
+        const std::size_t from = css.find("/*");
+        text += css.substr(0, from);
+        if (from == std::string_view::npos) break;
+        const std::size_t to = css.find("*/", from + 2);
+        css = to == std::string_view::npos ? std::string_view() : css.substr(to + 2);
+        text += ' ';
+    }
+    return text;
+}
+
+// The position of the brace that closes the one before `from`; the end if none does.
+std::size_t closing_brace(std::string_view css, std::size_t from) {
+    int depth = 1;
+    for (std::size_t i = from; i < css.size(); ++i) {
+        depth += css[i] == '{' ? 1 : css[i] == '}' ? -1 : 0;
+        if (depth == 0) return i;
+    }
+    return css.size();
+}
+
+// Takes the text up to a separator from the front, without it.
+std::string_view take_until(std::string_view& text, char separator) {
+    const std::size_t at = text.find(separator);
+    const std::string_view part = text.substr(0, at);
+    text = at == std::string_view::npos ? std::string_view() : text.substr(at + 1);
+    return part;
+}
+
+template <class Take>
+void for_each_declaration(std::string_view text, Take take) {
+    while (!text.empty()) {
+        std::string_view declaration = take_until(text, ';');
+        const std::string name = lower_case(stripped(take_until(declaration, ':')));
+        std::string_view value = stripped(declaration);
+        const std::size_t mark = value.rfind('!');
+        const bool is_important =
+            mark != std::string_view::npos && lower_case(stripped(value.substr(mark + 1))) == "important";
+        if (is_important) value = stripped(value.substr(0, mark));
+        if (!name.empty() && !value.empty()) take(name, std::string(value), is_important);
+    }
+}
+
+bool is_name_letter(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' ||
+           static_cast<unsigned char>(c) >= 0x80;
+}
+
+std::string_view take_name(std::string_view& text) {
+    std::size_t end = 0;
+    while (end < text.size() && is_name_letter(text[end])) ++end;
+    const std::string_view name = text.substr(0, end);
+    text.remove_prefix(end);
+    return name;
+}
+
+bool has_class(std::string_view classes, std::string_view wanted) {
+    while (!classes.empty()) {
+        const std::size_t end = std::min(classes.find_first_of(" \t\r\n"), classes.size());
+        if (classes.substr(0, end) == wanted) return true;
+        classes.remove_prefix(std::min(end + 1, classes.size()));
+    }
+    return false;
+}
+
+// Zero, of "0", "0.0" and "0%".
+bool is_zero(const std::string& value) {
+    char* end = nullptr;
+    const double number = std::strtod(value.c_str(), &end);
+    return end != value.c_str() && number <= 0;
+}
+
+std::string_view local_part(std::string_view name) {
+    const std::size_t colon = name.find(':');
+    return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+}  // namespace
+
+void SvgStyles::add_sheet(std::string_view css) {
+    add_rules(without_comments(css));
+    std::ranges::stable_sort(rules_, {}, &Rule::specificity);
+}
+
+void SvgStyles::add_rules(std::string_view css) {
+    while (rules_.size() < kMostRules) {
+        const std::size_t open = css.find('{');
+        if (open == std::string_view::npos) return;
+        std::string_view head = css.substr(0, open);
+        if (const std::size_t statement = head.rfind(';'); statement != std::string_view::npos)
+            head.remove_prefix(statement + 1);  // @import "..."; and its like
+        head = stripped(head);
+        const std::size_t close = closing_brace(css, open + 1);
+        const std::string_view body = css.substr(open + 1, close - open - 1);
+        css = css.substr(std::min(close + 1, css.size()));
+        if (head.starts_with('@')) {
+            const std::string media = lower_case(head);
+            if (media.starts_with("@media") && media.find("print") == std::string::npos) add_rules(body);
+            continue;
+        }
+        Rule rule;
+        for_each_declaration(body, [&](const std::string& name, std::string value, bool is_important) {
+            (is_important ? rule.important : rule.properties)[name] = std::move(value);
+        });
+        while (!head.empty() && rules_.size() < kMostRules) {
+            Rule one = rule;
+            if (read_selector(stripped(take_until(head, ',')), one)) rules_.push_back(std::move(one));
+        }
+    }
+}
+
+bool SvgStyles::read_selector(std::string_view text, Rule& rule) {
+    constexpr int kId = 10000, kClass = 100, kTag = 1;
+    bool is_child = false;
+    while (!text.empty()) {
+        Compound compound{.is_child = is_child};
+        if (text.front() == '*') {
+            text.remove_prefix(1);
+        } else if (is_name_letter(text.front())) {
+            const std::string_view first = take_name(text);
+            compound.tag = first;
+            rule.specificity += kTag;
+        }
+        while (!text.empty() && (text.front() == '.' || text.front() == '#')) {
+            const bool is_id = text.front() == '#';
+            text.remove_prefix(1);
+            const std::string name(take_name(text));
+            if (name.empty()) return false;
+            if (is_id) compound.id = name;
+            if (!is_id) compound.classes.push_back(name);
+            rule.specificity += is_id ? kId : kClass;
+        }
+        rule.selector.push_back(std::move(compound));
+        if (!text.empty() && text.front() != ' ' && text.front() != '\t' && text.front() != '\n' &&
+            text.front() != '\r' && text.front() != '>')
+            return false;
+        text = stripped(text);
+        is_child = text.starts_with('>');
+        if (is_child) text = stripped(text.substr(1));
+        if (is_child && text.empty()) return false;
+        if (!text.empty() && text.front() != '*' && text.front() != '.' && text.front() != '#' &&
+            !is_name_letter(text.front()))
+            return false;
+    }
+    return !rule.selector.empty();
+}
+
+bool SvgStyles::matches(const Compound& compound, const pugi::xml_node& node) {
+    if (!compound.tag.empty() && local_part(node.name()) != compound.tag) return false;
+    if (!compound.id.empty() && compound.id != node.attribute("id").value()) return false;
+    return std::ranges::all_of(compound.classes,
+                               [&](const std::string& one) { return has_class(node.attribute("class").value(), one); });
+}
+
+// Whether a node matches a selector: itself the last compound, its nearest ancestors that do the others.
+bool SvgStyles::matches(const std::vector<Compound>& selector, const pugi::xml_node& node) {
+    if (!matches(selector.back(), node)) return false;
+    pugi::xml_node above = node.parent();
+    for (std::size_t k = selector.size() - 1; k > 0; --k) {
+        if (!selector[k].is_child) {
+            while (above.type() == pugi::node_element && !matches(selector[k - 1], above)) above = above.parent();
+        }
+        if (above.type() != pugi::node_element || !matches(selector[k - 1], above)) return false;
+        above = above.parent();
+    }
+    return true;
+}
+
+SvgLook SvgStyles::look_of(const pugi::xml_node& node, const SvgLook& parent) const {
+    constexpr std::array<const char*, 8> kNames{"display", "visibility",   "opacity",        "fill",
+                                                "stroke",  "fill-opacity", "stroke-opacity", "stroke-dasharray"};
+    Properties style;
+    for (const char* name : kNames) {
+        if (const pugi::xml_attribute value = node.attribute(name)) style[name] = stripped(value.value());
+    }
+    std::vector<const Rule*> matching;
+    for (const Rule& rule : rules_) {
+        if (matches(rule.selector, node)) matching.push_back(&rule);
+    }
+    for (const Rule* rule : matching) {
+        for (const auto& [name, value] : rule->properties) style[name] = value;
+    }
+    Properties important;
+    for (const Rule* rule : matching) {
+        for (const auto& [name, value] : rule->important) important[name] = value;
+    }
+    for_each_declaration(node.attribute("style").value(),
+                         [&](const std::string& name, std::string value, bool is_important) {
+                             (is_important ? important : style)[name] = std::move(value);
+                         });
+    for (const auto& [name, value] : important) style[name] = value;
+
+    SvgLook look = parent;
+    look.transform.clear();
+    const auto given = [&](std::string_view name) -> const std::string* {
+        const auto found = style.find(name);
+        return found == style.end() || found->second == "inherit" ? nullptr : &found->second;
+    };
+    if (const std::string* value = given("display")) look.is_drawn = *value != "none";
+    if (const std::string* value = given("opacity")) look.is_drawn = look.is_drawn && !is_zero(*value);
+    if (const std::string* value = given("visibility")) look.is_visible = *value != "hidden" && *value != "collapse";
+    if (const std::string* value = given("fill")) look.fill = *value;
+    if (const std::string* value = given("stroke")) look.stroke = *value;
+    if (const std::string* value = given("stroke-dasharray")) look.dashes = *value;
+    if (const std::string* value = given("fill-opacity"); value && is_zero(*value)) look.fill = "none";
+    if (const std::string* value = given("stroke-opacity"); value && is_zero(*value)) look.stroke = "none";
+    if (const std::string* value = given("transform"); value && *value != "none") look.transform = *value;
+    for (std::string* color : {&look.fill, &look.stroke}) {
+        if (*color == "transparent") *color = "none";
+    }
+    return look;
+}
+
+}  // namespace selvedge::sim

@@ -1,0 +1,56 @@
+#pragma once
+// How SVG elements are drawn: style sheets, style attributes and presentation attributes together.  (W3C, "Cascading
+// Style Sheets Level 2" 6.4 and "Selectors Level 3")
+#include <map>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace selvedge::sim {
+
+// What an element looks like, as far as it tells parts from what is not drawn. Inherited from its parent, but for
+// `transform` and `is_drawn`.
+struct SvgLook {
+    bool is_drawn = true;    // false: display is none or opacity is 0, so that nothing within is drawn either
+    bool is_visible = true;  // visibility
+    std::string fill = "black";
+    std::string stroke = "none";
+    std::string dashes = "none";
+    std::string transform = {};  // of the style, which goes before the attribute
+};
+
+class SvgStyles {
+ public:
+    // Adds the rules of a style sheet. Rules whose selectors have other parts than names, classes, ids and ancestors,
+    // and those within @-rules other than @media for screens, are left out.
+    void add_sheet(std::string_view css);
+
+    SvgLook look_of(const pugi::xml_node& node, const SvgLook& parent) const;
+
+ private:
+    using Properties = std::map<std::string, std::string, std::less<>>;
+
+    // "g.cut#front": empty parts ask nothing.
+    struct Compound {
+        std::string tag = {};
+        std::string id = {};
+        std::vector<std::string> classes = {};
+        bool is_child = false;  // of the compound before it, not only within it
+    };
+    struct Rule {
+        std::vector<Compound> selector;
+        int specificity = 0;
+        Properties properties;
+        Properties important;
+    };
+
+    static bool read_selector(std::string_view text, Rule& rule);
+    static bool matches(const Compound& compound, const pugi::xml_node& node);
+    static bool matches(const std::vector<Compound>& selector, const pugi::xml_node& node);
+    void add_rules(std::string_view css);
+
+    std::vector<Rule> rules_;  // in the order in which they count: the last wins
+};
+
+}  // namespace selvedge::sim
