@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
 
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/file_extension.h"
 #include "sim/core/printable.h"
+#include "sim/core/version.h"
 #include "sim/print/dxf_file.h"
 #include "sim/print/print_pdf.h"
 #include "sim/print/svg_file.h"
@@ -77,6 +80,18 @@ std::string write_svg(const sim::Pattern& pattern, const PrintSettings& settings
     return svg_of(pattern, sheet, choose_layers(settings.layers));
 }
 
+// Now, in universal time; or, for builds that are to be repeated, the seconds since 1970 in SOURCE_DATE_EPOCH.
+sim::DxfStamp stamp_of_now() {
+    std::time_t seconds = std::time(nullptr);
+    if (const char* given = std::getenv("SOURCE_DATE_EPOCH")) seconds = std::strtoll(given, nullptr, 10);
+    std::tm parts{};
+    gmtime_r(&seconds, &parts);
+    std::array<char, 32> date{}, time{};
+    std::strftime(date.data(), date.size(), "%d-%m-%Y", &parts);
+    std::strftime(time.data(), time.size(), "%H:%M", &parts);
+    return {.version = std::string(sim::program_version()), .date = date.data(), .time = time.data()};
+}
+
 bool has_allowance(const sim::Pattern& pattern) {
     return std::ranges::any_of(pattern.panels, [&](const sim::Panel& panel) {
         return std::ranges::any_of(panel.edges, [&](const sim::OutlineEdge& edge) {
@@ -102,7 +117,7 @@ Printed print_pattern(const sim::Pattern& pattern, const std::filesystem::path& 
     } else if (extension == ".svg") {
         bytes = write_svg(pattern, settings, printed.what);
     } else {
-        bytes = dxf_of(pattern, settings.is_astm ? sim::DxfStandard::Astm : sim::DxfStandard::Aama);
+        bytes = dxf_of(pattern, settings.is_astm ? sim::DxfStandard::Astm : sim::DxfStandard::Aama, stamp_of_now());
         printed.what = settings.is_astm ? "DXF-ASTM" : "DXF-AAMA";
     }
     sim::write_file_atomically(file, bytes);

@@ -288,7 +288,9 @@ class DxfReader {
             const LineKind kind = &line == sewn       ? LineKind::Sew
                                   : &line == boundary ? (sewn || has_sewing_lines ? LineKind::Cut : LineKind::Unknown)
                                                       : kind_of_layer(line.layer);
-            if (&line == sewn && is_outline_on(piece.records.outline, line.points, kMoved / unit())) {
+            const bool is_sewn = &line == (sewn ? sewn : boundary);
+            if (is_sewn && is_outline_on(piece.records.outline, line.points, kMoved / unit())) {
+                if (!sewn) part.paths.push_back(as_drawn(line, LineKind::Cut));  // without an allowance it is both
                 part.paths.push_back(piece.records.outline);
                 part.paths.back().kind = LineKind::Sew;
                 part.paths.back().place = "line " + std::to_string(line.line);

@@ -171,8 +171,17 @@ void DxfEntityReader::add(DxfPiece& piece, DxfLine line, const DxfEntity& entity
     if (line.points.size() >= 2) piece.lines.push_back(std::move(line));
 }
 
+void DxfEntityReader::read_comments(const DxfEntity& entity, DxfPiece& piece) {
+    constexpr int kComment = 999, kAnnotation = 15;
+    for (const DxfGroup& group : entity.groups) {
+        if (group.code != kComment || !group.value.starts_with("SELVEDGE ")) continue;
+        piece.texts.push_back({.layer = kAnnotation, .text = dxf_string(group.value)});
+    }
+}
+
 std::size_t DxfEntityReader::read(const std::vector<DxfEntity>& all, std::size_t index, DxfPiece& piece) {
     const DxfEntity& entity = all[index];
+    read_comments(entity, piece);
     if (is_hidden(entity)) {
         ++hidden_;
         if (entity.type == "INSERT") {
@@ -217,6 +226,7 @@ std::size_t DxfEntityReader::read_polyline(const std::vector<DxfEntity>& all, st
         ++taken;
     }
     if (index + taken + 1 < all.size() && all[index + taken + 1].type == "SEQEND") ++taken;
+    for (std::size_t i = index + 1; i <= index + taken; ++i) read_comments(all[i], piece);
     DxfLine line = line_of(all[index]);
     draw_vertices(vertices, closes(all[index]), line);
     add(piece, std::move(line), all[index]);

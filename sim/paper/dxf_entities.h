@@ -65,6 +65,9 @@ class DxfEntityReader {
     // Adds what an entity draws. POLYLINE takes its vertices from the entities that follow; returns how many it took.
     std::size_t read(const std::vector<DxfEntity>& all, std::size_t index, DxfPiece& piece);
 
+    // Takes the comments of Selvedge that stand behind an entity, as texts.
+    static void read_comments(const DxfEntity& entity, DxfPiece& piece);
+
     // Entities that a layer or a code of their own hides.
     int hidden() const { return hidden_; }
 

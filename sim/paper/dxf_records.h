@@ -1,5 +1,6 @@
 #pragma once
-// What DXF files of Selvedge say beyond the standards, as texts on layer 15, lengths in mm. Of a piece, in order:
+// What DXF files of Selvedge say beyond the standards, as comments (before, as texts on layer 15), lengths in mm. Of a
+// piece, in order:
 //   SELVEDGE EDGE x y LINE
 //   SELVEDGE EDGE x y QUADRATIC x y
 //   SELVEDGE EDGE x y CUBIC x y x y

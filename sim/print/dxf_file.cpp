@@ -70,7 +70,8 @@ std::string ascii(std::string_view text) {
 
 class DxfWriter {
  public:
-    DxfWriter(const Pattern& pattern, DxfStandard standard) : pattern_(pattern), standard_(standard) {}
+    DxfWriter(const Pattern& pattern, DxfStandard standard, const DxfStamp& stamp)
+        : pattern_(pattern), standard_(standard), stamp_(stamp) {}
 
     std::string write() {
         section("HEADER");
@@ -90,6 +91,7 @@ class DxfWriter {
             point(10, Vec2d::Zero());
         }
         text(1, "Style Name: " + pattern_.name);
+        write_stamp();
         text(1, "Units: METRIC");
         if (!pattern_.size.empty()) text(1, "Sample Size: " + pattern_.size);
         write_seams();
@@ -146,6 +148,27 @@ class DxfWriter {
         group(1, ascii(value).substr(0, kLongest));
     }
 
+    // In a comment, which nothing draws.
+    void record(const std::string& value) {
+        constexpr std::size_t kLongest = 250;
+        group(999, ascii(value).substr(0, kLongest));
+    }
+
+    void write_stamp() {
+        if (!stamp_.date.empty()) text(1, "Creation Date: " + stamp_.date);
+        if (!stamp_.time.empty()) text(1, "Creation Time: " + stamp_.time);
+        text(1, "Author: Selvedge");
+        text(1, "Product: Selvedge");
+        if (!stamp_.version.empty()) text(1, "Version: " + stamp_.version);
+    }
+
+    void line(int layer, const Vec2d& from, const Vec2d& to) {
+        group(0, "LINE");
+        group(8, std::to_string(layer));
+        point(10, from);
+        point(11, to);
+    }
+
     void mark(int layer, const Vec2d& at) {
         group(0, "POINT");
         group(8, std::to_string(layer));
@@ -194,11 +217,12 @@ class DxfWriter {
         point(10, Vec2d::Zero());
         polyline(1, piece.cut, true);
         write_points(piece.cut);
-        polyline(14, piece.sew, true);
+        if (piece.sew != piece.cut) polyline(14, piece.sew, true);  // without an allowance the boundary is both
         for (const OutlineEdge& edge : panel.edges) mark(2, panel.vertices[static_cast<std::size_t>(edge.start)]);
         for (const NotchLine& notch : piece.notches) mark(notch_layer(notch.kind), notch.on_cut);
-        for (const PaperLine& line : piece.lines) {
-            if (line.layer == PaperLayer::Grain) polyline(7, line.points, false);
+        for (const PaperLine& line_of_paper : piece.lines) {
+            if (line_of_paper.layer == PaperLayer::Grain)
+                line(7, line_of_paper.points.front(), line_of_paper.points.back());
         }
         for (const InternalLine& line : panel.internal_lines) {
             if (line.points.size() >= 2) polyline(8, line.points, false);
@@ -242,15 +266,15 @@ class DxfWriter {
 
     void write_texts(const Panel& panel, const PaperPiece& piece) {
         Vec2d at = piece.label.at;
-        const auto line = [&](const std::string& value) {
+        const auto say = [&](const std::string& value) {
             text(1, value, at);
             at.y() -= 0.007;
         };
-        line("Piece Name: " + panel.name);
-        if (!pattern_.size.empty()) line("Size: " + pattern_.size);
-        line("Quantity: " + std::to_string(panel.pieces));
+        say("Piece Name: " + panel.name);
+        if (!pattern_.size.empty()) say("Size: " + pattern_.size);
+        say("Quantity: " + std::to_string(panel.pieces));
         const std::string& fabric = panel.fabric.empty() ? pattern_.fabric : panel.fabric;
-        if (!fabric.empty()) line("Material: " + fabric_title(fabric));
+        if (!fabric.empty()) say("Material: " + fabric_title(fabric));
     }
 
     // ---- What the standards have no entity for.
@@ -259,35 +283,35 @@ class DxfWriter {
         for (std::size_t e = 0; e < panel.edges.size(); ++e) {
             const OutlineEdge& edge = panel.edges[e];
             const Vec2d& start = panel.vertices[static_cast<std::size_t>(edge.start)];
-            std::string record = "SELVEDGE EDGE " + in_mm(start);
+            std::string edge_record = "SELVEDGE EDGE " + in_mm(start);
             switch (edge.kind) {
                 case CurveKind::Line:
-                    record += " LINE";
+                    edge_record += " LINE";
                     break;
                 case CurveKind::Quadratic:
-                    record += " QUADRATIC " + in_mm(edge.control[0]);
+                    edge_record += " QUADRATIC " + in_mm(edge.control[0]);
                     break;
                 case CurveKind::Cubic:
-                    record += " CUBIC " + in_mm(edge.control[0]) + " " + in_mm(edge.control[1]);
+                    edge_record += " CUBIC " + in_mm(edge.control[0]) + " " + in_mm(edge.control[1]);
                     break;
                 case CurveKind::Arc:
-                    record += " ARC " + number(1000 * edge.arc_radius) + (edge.is_large_arc ? " 1" : " 0") +
-                              (edge.turns_right ? " 1" : " 0");
+                    edge_record += " ARC " + number(1000 * edge.arc_radius) + (edge.is_large_arc ? " 1" : " 0") +
+                                   (edge.turns_right ? " 1" : " 0");
                     break;
             }
-            text(15, record);
+            record(edge_record);
         }
         for (const Notch& notch : panel.notches) {
-            text(15, "SELVEDGE NOTCH " + std::to_string(notch.edge) + " " + number(notch.t) + " " +
-                         std::string(name_of_value(notch.kind)) + " " + std::to_string(notch.count));
+            record("SELVEDGE NOTCH " + std::to_string(notch.edge) + " " + number(notch.t) + " " +
+                   std::string(name_of_value(notch.kind)) + " " + std::to_string(notch.count));
         }
         for (const InternalLine& line : panel.internal_lines) {
             if (line.points.size() < 2) continue;
-            text(15, "SELVEDGE LINE " + std::string(name_of_value(line.use)) + " " + line.name);
+            record("SELVEDGE LINE " + std::string(name_of_value(line.use)) + " " + line.name);
         }
         write_properties(panel);
         if (!has_portable_placement(pattern_)) return;
-        for (const std::string& phrase : placement_phrases(panel)) text(15, "SELVEDGE PLACED " + phrase);
+        for (const std::string& phrase : placement_phrases(panel)) record("SELVEDGE PLACED " + phrase);
     }
 
     void write_properties(const Panel& panel) {
@@ -301,7 +325,7 @@ class DxfWriter {
     }
 
     void write_properties(const std::string& of, const std::vector<std::string>& phrases) {
-        for (const std::string& phrase : phrases) text(15, "SELVEDGE " + of + " " + phrase);
+        for (const std::string& phrase : phrases) record("SELVEDGE " + of + " " + phrase);
     }
 
     // A sewing is told by its number: a name can be too long for a text, or have letters that DXF lacks.
@@ -309,13 +333,12 @@ class DxfWriter {
         std::map<std::string, std::size_t> numbers;
         for (const Seam& seam : pattern_.seams) {
             const auto side = [](const SeamSide& s) { return std::to_string(s.panel) + ":" + std::to_string(s.edge); };
-            text(15, "SELVEDGE SEAM " + side(seam.first) + " " + side(seam.second) +
-                         (seam.is_reversed ? " reversed" : " same") + (seam.is_eased ? " eased " : " exact ") +
-                         seam.name);
+            record("SELVEDGE SEAM " + side(seam.first) + " " + side(seam.second) +
+                   (seam.is_reversed ? " reversed" : " same") + (seam.is_eased ? " eased " : " exact ") + seam.name);
             write_properties("SEAMED " + side(seam.first), record_phrases(seam));
             if (seam.sewing.empty()) continue;
             const std::size_t number = numbers.try_emplace(seam.sewing, numbers.size() + 1).first->second;
-            text(15, "SELVEDGE SEWING " + side(seam.first) + " " + std::to_string(number) + " " + seam.sewing);
+            record("SELVEDGE SEWING " + side(seam.first) + " " + std::to_string(number) + " " + seam.sewing);
         }
     }
 
@@ -323,11 +346,12 @@ class DxfWriter {
     void write_body() {
         constexpr std::size_t kMost = 200;
         const std::string phrase = body_phrase(pattern_);
-        for (std::size_t at = 0; at < phrase.size(); at += kMost) text(15, "SELVEDGE BODY " + phrase.substr(at, kMost));
+        for (std::size_t at = 0; at < phrase.size(); at += kMost) record("SELVEDGE BODY " + phrase.substr(at, kMost));
     }
 
     const Pattern& pattern_;
     DxfStandard standard_;
+    const DxfStamp& stamp_;
     std::set<std::string> used_;
     std::vector<std::string> blocks_;
     std::string out_;
@@ -335,8 +359,8 @@ class DxfWriter {
 
 }  // namespace
 
-std::string dxf_of(const Pattern& pattern, DxfStandard standard) {
-    return DxfWriter(pattern, standard).write();
+std::string dxf_of(const Pattern& pattern, DxfStandard standard, const DxfStamp& stamp) {
+    return DxfWriter(pattern, standard, stamp).write();
 }
 
 }  // namespace selvedge::sim

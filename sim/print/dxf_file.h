@@ -3,8 +3,8 @@
 // Layers: 1 the cut line and the texts, 2 turn points, 3 curve points, 4 notches (ASTM: 80 to 83 for T, castle, V and
 // U), 7 grain, 8 internal lines, 13 drill points, 14 the sewing line, 15 annotation.
 //
-// DXF of these standards has polylines only and no seams. What it lacks stands as text on layer 15, which other
-// programs show or ignore, and which sim/paper/dxf_records.h reads back: "SELVEDGE EDGE ...", "SELVEDGE NOTCH ...",
+// DXF of these standards has polylines only and no seams. What it lacks stands in comments (group code 999), which no
+// program draws or plots, and which sim/paper/dxf_records.h reads back: "SELVEDGE EDGE ...", "SELVEDGE NOTCH ...",
 // "SELVEDGE LINE ...", "SELVEDGE PLACED ...", "SELVEDGE SEAM ...".
 #include <string>
 
@@ -14,7 +14,14 @@ namespace selvedge::sim {
 
 enum class DxfStandard { Aama, Astm };
 
-// ASCII; other characters as \U+XXXX. The same pattern gives the same bytes.
-std::string dxf_of(const Pattern& pattern, DxfStandard standard = DxfStandard::Aama);
+// Who wrote a file, and when; what is empty is left out.
+struct DxfStamp {
+    std::string version = {};  // of Selvedge
+    std::string date = {};     // DD-MM-YYYY, as ASTM D6673 has it
+    std::string time = {};     // HH:MM
+};
+
+// ASCII; other characters as \U+XXXX. The same pattern and stamp give the same bytes.
+std::string dxf_of(const Pattern& pattern, DxfStandard standard = DxfStandard::Aama, const DxfStamp& stamp = {});
 
 }  // namespace selvedge::sim
