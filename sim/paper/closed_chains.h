@@ -18,6 +18,8 @@ struct ChainLink {
 // What the ends of lines that are meant to meet may lie apart, m: as wide as a pen draws.
 inline constexpr double kJoinGap = 1e-3;
 
+inline constexpr double kToldGap = 1e-5;  // m: narrower ones are rounding
+
 // Links in order, each from where the one before ends; counter-clockwise.
 using ClosedChain = std::vector<ChainLink>;
 

@@ -25,7 +25,7 @@ class BlockPlacer {
         std::vector<DxfPiece> pieces;
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
             const auto found = maps_.find(b);
-            if (is_layout(blocks_[b]) || (blocks_[b].lines.empty() && !holds_lines(b, 0))) continue;
+            if (is_layout(blocks_[b]) || blocks_[b].lines.empty()) continue;  // what a layout places is a piece itself
             if (found == maps_.end() && hidden_.contains(b)) continue;
             if (found == maps_.end()) {
                 if (!is_any_placed || says_piece_name(blocks_[b])) {
@@ -63,16 +63,6 @@ class BlockPlacer {
         const auto found = by_name_.find(insert.block);
         if (found == by_name_.end()) return std::nullopt;
         return found->second[nth % found->second.size()];
-    }
-
-    // Whether a block, or one that it places, draws anything.
-    bool holds_lines(std::size_t b, int depth) {
-        if (!blocks_[b].lines.empty()) return true;
-        return std::ranges::any_of(blocks_[b].inserts, [&](const DxfInsert& insert) {
-            check_depth(depth, insert);
-            const auto found = block_of(insert);
-            return found && holds_lines(*found, depth + 1);
-        });
     }
 
     void collect(const DxfInsert& insert, const Eigen::Affine2d& above, int depth) {

@@ -236,7 +236,7 @@ class DxfReader {
         std::snprintf(text.data(), text.size(), "%s drawn in pieces: joined where lines meet",
                       count_text(joints_.outlines, "outline").c_str());
         std::string note = text.data();
-        if (joints_.widest_gap > 0 && drawing_.metres_per_unit) {
+        if (drawing_.metres_per_unit && joints_.widest_gap * *drawing_.metres_per_unit > kToldGap) {
             std::snprintf(text.data(), text.size(), ", up to %.2g mm apart",
                           1000 * *drawing_.metres_per_unit * joints_.widest_gap);
             note += text.data();

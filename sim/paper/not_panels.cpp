@@ -36,11 +36,15 @@ bool is_page_word(const Words& words) {
                               "seite", "blatt", "hintergrund", "cadre", "fond", "marco", "fondo", "kader"});
 }
 
+bool is_legend_word(const Words& words) {
+    return has_one_of(words, {"legend", "legende", "légende", "leyenda", "copyright"});
+}
+
 bool is_ornament_word(const Words& words) {
     const bool is_test_square = has_one_of(words, {"test"}) && has_one_of(words, {"square"});
-    return is_test_square ||
-           has_one_of(words, {"logo", "logos", "legend", "legende", "légende", "leyenda", "watermark", "copyright",
-                              "lettering", "scalebar", "testsquare", "scalebox", "titleblock"});
+    return is_test_square || is_legend_word(words) ||
+           has_one_of(words,
+                      {"logo", "logos", "watermark", "lettering", "scalebar", "testsquare", "scalebox", "titleblock"});
 }
 
 bool is_test_word(const Words& words) {
@@ -295,11 +299,13 @@ class NotPanelFinder {
         }
     }
 
-    // A rectangle that says it is one.
+    // A small rectangle that says it is one.
     bool is_legend(std::size_t a) const {
-        if (!is_upright_rectangle(areas_[a], shape(areas_[a]))) return false;
+        constexpr double kSmall = 0.2;  // of the largest area
+        if (areas_[a].area > kSmall * largest_area() || !is_upright_rectangle(areas_[a], shape(areas_[a])))
+            return false;
         return std::ranges::any_of(drawing_.texts, [&](const DrawnText& text) {
-            return is_ornament_word(words_of(lower_case(text.text))) && areas_[a].box.contains(text.at) &&
+            return is_legend_word(words_of(lower_case(text.text))) && areas_[a].box.contains(text.at) &&
                    innermost_at(text.at) == a;
         });
     }

@@ -200,7 +200,7 @@ class PlainReader {
 
     void tell_joined(const ClosedChains& joined) {
         std::string note = count_text(joined.chains.size(), "outline") + " drawn in pieces: joined where lines meet";
-        if (joined.widest_gap > 0 && drawing_.metres_per_unit) {
+        if (drawing_.metres_per_unit && joined.widest_gap * *drawing_.metres_per_unit > kToldGap) {
             std::array<char, 64> text{};
             std::snprintf(text.data(), text.size(), ", up to %.2g mm apart",
                           1000 * *drawing_.metres_per_unit * joined.widest_gap);

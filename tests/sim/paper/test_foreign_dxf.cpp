@@ -150,6 +150,7 @@ TEST(ForeignDxf, places_blocks_as_the_drawing_does) {
     ASSERT_EQ(laid.parts.size(), 1U);
     EXPECT_EQ(laid.parts[0].name, "FRONT");
     EXPECT_TRUE(is_noted(laid.notes, "block 'TITLE' is not placed in the drawing, left out"));
+    EXPECT_FALSE(is_noted(laid.notes, "'LAYOUT'"));
     EXPECT_THROW(read_dxf(file_of(block("A", insert("B")) + block("B", insert("A")), insert("A")), ""), InputError);
 }
 

@@ -153,6 +153,10 @@ TEST(ForeignSvg, leaves_out_letters_logos_legends_and_bars) {
     EXPECT_TRUE(has_note(made, "lettering or marks, left out"));
     EXPECT_TRUE(has_note(made, "a logo or a legend by its name, left out"));
     EXPECT_TRUE(has_note(made, "a legend by its text, left out"));
+    // A page that says something is a page, with what lies on it.
+    expect_skirt(svg_panels(in_mm("<rect width='1300' height='700' fill='white'/>" + kSkirt +
+                                  "<text x='600' y='30'>Legend, test square, copyright</text>")),
+                 "a page with texts");
 }
 
 TEST(ForeignSvg, takes_the_scale_from_a_labelled_test_square) {
