@@ -6,6 +6,7 @@
 #include "sim/paper/dxf_drawing.h"
 #include "sim/paper/dxf_text.h"
 #include "sim/paper/freesewing_json.h"
+#include "sim/paper/grade_rules.h"
 #include "sim/paper/svg_drawing.h"
 
 namespace selvedge::sim {
@@ -38,7 +39,16 @@ Drawing parse_drawing(std::string_view text, const std::string& file) {
 
 Drawing read_drawing(const std::filesystem::path& path) {
     constexpr std::size_t kLargestFile = 64U << 20U;  // bytes
-    return parse_drawing(read_file(path, kLargestFile), path.string());
+    const std::string text = read_file(path, kLargestFile);
+    if (!looks_like_dxf(text)) return parse_drawing(text, path.string());
+    for (const char* extension : {".rul", ".RUL", ".Rul"}) {
+        std::filesystem::path table = path;
+        table.replace_extension(extension);
+        if (!std::filesystem::exists(table)) continue;
+        const GradeRules rules = parse_grade_rules(read_file(table, kLargestFile), table.string());
+        return read_dxf(text, path.string(), &rules);
+    }
+    return read_dxf(text, path.string());
 }
 
 }  // namespace selvedge::sim

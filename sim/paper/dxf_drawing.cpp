@@ -15,6 +15,7 @@
 #include "sim/paper/cut_text.h"
 #include "sim/paper/dxf_blocks.h"
 #include "sim/paper/dxf_entities.h"
+#include "sim/paper/dxf_grading.h"
 #include "sim/paper/dxf_layers.h"
 #include "sim/paper/dxf_lines.h"
 #include "sim/paper/dxf_records.h"
@@ -38,7 +39,8 @@ bool is_outline_layer(int layer) {
 
 class DxfReader {
  public:
-    DxfReader(std::string_view text, const std::string& file) : file_(file), groups_(parse_dxf(text, file)) {}
+    DxfReader(std::string_view text, const std::string& file, const GradeRules* rules)
+        : file_(file), rules_(rules), groups_(parse_dxf(text, file)) {}
 
     Drawing read() {
         drawing_.format = "DXF";
@@ -59,6 +61,7 @@ class DxfReader {
             has_sewing_lines |= find_sewing_line(piece) != nullptr;
         }
         tell_joined();
+        if (rules_) add_graded(pieces);
         for (DxfPiece& piece : pieces) add_part(std::move(piece), has_sewing_lines);
         add_loose_parts();
         add_seams();
@@ -182,6 +185,42 @@ class DxfReader {
     double gap_in(const DxfPiece& piece) const {
         constexpr double kShare = 2e-4;
         return drawing_.metres_per_unit ? kJoinGap / *drawing_.metres_per_unit : kShare * largest_side(piece);
+    }
+
+    // ---- Sizes by the table beside the file.
+
+    void add_graded(std::vector<DxfPiece>& pieces) {
+        const std::vector<DxfPiece> drawn = pieces;
+        constexpr std::size_t kMostGraded = 20000000;  // vertices
+        std::size_t vertices = 0;
+        for (const DxfPiece& piece : drawn) {
+            for (const DxfLine& line : piece.lines) vertices += line.points.size();
+        }
+        if (vertices * rules_->sizes.size() > kMostGraded)
+            throw InputError(file_, "", "more than 20 million vertices in all sizes of its grade table");
+        std::size_t without = 0;
+        for (const DxfPiece& piece : drawn) {
+            std::vector<DxfPiece> sizes = graded_pieces(piece, *rules_, unit());
+            without += sizes.empty() ? 1 : 0;
+            std::ranges::move(sizes, std::back_inserter(pieces));
+        }
+        if (without == drawn.size()) {
+            drawing_.notes.emplace_back(
+                "no point has the number of a rule of its grade table: only what is drawn is read");
+            return;
+        }
+        drawing_.sample_size = rules_->sample_size;
+        for (std::size_t p = 0; p < drawn.size(); ++p) set_size(pieces[p], rules_->sample_size);
+        if (without > 0)
+            drawing_.notes.push_back(count_text(without, "piece") +
+                                     " without numbers of grade rules: the same in all sizes");
+    }
+
+    // Of a piece that was drawn in the sample size and may not say so.
+    void set_size(DxfPiece& piece, const std::string& size) {
+        if (graded_pieces(piece, *rules_, unit()).empty()) return;
+        std::erase_if(piece.texts, [](const DxfLayerText& text) { return lower_case(text.text).starts_with("size"); });
+        piece.texts.push_back({.layer = kBoundaryLayer, .text = "Size: " + size});
     }
 
     // ---- Lines that belong to no piece.
@@ -525,6 +564,7 @@ class DxfReader {
     }
 
     const std::string& file_;
+    const GradeRules* rules_;
     std::vector<DxfGroup> groups_;
     std::vector<DxfEntity> block_entities_, loose_entities_;
     std::set<std::string> hidden_layers_;
@@ -543,8 +583,8 @@ class DxfReader {
 
 }  // namespace
 
-Drawing read_dxf(std::string_view text, const std::string& file) {
-    return DxfReader(text, file).read();
+Drawing read_dxf(std::string_view text, const std::string& file, const GradeRules* rules) {
+    return DxfReader(text, file, rules).read();
 }
 
 }  // namespace selvedge::sim
