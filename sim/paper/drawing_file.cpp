@@ -2,6 +2,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/paper/dxf_drawing.h"
 #include "sim/paper/dxf_text.h"
@@ -44,7 +45,7 @@ Drawing read_drawing(const std::filesystem::path& path) {
     for (const char* extension : {".rul", ".RUL", ".Rul"}) {
         std::filesystem::path table = path;
         table.replace_extension(extension);
-        if (!std::filesystem::exists(table)) continue;
+        if (!is_file(table)) continue;
         const GradeRules rules = parse_grade_rules(read_file(table, kLargestFile), table.string());
         return read_dxf(text, path.string(), &rules);
     }
