@@ -2,6 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <string_view>
+
+#include "sim/pattern/spelling.h"
 
 namespace selvedge::app {
 
@@ -147,12 +150,33 @@ void add_flag(Command& command, const std::string& names, const std::string& hel
         names, [take](std::int64_t) { take(); }, help);
 }
 
+namespace {
+
+// Of a subcommand that does not exist, CLI11 says only that one is required.
+std::string problem_of(const CLI::ParseError& error, const CLI::App& app, const char* first_word) {
+    const auto code = static_cast<CLI::ExitCodes>(error.get_exit_code());
+    if (code != CLI::ExitCodes::RequiredError || first_word == nullptr || !app.get_subcommands().empty())
+        return error.what();
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
+    if (names.empty() || *first_word == '-') return error.what();
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string near(sim::nearly_spelt(first_word, known));
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+    return "no command '" + std::string(first_word) +
+           "': " + (near.empty() ? "there are " + all : "is '" + near + "' meant?");
+}
+
+}  // namespace
+
 bool parse_arguments(Command& program, int argc, const char* const* argv) {
     CLI::App& app = app_of(program);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() != 0) throw UsageError(error.what());
+        if (error.get_exit_code() != 0) throw UsageError(problem_of(error, app, argc > 1 ? argv[1] : nullptr));
         app.exit(error);
         return false;
     }

@@ -7,7 +7,7 @@ namespace selvedge::app {
 class Command;
 
 // Returns what the subcommand's action stored in exit_code; 2 for what was refused, then also written to the report
-// that the command line asks for (app/refused_report.h).
+// that the command line asks for (app/refused_report.h), and where standard output did not take all that was printed.
 int run_command_line(Command& app, int argc, char** argv, const int& exit_code);
 
 }  // namespace selvedge::app

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/arguments.h"
@@ -67,8 +68,25 @@ bool draws(const DressArguments& arguments) {
 // The files that were written, and the failures.
 struct Writing {
     std::vector<std::string> written;
-    std::vector<std::string> failures;
+    std::vector<sim::InputError> failures;
 };
+
+// One line for all files that one problem, such as a full disk, kept from being written.
+std::vector<std::string> failure_lines(const std::vector<sim::InputError>& failures) {
+    std::vector<std::pair<std::string, std::string>> files_by_problem;
+    for (const sim::InputError& failure : failures) {
+        const std::string problem = sim::fault_line("", failure.place(), failure.problem());
+        const auto same = std::ranges::find(files_by_problem, problem, &std::pair<std::string, std::string>::second);
+        if (same == files_by_problem.end()) {
+            files_by_problem.emplace_back(failure.file(), problem);
+        } else {
+            same->first += ", " + failure.file();
+        }
+    }
+    std::vector<std::string> lines;
+    for (const auto& [files, problem] : files_by_problem) lines.push_back(sim::fault_line(files, "", problem));
+    return lines;
+}
 
 // Of several garments, the pattern is a new document.
 sim::PatternDocument document_of(const GarmentOptions& garment, const sim::Pattern& pattern) {
@@ -93,7 +111,7 @@ Writing write_outputs(const DressArguments& arguments, const sim::Pattern& patte
             how(file);
             writing.written.push_back(file.string());
         } catch (const sim::InputError& error) {
-            writing.failures.emplace_back(error.what());
+            writing.failures.push_back(error);
         }
     };
     if (!arguments.report_file.empty()) {
@@ -194,13 +212,15 @@ int dress_and_write(DressArguments& arguments, sim::DressReport& refused, const 
     print_faults(report);
     if (!arguments.garment.is_quiet)
         for (const std::string& file : writing.written) std::printf("wrote %s\n", sim::printable(file).c_str());
-    for (const std::string& failure : writing.failures) std::fprintf(stderr, "selvedge: %s\n", failure.c_str());
+    for (const std::string& line : failure_lines(writing.failures))
+        std::fprintf(stderr, "selvedge: %s\n", line.c_str());
     return writing.failures.empty() ? exit_code_of(outcome_of(report)) : 2;
 }
 
 void add_run_options(Command& command, DressArguments& arguments) {
-    add_number<double>(command, "--seconds", kDrapeSeconds, "Longest simulated time of the drape (default 12)",
-                       {.type = "S"}, [&arguments](double seconds) { arguments.garment.dress.max_seconds = seconds; });
+    add_number<double>(command, "--seconds", kDrapeSeconds,
+                       "Longest simulated time of the drape, in frames of 1/30 s (default 12)", {.type = "S"},
+                       [&arguments](double seconds) { arguments.garment.dress.max_seconds = seconds; });
 }
 
 void add_output_options(Command& command, DressArguments& arguments) {

@@ -1,7 +1,9 @@
 #include "app/edit_loop.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <iomanip>
 #include <thread>
 #include <utility>
@@ -185,14 +187,19 @@ render::Image OffscreenEditLoop::screenshot() const {
     return picture_.read();
 }
 
-FrameTimesFile::FrameTimesFile(const std::string& path) : file_(path) {
-    if (!file_) throw sim::InputError(path, "", "cannot be written");
+FrameTimesFile::FrameTimesFile(const std::string& path) : path_(path), file_(path) {
+    check_written();
     file_ << "frame,total_ms,events_and_ui_ms,scenes_ms,ui_draw_ms,swap_ms\n" << std::fixed << std::setprecision(3);
 }
 
 void FrameTimesFile::add(const FrameTimes& times) {
     file_ << frame_++ << ',' << times.total() << ',' << times.events_and_ui << ',' << times.scenes << ','
           << times.ui_draw << ',' << times.swap << std::endl;  // flush: readable meanwhile
+    check_written();
+}
+
+void FrameTimesFile::check_written() const {
+    if (!file_) throw sim::InputError(path_, "", std::string("cannot write: ") + std::strerror(errno));
 }
 
 namespace {

@@ -35,9 +35,13 @@ class FrameTimesFile {
     // Throws InputError if the file cannot be written.
     explicit FrameTimesFile(const std::string& path);
 
+    // Throws InputError if the disk is full.
     void add(const FrameTimes& times);
 
  private:
+    void check_written() const;
+
+    std::string path_;
     std::ofstream file_;
     long frame_ = 0;
 };

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "app/arguments.h"
+#include "app/film_check.h"
 #include "app/options.h"
 #include "app/picture.h"
 #include "render/draw/renderer.h"
@@ -282,6 +283,7 @@ class FilmWriter::Encoder {
  public:
     Encoder(const fs::path& path, FilmKind kind, const FilmFormat& format)
         : path_(path),
+          kind_(kind),
           file_(path, sim::TemporaryName::Random),
           process_(std::in_place, encoder_arguments(kind, format, file_.temporary())) {}
     ~Encoder() {
@@ -295,18 +297,22 @@ class FilmWriter::Encoder {
         process_->finish();
         fail();
     }
+    // ffmpeg may exit successfully although the disk was full: what it wrote is looked at.
     void finish() {
-        if (!process_->finish()) fail();
+        if (!process_->finish() || !is_whole_film(file_.temporary(), kind_)) fail();
         file_.commit();
     }
 
  private:
     [[noreturn]] void fail() const {
         const std::string text = process_->message_text();
+        const std::string full = std::strerror(ENOSPC);
+        if (text.ends_with(full)) throw sim::InputError(path_.string(), "", "cannot write: " + full);
         throw sim::InputError(path_.string(), "", "ffmpeg could not write it" + (text.empty() ? "" : ": " + text));
     }
 
     fs::path path_;
+    FilmKind kind_;
     sim::AtomicFile file_;
     std::optional<PipedProcess> process_;
 };

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "app/pattern_faults.h"
 #include "sim/core/error.h"
 #include "sim/core/printable.h"
 #include "sim/dress/anchor.h"
@@ -158,10 +159,11 @@ void name_inputs(GarmentOptions& options, BodyOptions& body, PictureOptions& pic
 
 void fill_in(GarmentOptions& options, PictureOptions& picture, const sim::Pattern& pattern) {
     if (!options.fabric.empty()) options.dress.fabric = sim::find_fabric(options.fabric);
+    if (!picture.sett && !picture.sett_size) picture.sett_size = pattern.sett_size;
+    if (!picture.sett && !pattern.tartan.empty())
+        picture.sett = named_tartan(pattern.tartan, options.garment.string(), "selvedge.tartan");
     picture.looks = std::make_shared<render::ClothLooks>(render::ClothLooks::Unknown::Fail);
     picture.looks->read(*picture.pattern);
-    if (!picture.sett && !picture.sett_size) picture.sett_size = pattern.sett_size;
-    if (!picture.sett && !pattern.tartan.empty()) picture.sett = sim::find_tartan(pattern.tartan);
     if (!picture.sett_position) picture.sett_position = pattern.sett_position;
     if (options.coarsens_back_faces) options.dress.seen_from = seen_from(picture);
     picture.material = render::material_of(sim::find_fabric(options.fabric.empty() ? pattern.fabric : options.fabric));

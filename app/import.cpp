@@ -51,6 +51,7 @@ int run(ImportArguments& arguments) {
     if (arguments.body.is_file()) inputs.emplace_back(arguments.body.source);
     check_output(arguments.output);
     check_distinct({arguments.output}, inputs);
+    check_output(arguments.output, kGarmentExtensions);
     const ImportedGarment garment = import_garment(arguments.files, options);
     print_list("Read:", garment.notes);
     print_list("Body:", garment.body);

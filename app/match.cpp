@@ -89,6 +89,14 @@ std::optional<double> sett_size(const MatchArguments& arguments, const sim::Patt
     return arguments.tartan.empty() ? pattern.sett_size : std::nullopt;
 }
 
+sim::Sett sett_of(const MatchArguments& arguments, const sim::Pattern& pattern) {
+    const std::string name = tartan_of(arguments, pattern);
+    const sim::Sett sett = arguments.tartan.empty() ? named_tartan(name, arguments.garment.string(), "selvedge.tartan")
+                                                    : named_tartan(name, "", "--tartan");
+    const std::optional<double> size = sett_size(arguments, pattern);
+    return size ? with_repeat_size(sett, *size) : sett;
+}
+
 std::vector<Path> outputs_of(const MatchArguments& arguments) {
     std::vector<Path> outputs;
     if (!arguments.is_dry) outputs.push_back(arguments.output.empty() ? arguments.garment : arguments.output);
@@ -100,7 +108,8 @@ void check_arguments(const MatchArguments& arguments) {
     const std::optional<double>& size = arguments.sett_size_cm;
     if (size && !(*size >= 0.1 && *size <= 500)) throw sim::InputError("", "--sett-size", "must be from 0.1 to 500 cm");
     const std::vector<Path> outputs = outputs_of(arguments);
-    for (const Path& file : outputs) check_output(file);
+    if (!arguments.is_dry) check_output(outputs.front(), kGarmentExtensions);
+    if (!arguments.json_file.empty()) check_output(arguments.json_file);
     check_distinct(outputs, {});
     if (!arguments.json_file.empty()) check_distinct({arguments.json_file}, {arguments.garment});
 }
@@ -150,10 +159,12 @@ void print_table(const sim::SettMatch& match, const sim::MatchedSett& sett) {
 int run(const MatchArguments& arguments) {
     check_arguments(arguments);
     sim::PatternDocument document = sim::load_pattern(arguments.garment);
+    const auto newer = newer_format(document.json);
+    if (newer && !arguments.is_dry) throw sim::InputError(arguments.garment.string(), "selvedge.format", *newer);
     sim::Pattern& pattern = document.pattern;
     const std::vector<std::string> named = named_files(pattern);
     check_distinct(outputs_of(arguments), {named.begin(), named.end()});
-    const sim::Sett sett = sim::find_sett(tartan_of(arguments, pattern), sett_size(arguments, pattern));
+    const sim::Sett sett = sett_of(arguments, pattern);
     const sim::SettMatch match = match_sett(pattern, sett,
                                             {.first_seams = seams_of(pattern, arguments.seams),
                                              .centred_panel = centred_panel(pattern, arguments.centre, sett)});

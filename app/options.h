@@ -72,6 +72,7 @@ sim::DrawMesh drawn_mesh(const sim::DrawMesh& garment, const sim::Body* body, co
 
 // Extensions for check_output(). Those of meshes: sim::mesh_extensions().
 inline constexpr std::array<std::string_view, 1> kPictureExtensions{".png"};
+inline constexpr std::array<std::string_view, 1> kGarmentExtensions{".json"};
 
 // Throws InputError if the folder is missing or not writable, if the path exists and is not a regular file, or if its
 // extension is not in the list (case-insensitive; an empty list allows any).

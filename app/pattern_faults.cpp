@@ -17,13 +17,12 @@ namespace {
 // Looks up the names in the pattern in the same way as dress does.
 void add_faults_of_names(const sim::Pattern& pattern, const std::string& file, std::vector<sim::Fault>& faults) {
     try {
-        if (!pattern.tartan.empty()) sim::find_tartan(pattern.tartan);
+        if (!pattern.tartan.empty()) named_tartan(pattern.tartan, file, "selvedge.tartan");
     } catch (const sim::InputError& error) {
-        const std::string place = error.place() == "tartan" ? "" : error.place() + ": ";
         faults.push_back({.severity = sim::Severity::Error,
-                          .file = file,
-                          .place = "selvedge.tartan",
-                          .problem = place + error.problem()});
+                          .file = error.file(),
+                          .place = error.place(),
+                          .problem = error.problem()});
     }
 }
 
@@ -74,6 +73,15 @@ std::vector<sim::Fault> faults_of_file(const std::filesystem::path& path) {
     if (has_error(faults)) return faults;
     add_faults_of_dressing(sim::load_pattern(path).pattern, path.string(), faults);
     return faults;
+}
+
+sim::Sett named_tartan(const std::string& name, const std::string& file, const std::string& place) {
+    try {
+        return sim::find_tartan(name);
+    } catch (const sim::InputError& error) {
+        const std::string stripe = error.place() == "tartan" || error.place().empty() ? "" : error.place() + ": ";
+        throw sim::InputError(file, place, stripe + error.problem());
+    }
 }
 
 void tell_warnings(const std::vector<sim::Fault>& warnings) {

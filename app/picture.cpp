@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/arguments.h"
+#include "app/pattern_faults.h"
 #include "render/draw/renderer.h"
 #include "render/gl/context.h"
 #include "render/image/image.h"
@@ -134,7 +135,7 @@ void add_picture_options(Command& command, PictureOptions& options) {
         std::string("A shipped tartan or a threadcount, such as 'B/24 W4 B24 R/2' (default the pattern's, or ") +
             sim::kDefaultTartan + ")",
         {.type = "NAME"}, [&](Text text) {
-            options.sett = sim::find_tartan(text);
+            options.sett = named_tartan(text, "", "--tartan");
             options.design = sim::SurfaceDesign{.source = text};
         });
     add("--design", "What the cloth shows instead of a tartan: a colour #RRGGBB, a PNG or JPEG file, or test",

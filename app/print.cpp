@@ -75,7 +75,7 @@ void add_print_command(Command& app, int& exit_code) {
                "Seam allowance in mm where panel and edge name none (default: the garment's)",
                {.type = "MM", .range = Limits<double>{0.0, 100.0}});
     add_flag(command, "--on-fold", arguments->settings.is_on_fold,
-             "Symmetric panels as halves to cut on a fold; in a PDF");
+             "Symmetric panels as halves to cut on a fold; only in a PDF");
     add_flag(command, "--all-pieces", arguments->settings.prints_all,
              "Draw mirror images, too, instead of \"cut 1 pair\"; SVG and DXF always do");
     add_flag(command, "--astm", arguments->settings.is_astm,

@@ -100,6 +100,23 @@ bool has_allowance(const sim::Pattern& pattern) {
     });
 }
 
+// Throws InputError for an option that the kind of file has no use for: it would be passed over without a word.
+void refuse_idle_options(const std::string& extension, const PrintSettings& settings) {
+    const auto refuse = [](bool is_given, const char* option, const char* problem) {
+        if (is_given) throw sim::InputError("", option, problem);
+    };
+    const bool is_pdf = extension == ".pdf", is_dxf = extension == ".dxf";
+    refuse(settings.is_on_fold && !is_pdf, "--on-fold", "only a PDF has halves to cut on a fold");
+    refuse(settings.is_on_fold && settings.is_layout, "--on-fold", "a cutting layout has whole pieces, or --folded");
+    refuse(settings.is_one_page && !is_pdf, "--one-page", "only a PDF has pages");
+    refuse(!settings.layers.empty() && is_dxf, "--layers", "a DXF always has all layers of its standard");
+    refuse(!settings.layers.empty() && is_pdf && settings.is_layout, "--layers",
+           "a cutting layout in a PDF has its own");
+    refuse(settings.is_astm && !is_dxf, "--astm", "only a DXF has it");
+    refuse((settings.is_folded || settings.is_one_way) && !settings.is_layout,
+           settings.is_folded ? "--folded" : "--one-way", "only a cutting layout has it: --layout");
+}
+
 }  // namespace
 
 Printed print_pattern(const sim::Pattern& pattern, const std::filesystem::path& file, const PrintSettings& settings) {
@@ -107,6 +124,7 @@ Printed print_pattern(const sim::Pattern& pattern, const std::filesystem::path& 
     Printed printed;
     if (!has_allowance(pattern)) printed.notes.emplace_back("no seam allowance: the sewing line is cut");
     const std::string extension = sim::lower_extension(file);
+    refuse_idle_options(extension, settings);
     std::string bytes;
     if (settings.is_layout && extension != ".dxf") {
         bytes = write_layout(pattern, settings, extension, file, printed);

@@ -343,9 +343,9 @@ std::vector<Job> read_manifest(const Path& path) {
 
 JobOption parse_option(const std::string& text) {
     const std::size_t equals = text.find('=');
-    JobOption option{.name = text.substr(0, equals),
-                     .value = equals == std::string::npos ? "" : text.substr(equals + 1),
-                     .is_flag = equals == std::string::npos};
+    const std::string name = text.substr(0, equals);
+    const JobOption option = equals == std::string::npos ? JobOption{.name = name, .value = "", .is_flag = true}
+                                                         : option_of(name, text.substr(equals + 1));
     check_option(option, "", "--set");
     return option;
 }

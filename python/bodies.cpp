@@ -11,6 +11,7 @@
 #include "app/option_texts.h"
 #include "app/options.h"
 #include "python/errors.h"
+#include "python/pickles.h"
 #include "python/views.h"
 #include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
@@ -107,6 +108,8 @@ void add_bodies(py::module_& module) {
         .def_property_readonly(
             "notes", [](const sim::PreparedBody& self) { return self.made().notes; },
             "A sentence for each measure that could not be met, and each repair of a file.")
+        .def(py::pickle([](const sim::PreparedBody& self) { return py::bytes(bytes_of(self)); },
+                        [](const py::bytes& state) { return body_from(state); }))
         .def("export", &export_body, py::arg("path"),
              "Writes the surface as .obj, .glb, .ply or .stl. Raises InputError.")
         .def("__repr__", [](const sim::PreparedBody& self) {

@@ -8,6 +8,7 @@
 #include "app/pattern_faults.h"
 #include "python/errors.h"
 #include "python/pattern_record.h"
+#include "python/pickles.h"
 #include "sim/core/error.h"
 
 namespace selvedge::python {
@@ -87,7 +88,8 @@ void add_patterns(py::module_& module) {
     py::class_<Document, DocumentPointer>(module, "_Document", "A pattern as the program holds it; it does not change.")
         .def(
             "__deepcopy__", [](const DocumentPointer& self, const py::dict&) { return self; }, py::arg("memo"),
-            "The document itself, for it does not change.");
+            "The document itself, for it does not change.")
+        .def(py::pickle(&state_of, &document_from));
     module.def("_load_document", &load_document, py::arg("path"), "The document of a garment file.");
     module.def(
         "_record", [](const DocumentPointer& document) { return record_of(document); }, py::arg("document"),

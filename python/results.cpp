@@ -13,6 +13,7 @@
 #include "app/option_texts.h"
 #include "python/errors.h"
 #include "python/meshes.h"
+#include "python/pickles.h"
 #include "python/views.h"
 #include "sim/cloth/contact.h"
 #include "sim/core/error.h"
@@ -104,6 +105,7 @@ ResultPointer dress(const DocumentPointer& pattern, const BodyPointer& body, con
     std::vector<std::string>& all = result->dressed.report.notes;
     all.insert(all.begin(), notes.begin(), notes.end());
     result->strain = measure_strain(result->dressed.cloth());
+    result->report = to_json(result->dressed.report);
     const py::gil_scoped_acquire acquire;
     call(progress, 1, "done");
     return result;
@@ -128,10 +130,10 @@ auto strain_of(float sim::TriangleStrain::*part) {
     return [part](const py::object& self) { return strain_view(self, part); };
 }
 
-py::array clearance_of(const py::object& self) {
-    auto& result = self.cast<Result&>();
-    return view_of(result.clearance.get([&] { return measure_clearance(result.dressed.mesh.x, result.body->body()); }),
-                   self);
+}  // namespace
+
+const std::vector<float>& clearance_of(Result& result) {
+    return result.clearance.get([&] { return measure_clearance(result.dressed.mesh.x, result.body->body()); });
 }
 
 const sim::ContactPressure& contact_of(Result& result) {
@@ -155,6 +157,12 @@ const std::vector<std::vector<int>>& seams_of(Result& result) {
         for (std::size_t i = 0; i < found.order.size(); ++i) seams[found.order[i]] = found.stitches[i];
         return seams;
     });
+}
+
+namespace {
+
+py::array clearance_view(const py::object& self) {
+    return view_of(clearance_of(self.cast<Result&>()), self);
 }
 
 py::array_t<int> first_seams(Result& self) {
@@ -192,7 +200,7 @@ std::vector<std::string> seam_names(const Result& self) {
 }
 
 py::dict report_of(const Result& self) {
-    return py::module_::import("json").attr("loads")(to_json(self.dressed.report));
+    return py::module_::import("json").attr("loads")(self.report);
 }
 
 void export_result(const Result& self, const std::string& path, const std::vector<std::string>& texts) {
@@ -233,7 +241,7 @@ void add_arrays(py::class_<Result, ResultPointer>& result) {
             "By how much the angle between warp and weft differs from a right angle, float32 of shape "
             "(triangles,), rad, unsigned.")
         .def_property_readonly(
-            "clearance", &clearance_of,
+            "clearance", &clearance_view,
             "Signed distance from the body, float32 of shape (vertices,), m, negative inside. Computed "
             "when first asked for.")
         .def_property_readonly(
@@ -285,6 +293,8 @@ void add_results(py::module_& module) {
         .def_property_readonly(
             "settled", [](const Result& self) { return self.dressed.report.settled; },
             "Whether the garment came to rest.")
+        .def(py::pickle([](Result& self) { return py::bytes(bytes_of(self)); },
+                        [](const py::bytes& state) { return result_from(state); }))
         .def("_export", &export_result, py::arg("path"), py::arg("options"), "Writes a file, as the command does.")
         .def("__repr__", [](const Result& self) {
             return "<selvedge.Result '" + self.dressed.report.garment + "', " +

@@ -31,6 +31,11 @@ class Lazy {
         return value_;
     }
 
+    // Pre: it was not needed yet.
+    void set(T value) {
+        std::call_once(once_, [&] { value_ = std::move(value); });
+    }
+
  private:
     std::once_flag once_;
     T value_;
@@ -40,7 +45,8 @@ struct Result {
     sim::Pattern pattern;  // with the garments that are worn over it
     BodyPointer body;
     app::GarmentOptions garment;
-    sim::DressedGarment dressed;
+    sim::DressedGarment dressed;              // of an unpickled one without a simulation, and with a part of the report
+    std::string report;                       // to_json() of the whole report
     std::vector<sim::TriangleStrain> strain;  // per leaf triangle
     Lazy<std::vector<float>> clearance;       // m, per leaf vertex
     Lazy<sim::ContactPressure> contact;
@@ -48,6 +54,11 @@ struct Result {
 };
 
 using ResultPointer = std::shared_ptr<Result>;
+
+// What is computed when it is first needed. The second throws InputError if a position is not finite.
+const std::vector<float>& clearance_of(Result& result);
+const sim::ContactPressure& contact_of(Result& result);
+const std::vector<std::vector<int>>& seams_of(Result& result);
 
 // The keyword arguments that dress() and Session have in common, checked.
 struct DressArguments {

@@ -564,7 +564,7 @@ std::vector<std::string> take_up(sim::PatternDocument& document) {
     std::vector<std::string> notes;
     for (const sim::Fault& warning : document.warnings) {
         if (std::ranges::count(ended, warning.problem) > 0) continue;  // reading warned of these too
-        notes.push_back((warning.place.empty() ? "" : warning.place + ": ") + warning.problem);
+        notes.push_back(sim::fault_line("", warning.place, warning.problem));
     }
     document.warnings.clear();
     notes.insert(notes.end(), ended.begin(), ended.end());

@@ -178,10 +178,9 @@ std::vector<HalfDart> darts_of_half(const sim::Pattern& pattern, int panel, sim:
     for (const int dart : sim::darts_of(pattern, panel)) {
         const sim::Seam& seam = pattern.seams[as_size(dart)];
         const sim::Panel& whole = pattern.panels[as_size(panel)];
-        auto keys = std::pair(edge_key(whole, seam.first.edge), edge_key(whole, seam.second.edge));
-        if (keys.first.role != role || keys.second.role != role) continue;
-        keys.first.role = keys.second.role = sim::EdgeRole::Drawn;
-        if (keys.second < keys.first) std::swap(keys.first, keys.second);
+        const sim::EdgeKey one = edge_key(whole, seam.first.edge), other = edge_key(whole, seam.second.edge);
+        if (one.role != role || other.role != role) continue;
+        const sim::EdgeKeyPair keys = with_role({one, other}, sim::EdgeRole::Drawn);
         const sim::OutlineEdge& edge = half.edges[as_size(find_edge(half, keys.first).value())];
         const sim::OutlineEdge& sewn = half.edges[as_size(find_edge(half, keys.second).value())];
         const auto at = [&](int vertex) { return half.vertices[as_size(vertex)]; };

@@ -7,14 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include "sim/pattern/edge_keys.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::editor {
 
 // A seam within a half.
 struct HalfDart {
-    std::pair<sim::EdgeKey, sim::EdgeKey> keys;  // of its edges, as EdgeRole::Drawn, the smaller first
-    std::array<Vec2d, 4> ends;                   // m, of both edges, in the frame of the panel
+    sim::EdgeKeyPair keys;      // of its edges, as EdgeRole::Drawn
+    std::array<Vec2d, 4> ends;  // m, of both edges, in the frame of the panel
 };
 
 // What an edit made of one half. In the frame of its panel.

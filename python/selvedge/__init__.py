@@ -12,6 +12,10 @@ Arrays of results are read-only views without a copy. Wrong input raises InputEr
 
 from __future__ import annotations
 
+from selvedge import _arguments, _selvedge
+
+_arguments.check_arguments_of(_selvedge)  # first: the others take the functions from there
+
 from selvedge._batch import batch, program
 from selvedge._dress import Session, dress, export, mannequin, render
 from selvedge._errors import InputError

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numbers
 import os
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Union
@@ -21,7 +22,11 @@ Progress = Callable[[float, str], object]
 
 
 def _body_of(body: BodyLike) -> Body:
-    return body if isinstance(body, Body) else _selvedge._body_named(os.fspath(body))
+    if isinstance(body, Body):
+        return body
+    if not isinstance(body, (str, os.PathLike)):
+        raise TypeError(f"body must be a Body or a path, not {type(body).__name__}")
+    return _selvedge._body_named(os.fspath(body))
 
 
 def _body_if_any(body: BodyLike | None) -> Body | None:
@@ -62,6 +67,9 @@ def mannequin(
     """
     measures = {name: value for name, value in locals().items() if name not in ("sex", "resolution", "stance")}
     given = {name: value for name, value in measures.items() if value is not None}
+    for name, value in given.items():
+        if isinstance(value, bool) or not isinstance(value, numbers.Real):
+            raise TypeError(f"mannequin(): {name} must be a number, not {type(value).__name__}")
     return _selvedge._mannequin(sex, given, resolution, stance)
 
 
@@ -142,6 +150,10 @@ def render(
     of either, m. sett_position: where it begins, (weft, warp), m. surface: draw a curved surface: flat, constant,
     linear, ... fabric: of a mesh, how it takes light. Raises InputError.
     """
+    if not isinstance(subject, (Result, Mesh, Frame)):
+        raise TypeError(f"subject must be a Result, a Mesh or a Frame, not {type(subject).__name__}")
+    if isinstance(size, str) or len(size) != 2:
+        raise TypeError("size must be (width, height)")
     width, height = size
     options = [_option("size", f"{int(width)}x{int(height)}"), _option("frame", frame), _option("show", show)]
     options += [_option("samples", samples), _option("supersample", supersample)]

@@ -6,7 +6,6 @@
 
 #include "render/gl/context.h"
 #include "render/gl/target.h"
-#include "sim/core/assert.h"
 
 namespace selvedge::render {
 namespace {
@@ -30,7 +29,7 @@ void make_depth(const GladGLContext& gl, const Texture& texture, const Framebuff
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture.id(), 0);
     gl.DrawBuffer(GL_NONE);
     gl.ReadBuffer(GL_NONE);
-    SELVEDGE_ASSERT(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+    require_framebuffer(gl);
 }
 
 void make_tiles(const GladGLContext& gl, const Texture& texture, const Framebuffer& framebuffer) {
@@ -39,7 +38,7 @@ void make_tiles(const GladGLContext& gl, const Texture& texture, const Framebuff
     set_nearest_filter(gl);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
-    SELVEDGE_ASSERT(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+    require_framebuffer(gl);
 }
 
 }  // namespace
@@ -139,12 +138,12 @@ ShadowMask::ShadowMask(const GladGLContext& gl, int width_px, int height_px)
     gl.SamplerParameteri(compare_sampler_.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     gl.SamplerParameteri(compare_sampler_.id(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
     make_colour(gl, mask_, mask_frame_, GL_RG32F, {width_px, height_px});
-    SELVEDGE_ASSERT(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+    require_framebuffer(gl);
     make_colour(gl, places_, places_frame_, GL_RGBA32F, {width_px, height_px});
     gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.id());
     gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, width_px, height_px);
     gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
-    SELVEDGE_ASSERT(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+    require_framebuffer(gl);
 }
 
 void ShadowMask::begin() const {

@@ -7,15 +7,14 @@
 #include "render/gl/context.h"
 #include "sim/core/assert.h"
 #include "sim/core/file.h"
+#include "sim/core/passing_error.h"
 
 namespace selvedge::render {
-namespace {
 
-void check_framebuffer(const GladGLContext& gl) {
-    SELVEDGE_ASSERT(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+void require_framebuffer(const GladGLContext& gl) {
+    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw sim::PassingError("", "OpenGL", "not enough memory to draw a picture");
 }
-
-}  // namespace
 
 void upload_bytes(const GladGLContext& gl, unsigned target, const Buffer& buffer, std::span<const std::byte> data,
                   unsigned usage) {
@@ -53,7 +52,7 @@ Target::Target(const GladGLContext& gl, const TargetSize& size)
     gl_.BindRenderbuffer(GL_RENDERBUFFER, drawn_depth_.id());
     gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, size.samples, GL_DEPTH_COMPONENT32F, width, height);
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, drawn_depth_.id());
-    check_framebuffer(gl_);
+    require_framebuffer(gl_);
 
     gl_.BindTexture(GL_TEXTURE_2D, finished_colour_.id());
     gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width_px, size.height_px, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
@@ -61,7 +60,7 @@ Target::Target(const GladGLContext& gl, const TargetSize& size)
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, finished_.id());
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, finished_colour_.id(), 0);
-    check_framebuffer(gl_);
+    require_framebuffer(gl_);
 }
 
 void Target::begin() const {
@@ -184,7 +183,7 @@ void PictureTexture::resize(int width_px, int height_px) {
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.id(), 0);
-    SELVEDGE_ASSERT(gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+    require_framebuffer(gl_);
 }
 
 Image PictureTexture::read() const {

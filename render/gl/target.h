@@ -52,6 +52,9 @@ using Framebuffer = Handle<GlObject::Framebuffer>;
 using Renderbuffer = Handle<GlObject::Renderbuffer>;
 using Sampler = Handle<GlObject::Sampler>;
 
+// Throws PassingError if what is bound to be drawn to is incomplete: of attachments that we make, for lack of memory.
+void require_framebuffer(const GladGLContext& gl);
+
 // Binds the buffer to `target` and fills it. Allocates new storage instead of overwriting, because GL may still draw
 // the previous picture from the old one. `usage` is GL_STATIC_DRAW for data drawn many times, GL_STREAM_DRAW for data
 // that is soon replaced.

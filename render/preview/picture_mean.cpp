@@ -24,7 +24,7 @@ void PictureMean::clear(int width_px, int height_px) {
         gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, sum_.id(), 0);
-        SELVEDGE_ASSERT(gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+        require_framebuffer(gl_);
     }
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.ClearColor(0, 0, 0, 0);

@@ -13,7 +13,7 @@ namespace selvedge::sim {
 class InputError : public std::runtime_error {
  public:
     InputError(std::string file, std::string place, std::string problem)
-        : std::runtime_error(join(file, place, problem)),
+        : std::runtime_error(fault_line(file, place, problem)),
           file_(std::move(file)),
           place_(std::move(place)),
           problem_(std::move(problem)) {}
@@ -23,11 +23,6 @@ class InputError : public std::runtime_error {
     const std::string& problem() const { return problem_; }
 
  private:
-    static std::string join(const std::string& file, const std::string& place, const std::string& problem) {
-        return (file.empty() ? "" : printable(file) + ": ") + (place.empty() ? "" : printable(place) + ": ") +
-               printable(problem);
-    }
-
     std::string file_;
     std::string place_;
     std::string problem_;

@@ -83,6 +83,14 @@ std::string printable(std::string_view text, std::size_t most) {
     return all.substr(0, head_end) + std::string(kMiddle) + all.substr(tail_begin);
 }
 
+std::string fault_line(std::string_view file, std::string_view place, std::string_view problem) {
+    std::string line;
+    for (const std::string_view part : {file, place}) {
+        if (!part.empty()) line += printable(part) + ": ";
+    }
+    return line + printable(problem);
+}
+
 std::string count_text(std::size_t count, std::string_view noun) {
     return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }

@@ -15,6 +15,9 @@ inline constexpr std::size_t kMostPrinted = 400;  // characters
 // left. Pre: most >= 5.
 std::string printable(std::string_view text, std::size_t most = kMostPrinted);
 
+// What is wrong in a file, as one printable line, "file: place: problem"; an empty file or place is omitted.
+std::string fault_line(std::string_view file, std::string_view place, std::string_view problem);
+
 // "1 edge", "2 edges". For nouns that only take an s.
 std::string count_text(std::size_t count, std::string_view noun);
 

@@ -34,4 +34,11 @@ void limit_more_memory(std::size_t bytes) {
     ::setrlimit(RLIMIT_AS, &memory);
 }
 
+std::optional<std::size_t> address_space_left() {
+    rlimit memory{};
+    if (!kLimitMemory || ::getrlimit(RLIMIT_AS, &memory) != 0 || memory.rlim_cur == RLIM_INFINITY) return std::nullopt;
+    const std::size_t used = address_space_in_use();
+    return memory.rlim_cur > used ? memory.rlim_cur - used : 0;
+}
+
 }  // namespace selvedge::sim

@@ -1,6 +1,7 @@
 #pragma once
-// Limits on the memory of a child process.
+// Limits on the memory of this process.
 #include <cstddef>
+#include <optional>
 
 namespace selvedge::sim {
 
@@ -8,5 +9,8 @@ namespace selvedge::sim {
 // threads and drivers reserve much that they never use. Does nothing under AddressSanitizer, whose shadow memory
 // reserves terabytes.
 void limit_more_memory(std::size_t bytes);
+
+// How much more address space this process may map. None: it has no limit.
+std::optional<std::size_t> address_space_left();
 
 }  // namespace selvedge::sim

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "sim/core/assert.h"
@@ -289,16 +290,31 @@ void weld(std::vector<Vec2d>& points) {
     }
 }
 
+// Tests only segments whose boxes meet: sorted by their lower ends, along the axis on which they are shorter.
 std::optional<std::pair<int, int>> find_crossing(std::span<const Vec2d> outline) {
-    const auto segment = [&](std::size_t i) { return Segment{outline[i], outline[(i + 1) % outline.size()]}; };
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Segment first = segment(i);
-        if (first.start == first.end) return std::pair(static_cast<int>(i), static_cast<int>(i));
-        for (std::size_t k = i + 1; k < outline.size(); ++k) {
-            if (is_crossing(first, segment(k))) return std::pair(static_cast<int>(i), static_cast<int>(k));
+    const std::size_t count = outline.size();
+    const auto segment = [&](std::size_t i) { return Segment{outline[i], outline[(i + 1) % count]}; };
+    std::pair first(count, count);  // of all pairs, the one that comes first
+    Vec2d extent = Vec2d::Zero();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Segment own = segment(i);
+        extent += (own.end - own.start).cwiseAbs();
+        if (own.start == own.end) first = std::min(first, {i, i});
+    }
+    const int axis = extent.x() <= extent.y() ? 0 : 1;
+    const auto low = [&](std::size_t i) { return std::min(outline[i][axis], outline[(i + 1) % count][axis]); };
+    const auto high = [&](std::size_t i) { return std::max(outline[i][axis], outline[(i + 1) % count][axis]); };
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, low);
+    for (std::size_t k = 0; k < count; ++k) {
+        for (std::size_t m = k + 1; m < count && low(order[m]) <= high(order[k]); ++m) {
+            const std::pair<std::size_t, std::size_t> pair = std::minmax(order[k], order[m]);
+            if (pair < first && is_crossing(segment(pair.first), segment(pair.second))) first = pair;
         }
     }
-    return std::nullopt;
+    if (first.first == count) return std::nullopt;
+    return std::pair(static_cast<int>(first.first), static_cast<int>(first.second));
 }
 
 }  // namespace selvedge::sim

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "sim/core/assert.h"
@@ -67,6 +68,14 @@ void heal(PlanarMesh& mesh, const SizeField& size);
 
 constexpr std::array<GridPose, 6> kPoses{
     {{0, 0, false}, {0.5, 0.5, false}, {0.25, 0.75, false}, {0, 0, true}, {0.5, 0.5, true}, {0.25, 0.75, true}}};
+
+// How many of `count` tries a panel gets: all if its outline has no more points than kFullOutline, else fewer, so that
+// the work stays the same. Garments have outlines of some hundred points.
+std::size_t affordable(std::size_t count, std::size_t outline_points, std::size_t all_points) {
+    constexpr std::size_t kFullOutline = 1000;
+    if (outline_points <= kFullOutline) return count;
+    return std::max<std::size_t>(1, count * kFullOutline / all_points);
+}
 
 [[noreturn]] void refuse(const Panel& panel, const std::string& problem) {
     throw InputError("", "panel '" + panel.name + "'", problem);
@@ -136,11 +145,12 @@ PlanarMesh best_mesh(const Panel& panel, const std::vector<Vec2d>& outline, cons
     const SizeField size(outline, options.target_edge);
     std::optional<PlanarMesh> best;
     double least = std::numeric_limits<double>::infinity();  // penalty of `best`
-    for (const GridPose& pose : kPoses) {
+    for (const GridPose& pose : std::span(kPoses).first(affordable(kPoses.size(), outline.size(), outline.size()))) {
         if (least == 0) break;
         auto mesh = start_mesh(outline, place_interior_points(outline, size, options.target_edge, pose));
         if (!mesh) continue;
-        relax(*mesh, size, options.relaxations);
+        const auto relaxations = static_cast<std::size_t>(std::max(0, options.relaxations));
+        relax(*mesh, size, static_cast<int>(affordable(relaxations, outline.size(), mesh->points.size())));
         const double penalty = angle_penalty(*mesh);
         if (best && penalty >= least) continue;
         best = std::move(mesh);
@@ -499,7 +509,7 @@ void relax(PlanarMesh& mesh, const SizeField& size, int iterations) {
 }
 
 void heal(PlanarMesh& mesh, const SizeField& size) {
-    int tries_left = kMaxTriangulations;
+    int tries_left = static_cast<int>(affordable(kMaxTriangulations, mesh.outline_count, mesh.points.size()));
     while (repair_one(mesh, size, tries_left)) {
     }
 }

@@ -31,6 +31,42 @@ bool is_angle(std::string_view name) {
            name.find("slope") != std::string_view::npos;
 }
 
+// Names of measurements that only FreeSewing has.
+bool is_freesewings(const Measurement& one) {
+    constexpr std::array<std::string_view, 27> kNames{"bustFront",
+                                                      "bustPointToUnderbust",
+                                                      "bustSpan",
+                                                      "crossSeam",
+                                                      "crossSeamFront",
+                                                      "crotchDepth",
+                                                      "highBust",
+                                                      "highBustFront",
+                                                      "hpsToBust",
+                                                      "hpsToWaistBack",
+                                                      "hpsToWaistFront",
+                                                      "seatBack",
+                                                      "shoulderSlope",
+                                                      "shoulderToElbow",
+                                                      "shoulderToShoulder",
+                                                      "shoulderToWrist",
+                                                      "upperLeg",
+                                                      "waistBack",
+                                                      "waistToArmpit",
+                                                      "waistToFloor",
+                                                      "waistToHips",
+                                                      "waistToKnee",
+                                                      "waistToSeat",
+                                                      "waistToUnderbust",
+                                                      "waistToUpperLeg",
+                                                      "seat",
+                                                      "biceps"};
+    return std::ranges::find(kNames, std::string_view(one.name)) != kNames.end();
+}
+
+bool has_freesewings(const std::vector<Measurement>& lengths) {
+    return std::ranges::count_if(lengths, is_freesewings) >= 2;
+}
+
 // ---- YAML and JSON.
 
 struct Unit {
@@ -64,11 +100,14 @@ class YamlReader {
         out_.format = "FreeSewing";
         if (root_["measurements"] && root_["measurements"].IsMap()) {
             read_map(root_["measurements"]);
-        } else if (root_["chest"] || root_["waist"] || root_["seat"] || root_["bust"]) {
-            read_map(root_);
         } else {
-            throw InputError(file_, "",
-                             "no measurements: neither FreeSewing's 'measurements' nor GarmentCode's 'body'");
+            read_map(root_);
+            const bool has_usual = root_["chest"] || root_["waist"] || root_["seat"] || root_["bust"];
+            if (!has_usual && !has_freesewings(out_.lengths)) {
+                throw InputError(file_, "",
+                                 "no measurements: neither FreeSewing's 'measurements' nor GarmentCode's 'body'");
+            }
+            if (has_freesewings(out_.lengths)) out_.notes.emplace_back("its names are FreeSewing's");
         }
         const Unit unit = unit_of_freesewing(text_of("units"), out_.lengths);
         if (!unit.guess.empty()) out_.notes.push_back(unit.guess);
@@ -90,12 +129,13 @@ class YamlReader {
         for (const auto& entry : map) {
             if (!entry.first.IsScalar() || !entry.second.IsScalar()) continue;
             const std::string name = entry.first.Scalar();
-            const std::string& text = entry.second.Scalar();
+            const std::string text = with_decimal_point(entry.second.Scalar());
             double value = 0;
             const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
             const bool is_number = error == std::errc() && stop == text.data() + text.size() && std::isfinite(value);
-            if (!is_number) continue;  // "units: metric"
-            if (is_angle(name)) continue;
+            if (!is_number && error == std::errc())  // "92 cm"; other texts say something else: "units: metric"
+                out_.notes.push_back(name.substr(0, 60) + ": '" + text.substr(0, 40) + "' is no number, left out");
+            if (!is_number || is_angle(name)) continue;
             if (!(value >= 0 && value < 1e5))
                 throw InputError(file_, "line " + std::to_string(entry.second.Mark().line + 1),
                                  name.substr(0, 60) + ": '" + text.substr(0, 40) + "' is no length of a body");
@@ -170,6 +210,7 @@ MeasurementFile parse_xml(std::string_view text, const std::string& file) {
         }
         out.lengths.push_back({name, *value * metres});
     }
+    if (has_freesewings(out.lengths)) out.notes.emplace_back("its names are FreeSewing's: 'hips' is the high hip");
     out.sex = sex_of(root.child("personal").child_value("gender"));
     return out;
 }

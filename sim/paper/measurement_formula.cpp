@@ -7,8 +7,13 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr int kDeepestFormula = 64;  // parentheses and names within names
-constexpr int kMostTerms = 10000;    // names that name others twice and more would take ages
+constexpr int kDeepestFormula = 64;         // parentheses and names within names
+constexpr int kMostTerms = 10000;           // names that name others twice and more would take ages
+constexpr std::size_t kLongestNumber = 64;  // letters
+
+bool is_digit_at(std::string_view text, std::size_t at) {
+    return at < text.size() && text[at] >= '0' && text[at] <= '9';
+}
 
 class Reader {
  public:
@@ -89,10 +94,11 @@ class Reader {
 
     std::optional<double> atom() {
         skip_blanks();
+        const std::string digits = with_decimal_point(std::string(rest_.substr(0, kLongestNumber)));
         double number = 0;
-        const auto [stop, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), number);
+        const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
         if (error == std::errc() && std::isfinite(number)) {
-            rest_.remove_prefix(static_cast<std::size_t>(stop - rest_.data()));
+            rest_.remove_prefix(static_cast<std::size_t>(stop - digits.data()));
             return number;
         }
         std::size_t length = 0;
@@ -111,6 +117,14 @@ class Reader {
 };
 
 }  // namespace
+
+std::string with_decimal_point(std::string text) {
+    std::size_t at = text.starts_with('-') ? 1 : 0;
+    const std::size_t begin = at;
+    while (is_digit_at(text, at)) ++at;
+    if (at > begin && at < text.size() && text[at] == ',' && is_digit_at(text, at + 1)) text[at] = '.';
+    return text;
+}
 
 std::optional<double> value_of_formula(const Formulas& formulas, const std::string& name) {
     const auto found = formulas.find(name);

@@ -9,7 +9,11 @@ namespace selvedge::sim {
 
 using Formulas = std::map<std::string, std::string>;  // by name
 
-// Numbers, names, + - * / and parentheses. None if the formula is wrong, names what is not there, or depends on itself.
+// "92,5" as "92.5": programs write decimals in the manner of the user's language. Text that is no such number stays.
+std::string with_decimal_point(std::string text);
+
+// Numbers, with a point or a comma before the decimals, names, + - * / and parentheses. None if the formula is wrong,
+// names what is not there, or depends on itself.
 std::optional<double> value_of_formula(const Formulas& formulas, const std::string& name);
 
 }  // namespace selvedge::sim

@@ -42,6 +42,15 @@ EdgeKey edge_key(const Panel& panel, int edge) {
     return has_keys(panel) ? key : EdgeKey{edge + 1};
 }
 
+EdgeKeyPair sorted_keys(const EdgeKey& one, const EdgeKey& other) {
+    return std::minmax(one, other);
+}
+
+EdgeKeyPair with_role(EdgeKeyPair keys, EdgeRole role) {
+    keys.first.role = keys.second.role = role;
+    return sorted_keys(keys.first, keys.second);
+}
+
 std::optional<int> find_edge(const Panel& panel, const EdgeKey& key) {
     for (int e = 0; e < count_of(panel); ++e) {
         if (edge_key(panel, e) == key) return e;

@@ -3,6 +3,7 @@
 // read or drawn has none; evaluate() (sim/pattern/sources.h) gives them. Where a panel has no keys, its edges count as
 // numbered in their order, from 1.
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "sim/pattern/pattern.h"
@@ -16,6 +17,13 @@ bool has_plain_keys(const Panel& panel);
 
 // The key of an edge. Pre: the panel has the edge.
 EdgeKey edge_key(const Panel& panel, int edge);
+
+// The keys of two edges that are sewn, the smaller first: by them a seam within a panel is known.
+using EdgeKeyPair = std::pair<EdgeKey, EdgeKey>;
+EdgeKeyPair sorted_keys(const EdgeKey& one, const EdgeKey& other);
+
+// The same pair with both edges in this role.
+EdgeKeyPair with_role(EdgeKeyPair keys, EdgeRole role);
 
 // The edge with this key, as an index. None: there is no such edge.
 std::optional<int> find_edge(const Panel& panel, const EdgeKey& key);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <span>
+#include <string_view>
+#include <vector>
 
 #include "sim/core/error.h"
 #include "sim/core/file.h"
@@ -10,6 +12,7 @@
 #include "sim/pattern/fabric_file.h"
 #include "sim/pattern/fault.h"
 #include "sim/pattern/named_file.h"
+#include "sim/pattern/spelling.h"
 
 namespace selvedge::sim {
 
@@ -31,6 +34,17 @@ SurfaceDesign read_surface(const JsonView& view) {
     return design;
 }
 
+// Other keys may be added by whoever makes a fabric; one that is nearly spelt as ours is a mistake that would not show.
+void refuse_misspelt_keys(const JsonView& root) {
+    std::vector<std::string_view> known{"name", "title", "note", "evidence", "units", "confidence", "surface"};
+    for (const FabricKey& key : fabric_keys()) known.emplace_back(key.key);
+    for (const std::string& key : root.keys()) {
+        if (std::ranges::find(known, key) != known.end()) continue;
+        const std::string_view near = nearly_spelt(key, known);
+        if (!near.empty()) root.at(key).fail("unknown key '" + key + "': is '" + std::string(near) + "' meant?");
+    }
+}
+
 Fabric read_fabric(const JsonView& root, const std::string& file) {
     Fabric fabric;
     fabric.name = root.has("name") ? root.at("name").string() : std::filesystem::path(file).stem().string();
@@ -39,6 +53,7 @@ Fabric read_fabric(const JsonView& root, const std::string& file) {
         fabric.*key.value = root.at(key.key).number_between(key.least, key.most);
     }
     if (root.has("surface")) fabric.surface = read_surface(root.at("surface"));
+    refuse_misspelt_keys(root);
     return fabric;
 }
 

@@ -234,6 +234,8 @@ struct Piece {
 
     double left() const { return std::min(from.x(), to.x()); }
     double right() const { return std::max(from.x(), to.x()); }
+    double bottom() const { return std::min(from.y(), to.y()); }
+    double top() const { return std::max(from.y(), to.y()); }
 };
 
 std::vector<Piece> sample_outline(const Panel& panel) {
@@ -293,7 +295,7 @@ std::optional<Vec2d> crossing(const Piece& a, const Piece& b, std::size_t count,
 
 }  // namespace
 
-// Sorts the segments by their left end, and tests each pair whose x ranges overlap once.
+// Sorts the segments by their left end, and tests each pair whose boxes overlap once.
 std::vector<OutlineCrossing> find_outline_crossings(const Panel& panel, const CrossingSearch& search) {
     std::vector<Piece> pieces = sample_outline(panel);
     std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.left() < b.left(); });
@@ -301,6 +303,9 @@ std::vector<OutlineCrossing> find_outline_crossings(const Panel& panel, const Cr
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         for (std::size_t k = i + 1; k < pieces.size() && pieces[k].left() <= pieces[i].right() + search.clearance;
              ++k) {
+            const bool is_apart = pieces[k].bottom() > pieces[i].top() + search.clearance ||
+                                  pieces[i].bottom() > pieces[k].top() + search.clearance;
+            if (is_apart) continue;
             const std::optional<Vec2d> place = crossing(pieces[i], pieces[k], pieces.size(), search.clearance);
             if (!place) continue;
             const auto [first, second] = std::minmax(pieces[i].edge, pieces[k].edge);

@@ -200,7 +200,12 @@ class Reader : private FaultReader {
             return warn(keys, count_text(different.size(), "different key") + " for " +
                                   count_text(panel.edges.size(), "edge") + ": the edges are numbered anew");
         }
-        for (std::size_t e = 0; e < read.size(); ++e) panel.edges[e].key = read[e];
+        for (std::size_t e = 0; e < read.size(); ++e) {
+            panel.edges[e].key = read[e];
+            if (read[e].role == EdgeRole::Image && !different.contains(EdgeKey{read[e].number}))
+                warn(keys.element(e),
+                     "no edge has the key " + std::to_string(read[e].number) + ", of which this is the image");
+        }
         panel.last_key = *most;
     }
 
@@ -244,9 +249,12 @@ class Reader : private FaultReader {
     // said of them.
     void check_copy(const Mirror& copy) {
         if (!panel_index_.contains(copy.of)) return error(copy.node, "no panel '" + copy.of + "'");
+        if (copy.of == copy.panel) return error(copy.node, "a panel is no copy of itself");
         std::set<std::string> passed;
         for (std::string at = copy.of; passed.insert(at).second;) {
-            if (at == copy.panel) return error(copy.node, "a panel is no copy of itself");
+            if (at == copy.panel)
+                return error(copy.node, "panel '" + copy.of + "' is made from '" + copy.panel +
+                                            "' itself: one of them must be drawn");
             const auto found = panel_index_.find(at);
             if (found == panel_index_.end()) return;
             const Panel& panel = out_.pattern.panels[static_cast<std::size_t>(found->second)];

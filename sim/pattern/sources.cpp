@@ -106,24 +106,13 @@ class PanelEvaluation {
     std::vector<Panel> panels_;
 };
 
-using KeyPair = std::pair<EdgeKey, EdgeKey>;
-
-KeyPair sorted_keys(const EdgeKey& one, const EdgeKey& other) {
-    return std::minmax(one, other);
-}
-
 // Whether a seam within a panel with linked halves joins two edges of this half. Those of EdgeRole::Image are images.
-bool is_of_half(const Panel& panel, const KeyPair& keys, EdgeRole half) {
+bool is_of_half(const Panel& panel, const EdgeKeyPair& keys, EdgeRole half) {
     return has_linked_halves(panel) && keys.first.role == half && keys.second.role == half;
 }
 
-KeyPair with_role(KeyPair keys, EdgeRole role) {
-    keys.first.role = keys.second.role = role;
-    return sorted_keys(keys.first, keys.second);
-}
-
 // Seams within panels, by their panel and keys.
-using Darts = std::map<std::string, std::map<KeyPair, const SourceSeam*>>;
+using Darts = std::map<std::string, std::map<EdgeKeyPair, const SourceSeam*>>;
 
 Darts darts_by_keys(const Sources& sources) {
     Darts darts;
@@ -166,7 +155,7 @@ class SeamEvaluation {
     }
 
     // The dart of the drawn panel, or of its drawn half, that gives the panel this one. Null: there is none.
-    const SourceSeam* drawn_dart(const std::string& panel, const KeyPair& keys) const {
+    const SourceSeam* drawn_dart(const std::string& panel, const EdgeKeyPair& keys) const {
         const Panel& root = drawn(panel);
         const auto darts = darts_.find(root.name);
         if (darts == darts_.end()) return nullptr;
@@ -177,7 +166,7 @@ class SeamEvaluation {
 
     SourceSeam with_properties(const SourceSeam& seam) const {
         if (!is_derived(seam)) return seam;
-        const KeyPair keys = sorted_keys(seam.first.edge, seam.second.edge);
+        const EdgeKeyPair keys = sorted_keys(seam.first.edge, seam.second.edge);
         const SourceSeam* dart = drawn_dart(seam.first.panel, keys);
         if (!dart) throw InputError("", "", "panel '" + seam.first.panel + "' has a seam that its source has not");
         SourceSeam made = *dart;
@@ -195,7 +184,7 @@ class SeamEvaluation {
         const Panel& root = drawn(panel.name);
         for (const SourceSeam& seam : sources_.seams) {
             if (seam.first.panel != root.name || seam.second.panel != root.name) continue;
-            const KeyPair keys = sorted_keys(seam.first.edge, seam.second.edge);
+            const EdgeKeyPair keys = sorted_keys(seam.first.edge, seam.second.edge);
             if (is_of_half(root, keys, EdgeRole::Image)) continue;
             SourceSeam made = seam;
             made.first.panel = made.second.panel = panel.name;
@@ -208,7 +197,7 @@ class SeamEvaluation {
 
     void add_missing(const SourceSeam& dart) {
         const auto own = darts_.find(dart.first.panel);
-        const KeyPair keys = sorted_keys(dart.first.edge, dart.second.edge);
+        const EdgeKeyPair keys = sorted_keys(dart.first.edge, dart.second.edge);
         if (own == darts_.end() || !own->second.contains(keys)) add(dart);
     }
 
@@ -394,7 +383,7 @@ bool is_near(const Part& one, const Part& other) {
 }
 
 // What seams within a panel have besides their sides and names, by the keys of their edges, from the smaller key on.
-using PropertiesByKeys = std::map<KeyPair, Seam>;
+using PropertiesByKeys = std::map<EdgeKeyPair, Seam>;
 
 PropertiesByKeys::value_type keyed_properties(Seam seam, const Panel& panel) {
     const EdgeKey one = edge_key(panel, seam.first.edge), other = edge_key(panel, seam.second.edge);

@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "sim/core/error.h"
+#include "sim/core/printable.h"
 
 namespace selvedge::sim {
 namespace {
@@ -136,12 +138,14 @@ class Strip {
     explicit Strip(int width) : width_(width) {}
 
     // The last covered cell that a mask would meet at (x, y), as the x from which on it no longer meets it; none: free.
-    std::optional<int> blocked_until(const Mask& mask, int x, int y) const {
+    // Adds the number of rows to `work`.
+    std::optional<int> blocked_until(const Mask& mask, int x, int y, std::uint64_t& work) const {
         const std::size_t count = mask.rows.size();
         for (const std::size_t start : {std::size_t{0}, std::size_t{3}, std::size_t{1}, std::size_t{5}, std::size_t{2},
                                         std::size_t{7}, std::size_t{4}, std::size_t{6}}) {
             for (std::size_t r = start; r < count; r += 8) {  // far rows first: they tell sooner
                 const int row = y + static_cast<int>(r);
+                ++work;
                 if (row < 0 || static_cast<std::size_t>(row) >= last_.size()) continue;
                 for (const Run& run : mask.rows[r]) {
                     const int from = std::max(0, x + run.from), to = std::min(width_ - 1, x + run.to);
@@ -188,6 +192,11 @@ struct Shape {
     Mask grown = {};               // with the gap
 };
 
+bool are_alike(const NestItem& one, const NestItem& other) {
+    return one.outline == other.outline && one.turns == other.turns && one.repeat == other.repeat &&
+           one.phase == other.phase && one.axis_at == other.axis_at;
+}
+
 struct Spot {
     int x = 0, y = 0;  // cells
     Vec2d shift = Vec2d::Zero();
@@ -199,16 +208,28 @@ class Nester {
     Nester(const std::vector<NestItem>& items, const NestOptions& options) : items_(items), options_(options) {
         // Shapes on a lattice are rounded to the raster, by half a cell at most.
         margin_ = static_cast<int>(std::ceil(options.gap / options.cell));
-        for (const NestItem& item : items) shapes_.push_back(shapes_of(item));
+        for (const NestItem& item : items) {
+            std::size_t kind = 0;
+            while (kind < kinds_.size() && !are_alike(items[kinds_[kind]], item)) ++kind;
+            if (kind == kinds_.size()) {
+                kinds_.push_back(static_cast<std::size_t>(&item - items.data()));
+                shapes_.push_back(shapes_of(item));
+            }
+            kind_.push_back(kind);
+        }
     }
 
-    Nest run() const {
+    // What takes too long ends the search with the best so far.
+    Nest run() {
         Nest best;
         best.length = std::numeric_limits<double>::infinity();
         for (int k = 0; k < std::max(1, options_.orders); ++k) {
-            const Nest nest = place(order(k));
-            if (nest.length < best.length - 1e-9) best = nest;
+            const std::optional<Nest> nest = place(order(k));
+            if (!nest) break;
+            if (nest->length < best.length - 1e-9) best = *nest;
         }
+        if (best.places.empty())
+            throw InputError("", "", count_text(items_.size(), "piece") + " are more than can be laid out together");
         return best;
     }
 
@@ -243,7 +264,7 @@ class Nester {
         std::vector<std::size_t> indices(items_.size());
         std::iota(indices.begin(), indices.end(), std::size_t{0});
         const auto merit = [&](std::size_t i) {
-            const Vec2d size = shapes_[i].front().size;
+            const Vec2d size = shapes_[kind_[i]].front().size;
             return k % 3 == 0 ? -size.prod() : k % 3 == 1 ? -size.y() : -size.x();
         };
         std::ranges::stable_sort(indices, {}, merit);
@@ -256,16 +277,20 @@ class Nester {
         return indices;
     }
 
-    Nest place(const std::vector<std::size_t>& order) const {
+    // None: the search has taken too long.
+    std::optional<Nest> place(const std::vector<std::size_t>& order) {
         Strip strip(static_cast<int>(std::floor(options_.width / options_.cell + 1e-9)));
         Nest nest;
         nest.places.resize(items_.size());
+        std::map<const Shape*, Spot> last;  // what is alike finds no place before the last one
         for (const std::size_t i : order) {
             Spot best;
             const Shape* chosen = nullptr;
-            for (const Shape& shape : shapes_[i]) {
-                const Spot spot =
-                    items_[i].repeat ? lattice_spot(items_[i], shape, strip) : free_spot(items_[i], shape, strip);
+            for (const Shape& shape : shapes_[kind_[i]]) {
+                const Spot spot = items_[i].repeat ? lattice_spot(items_[i], shape, strip)
+                                                   : free_spot(items_[i], shape, strip, last[&shape]);
+                if (work_ > options_.most_work) return std::nullopt;
+                last[&shape] = spot;
                 if (spot.top < best.top - 1e-9) best = spot, chosen = &shape;
             }
             if (!chosen) throw InputError("", items_[i].name, "no place on the width that keeps to the sett");
@@ -276,14 +301,14 @@ class Nester {
         return nest;
     }
 
-    // The lowest free place on the raster, then the leftmost.
-    Spot free_spot(const NestItem& item, const Shape& shape, const Strip& strip) const {
+    // The lowest free place on the raster, then the leftmost, from `from` on.
+    Spot free_spot(const NestItem& item, const Shape& shape, const Strip& strip, const Spot& from) {
         const double cell = options_.cell;
         const int columns = item.axis_at ? 1 : static_cast<int>((options_.width - shape.size.x()) / cell + 1e-9) + 1;
-        for (int y = 0; y <= strip.rows() + margin_; ++y) {
-            int x = 0;
+        for (int y = from.y; y <= strip.rows() + margin_ && work_ <= options_.most_work; ++y) {
+            int x = y == from.y ? from.x : 0;
             while (x < columns) {
-                const auto next = strip.blocked_until(shape.grown, x - margin_, y - margin_);
+                const auto next = strip.blocked_until(shape.grown, x - margin_, y - margin_, work_);
                 if (!next) {
                     const Vec2d corner(item.axis_at ? shape.corner.x() - *item.axis_at : x * cell, y * cell);
                     return {x, y, corner - shape.corner, corner.y() + shape.size.y()};
@@ -295,7 +320,7 @@ class Nester {
     }
 
     // The lowest free place of those that keep the phase.
-    Spot lattice_spot(const NestItem& item, const Shape& shape, const Strip& strip) const {
+    Spot lattice_spot(const NestItem& item, const Shape& shape, const Strip& strip) {
         const double cell = options_.cell;
         const Vec2d repeat = *item.repeat;
         const auto first = [&](Eigen::Index axis) {  // the first corner that is not negative
@@ -303,10 +328,10 @@ class Nester {
             return at - repeat[axis] * std::floor(at / repeat[axis] + 1e-9);
         };
         const double most = (strip.rows() + margin_ + 2) * cell + repeat.y();
-        for (double y = first(1); y <= most; y += repeat.y()) {
+        for (double y = first(1); y <= most && work_ <= options_.most_work; y += repeat.y()) {
             for (double x = first(0); x + shape.size.x() <= options_.width + 1e-9; x += repeat.x()) {
                 const int cx = static_cast<int>(std::lround(x / cell)), cy = static_cast<int>(std::lround(y / cell));
-                if (strip.blocked_until(shape.grown, cx - margin_ - 1, cy - margin_ - 1)) continue;
+                if (strip.blocked_until(shape.grown, cx - margin_ - 1, cy - margin_ - 1, work_)) continue;
                 return {cx, cy, Vec2d(x, y) - shape.corner, y + shape.size.y()};
             }
         }
@@ -315,8 +340,11 @@ class Nester {
 
     const std::vector<NestItem>& items_;
     const NestOptions& options_;
-    int margin_ = 0;  // cells
-    std::vector<std::vector<Shape>> shapes_;
+    int margin_ = 0;                          // cells
+    std::vector<std::size_t> kinds_;          // an item of each kind: items of one kind are alike
+    std::vector<std::size_t> kind_;           // of each item
+    std::vector<std::vector<Shape>> shapes_;  // of each kind
+    std::uint64_t work_ = 0;                  // rows compared so far
 };
 
 }  // namespace

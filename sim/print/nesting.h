@@ -2,6 +2,7 @@
 // Lays shapes on a strip of cloth or paper so that it is short: each goes to the lowest free place, then to the one
 // farthest left, in several orders, of which the best is kept.  (bottom-left placement: Baker, Coffman and Rivest 1980;
 // the free places are found on a raster)
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ struct NestOptions {
     double gap = 0.005;   // m, between shapes
     double cell = 0.004;  // m, of the raster
     int orders = 12;      // that are tried
+
+    // Rows of shapes that are compared before the search ends: some seconds. The pieces of a garment need a hundredth.
+    std::uint64_t most_work = 1'000'000'000;
 };
 
 // A point p of the outline lies at R(turn) p + shift, with 0 <= x <= width and y >= 0.
@@ -39,7 +43,8 @@ struct Nest {
     double length = 0;              // m, of strip that is used
 };
 
-// The same for the same input. Throws InputError (place: the item's name) if an item is wider than the strip.
+// The same for the same input. Throws InputError (place: the item's name) if an item is wider than the strip, and if
+// there are too many to be laid out in some seconds: about a thousand different ones.
 Nest nest(const std::vector<NestItem>& items, const NestOptions& options);
 
 }  // namespace selvedge::sim

@@ -248,7 +248,8 @@ PaperSheet paper_sheet(const Pattern& pattern, const std::vector<PaperPiece>& pi
         items.push_back({.name = panel.name, .outline = piece.cut});
         width = std::max(width, piece.box().sizes().x() + 1e-6);
     }
-    const Nest nested = nest(items, {.width = width, .gap = kGap, .orders = orders});
+    constexpr std::uint64_t kMostWork = 100'000'000;  // pages are laid out sixteen times
+    const Nest nested = nest(items, {.width = width, .gap = kGap, .orders = orders, .most_work = kMostWork});
     sheet.places = nested.places;
     sheet.size = {width, nested.length};
     return sheet;

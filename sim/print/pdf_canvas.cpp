@@ -19,8 +19,11 @@ double points(double metres) {
     return metres / kPoint;
 }
 
-// Broken UTF-8 with replacement characters.
+// Broken UTF-8 with replacement characters. Of a text that fills pages, without its middle: Pango takes ages for it.
 std::string valid(const std::string& text) {
+    constexpr std::size_t kMostBytes = 2000;
+    if (text.size() > kMostBytes)
+        return valid(text.substr(0, kMostBytes / 2 - 3) + "..." + text.substr(text.size() - kMostBytes / 2));
     gchar* made = g_utf8_make_valid(text.data(), static_cast<gssize>(text.size()));
     std::string out(made);
     g_free(made);

@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
+#include "sim/core/error.h"
+#include "sim/core/printable.h"
 #include "sim/pattern/fabric_file.h"
 #include "sim/pattern/segment_distance.h"
 #include "sim/print/pdf_canvas.h"
@@ -295,12 +298,16 @@ struct OnPage {
     }
 };
 
-OnPage things_on(const PagedSheet& paged, const SheetView& view, const LayerChoice& layers) {
+// page: what reaches into it.
+OnPage things_on(const PagedSheet& paged, const SheetView& view, const LayerChoice& layers, const Box& page) {
     OnPage things;
     for (const PaperStroke& stroke : strokes_of(paged.sheet, layers)) {
-        std::vector<Vec2d>& line = things.lines.emplace_back();
-        for (const Vec2d& p : stroke.points) line.push_back(view.to_page(p));
+        std::vector<Vec2d> line;
+        Box box;
+        for (const Vec2d& p : stroke.points) box.extend(line.emplace_back(view.to_page(p)));
+        if (!box.intersects(page)) continue;
         if (stroke.is_closed) line.push_back(line.front());
+        things.lines.push_back(std::move(line));
     }
     for (std::size_t i = 0; i < paged.sheet.pieces.size() && has(layers, PaperLayer::Labels); ++i) {
         const Box label = label_box(paged.sheet.pieces[i].label);
@@ -316,7 +323,8 @@ Vec2d free_place(const PagedSheet& paged, const Page& page, const std::string& t
     constexpr double kClear = 0.003, kStep = 0.008;  // m
     const PageGrid& grid = paged.grid;
     const Box area = grid.area(page.column, page.row);
-    const OnPage things = things_on(paged, {{area.min().x(), area.max().y()}, Vec2d::Constant(grid.margin), 1}, layers);
+    const OnPage things = things_on(paged, {{area.min().x(), area.max().y()}, Vec2d::Constant(grid.margin), 1}, layers,
+                                    {Vec2d::Zero(), grid.paper});
     const Vec2d size(kPageTextHeight * text_width(text), kPageTextHeight), clear = Vec2d::Constant(kClear);
     const Vec2d first = Vec2d::Constant(grid.margin + grid.overlap + kClear), last = grid.paper - first - size;
     for (double y = first.y(); y <= last.y(); y += kStep) {
@@ -424,11 +432,28 @@ void draw_layout(PdfCanvas& canvas, const PaperSheet& layout, const Vec2d& paper
 
 }  // namespace
 
+namespace {
+
+// More pages than anybody glues; a garment has up to a hundred.
+void require_few_pages(std::size_t pages) {
+    constexpr std::size_t kMostPages = 400;
+    if (pages <= kMostPages) return;
+    throw InputError("", "",
+                     count_text(pages, "page") + ": at most " + std::to_string(kMostPages) +
+                         "; --one-page makes one for a plotter, a larger --paper makes fewer");
+}
+
+}  // namespace
+
 PrintedPdf print_pdf(const Pattern& pattern, const PrintOptions& options) {
     const std::vector<PaperPiece> pieces =
         paper_pieces(pattern, {.draws_mirror_images = options.draws_mirror_images, .are_halved = options.are_halved});
     if (options.is_one_page) return one_page(pattern, pieces, options);
+    double area = 0;
+    for (const PaperPiece& piece : pieces) area += area_of(piece.cut);
+    require_few_pages(static_cast<std::size_t>(area / options.paper.size.prod()));  // before they are laid out
     const PagedSheet paged = lay_out_pages(pattern, pieces, options.paper);
+    require_few_pages(paged.pages.size());
     PdfCanvas canvas(pattern.name);
     PrintedPdf printed;
     printed.covers = Cover(canvas, pattern, pieces, paged.grid.paper).draw(paged, options.paper.name);

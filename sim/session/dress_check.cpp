@@ -7,6 +7,7 @@
 #include "sim/core/edge_table.h"
 #include "sim/core/error.h"
 #include "sim/core/json.h"
+#include "sim/core/printable.h"
 #include "sim/dress/anchor.h"
 #include "sim/dress/dressing.h"
 #include "sim/mesh/sew.h"
@@ -16,8 +17,7 @@ namespace selvedge::sim {
 namespace {
 
 std::string text_of(const InputError& error) {
-    return (error.file().empty() ? "" : error.file() + ": ") + (error.place().empty() ? "" : error.place() + ": ") +
-           error.problem();
+    return fault_line(error.file(), error.place(), error.problem());
 }
 
 class Checker {

@@ -1,6 +1,7 @@
 #include "sim/tartan/sett.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -93,14 +94,28 @@ Rgb8 parse_colour(std::string_view text, const std::string& file, const std::str
             static_cast<std::uint8_t>(value & 0xFF)};
 }
 
+Rgb8 parse_named_colour(std::string_view text, const std::string& file, const std::string& place) {
+    const std::string digits = '#' + std::string(text.substr(text.starts_with('#') ? 1 : 0, 6));
+    return parse_colour(digits, file, place);
+}
+
 // The parser of threadcounts: splits the text into words, the words into sections (warp, weft, weave), parses the
 // stripes, and expands them to a mirrored or plain repeat.
 
 namespace {
 
+enum class WordKind {
+    Stripe,    // or what should be one
+    Colour,    // "B=#2C2C80", "B=2C2C80BLUE"
+    Heading,   // "weft:"
+    Dot,       // alone: the weft follows
+    Ellipsis,  // before and after what repeats
+};
+
 struct Word {
     std::string text;
-    std::string place;  // for errors
+    std::string place{};  // for errors
+    WordKind kind = WordKind::Stripe;
 };
 
 struct ReadStripe {
@@ -114,35 +129,110 @@ bool is_letter(char c) {
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
+bool is_line_end(char c) {
+    return c == '\n' || c == '\r';
+}
+bool is_gap(char c) {
+    return c == ' ' || c == '\t' || is_line_end(c) || c == ',' || c == ';' || c == '"';
+}
 char upper(char c) {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
-// A word ends at a blank, comma or semicolon, after a colon, and before a letter that follows a count ("B24W4"). In a
-// colour definition ("S=#A09060") letters after digits do not end the word.
-std::vector<Word> split_words(std::string_view text) {
-    std::vector<std::string> words;
-    std::string word;
-    const auto finish = [&] {
-        if (!word.empty()) words.push_back(std::exchange(word, {}));
-    };
-    for (const char c : text) {
-        if (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ',' || c == ';') {
-            finish();
-            continue;
-        }
-        const bool is_colour = word.find('=') != std::string::npos;
-        if (!is_colour && is_letter(c) && !word.empty() && is_digit(word.back())) finish();
-        word += c;
-        if (c == ':') finish();
-    }
-    finish();
-    std::vector<Word> result;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        result.push_back({words[i], "stripe " + std::to_string(i + 1) + " '" + words[i].substr(0, 32) + "'"});
-    }
-    return result;
+std::string lower(std::string text) {
+    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return text;
 }
+
+// Words without a colour, which the registers write over the parts of an entry, with a colon or on a line of their own.
+bool is_heading(std::string_view word) {
+    constexpr std::array<std::string_view, 9> kHeadings{"thread",  "threadcount", "count",   "sett",  "warp",
+                                                        "palette", "pallet",      "colours", "colors"};
+    return std::ranges::find(kHeadings, lower(std::string(word))) != kHeadings.end();
+}
+
+// Splits a text into words. Words end at blanks, commas and semicolons, after a colon, at dots, and before a letter
+// that follows a count ("B24W4"). A colour's name belongs to its word: it goes on to the semicolon, the line's end, or
+// the next stripe or colour ("LT=E8CCB8LIGHT BROWN;").
+class WordSplitter {
+ public:
+    explicit WordSplitter(std::string_view text) : rest_(text) {}
+
+    std::vector<Word> words() {
+        while (skip_gaps()) add_word();
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            words_[i].place = "stripe " + std::to_string(i + 1) + " '" + words_[i].text.substr(0, 32) + "'";
+        }
+        return std::move(words_);
+    }
+
+ private:
+    bool skip_gaps() {
+        while (!rest_.empty() && is_gap(rest_.front())) rest_.remove_prefix(1);
+        return !rest_.empty();
+    }
+
+    void take(std::size_t count, WordKind kind) {
+        words_.push_back({.text = std::string(rest_.substr(0, count)), .kind = kind});
+        rest_.remove_prefix(count);
+    }
+
+    void add_word() {
+        constexpr std::string_view kEllipsis = "\xE2\x80\xA6";
+        if (rest_.starts_with(kEllipsis)) return take(kEllipsis.size(), WordKind::Ellipsis);
+        if (rest_.front() == '.') {
+            const std::size_t dots = std::min(rest_.find_first_not_of('.'), rest_.size());
+            return take(dots, dots == 1 ? WordKind::Dot : WordKind::Ellipsis);
+        }
+        const std::size_t end = end_of_word();
+        const std::string_view word = rest_.substr(0, end);
+        if (word.find('=') != word.npos) {
+            take(end, WordKind::Colour);
+            return skip_name();
+        }
+        take(end, word.ends_with(':') || is_heading(word) ? WordKind::Heading : WordKind::Stripe);
+    }
+
+    // Of a colour: after its digits, and the letters that follow them without a blank.
+    std::size_t end_of_word() const {
+        bool is_colour = false;
+        for (std::size_t i = 0; i < rest_.size(); ++i) {
+            const char c = rest_[i];
+            if (is_gap(c)) return i;
+            is_colour |= c == '=';
+            if (is_colour) continue;
+            if (c == ':') return i + 1;
+            const bool follows_count = i > 0 && is_digit(rest_[i - 1]);
+            if (i > 0 && (c == '.' || c == '\xE2' || (is_letter(c) && follows_count))) return i;
+        }
+        return rest_.size();
+    }
+
+    // Passes over further words of a colour's name, or a name that a semicolon parts from the colour
+    // ("G=006818;GREEN;").
+    void skip_name() {
+        const std::string& colour = words_.back().text;
+        const std::size_t digits = colour.find('=') + (colour.find('#') == colour.npos ? 1 : 2);
+        const bool has_name = colour.size() > digits + 6;
+        if (!has_name && rest_.starts_with(';')) {
+            const std::size_t end = rest_.find(';', 1);
+            const std::string_view name = rest_.substr(1, end == rest_.npos ? 0 : end - 1);
+            if (std::ranges::all_of(name, [](char c) { return is_letter(c) || c == ' '; }))
+                rest_.remove_prefix(1 + name.size());
+        }
+        while (rest_.starts_with(' ')) {
+            const std::size_t begin = std::min(rest_.find_first_not_of(' '), rest_.size());
+            const std::string_view word = rest_.substr(begin, rest_.find_first_of(" ;,\t\r\n", begin) - begin);
+            if (word.empty() || word.find_first_of("=:./") != word.npos || is_heading(word)) return;
+            const bool is_stripe = is_letter(word.front()) && std::ranges::any_of(word, is_digit);
+            if (is_stripe) return;
+            rest_.remove_prefix(begin + word.size());
+        }
+    }
+
+    std::string_view rest_;
+    std::vector<Word> words_;
+};
 
 [[noreturn]] void fail(const Word& word, const std::string& problem) {
     throw InputError("threadcount", word.place, problem);
@@ -179,7 +269,7 @@ ReadStripe parse_stripe(const Word& word, const Palette& palette) {
     return {{code, colour_of(word, code, palette), count}, is_pivot};
 }
 
-// "CODE=#RRGGBB"
+// "CODE=#RRGGBB" or "CODE=RRGGBBNAME"
 void add_colour(const Word& word, Palette& palette) {
     const std::size_t equals = word.text.find('=');
     std::string code = word.text.substr(0, equals);
@@ -187,7 +277,7 @@ void add_colour(const Word& word, Palette& palette) {
         fail(word, "a colour is given as CODE=#RRGGBB, its code in letters");
     }
     std::transform(code.begin(), code.end(), code.begin(), upper);
-    palette[code] = parse_colour(std::string_view(word.text).substr(equals + 1), "threadcount", word.place);
+    palette[code] = parse_named_colour(std::string_view(word.text).substr(equals + 1), "threadcount", word.place);
 }
 
 void check_pivots(const std::vector<ReadStripe>& stripes, const std::vector<Word>& words) {
@@ -200,12 +290,7 @@ void check_pivots(const std::vector<ReadStripe>& stripes, const std::vector<Word
     }
 }
 
-std::string lower(std::string text) {
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
-}
-
-// The words before "weft:" or "weave:" (the warp), and those after each of them, with the palette.
+// The words before the weft or "weave:" (the warp), and those after each of them, with the palette.
 struct Sections {
     std::vector<Word> warp;
     std::vector<Word> weft;
@@ -215,32 +300,63 @@ struct Sections {
     Palette colours;
 };
 
-Sections split_sections(std::string_view text, const Palette& palette) {
-    Sections sections;
-    sections.colours = palette;
-    std::vector<Word>* section = &sections.warp;
-    const auto begin = [&](const Word& word, bool& is_there, std::vector<Word>& words) {
-        if (std::exchange(is_there, true)) fail(word, "given twice");
-        section = &words;
-    };
-    for (const Word& word : split_words(text)) {
-        if (word.text.ends_with(':')) {
-            const std::string name = lower(word.text);
-            if (name == "weft:") {
-                begin(word, sections.has_weft, sections.weft);
-            } else if (name == "weave:") {
-                begin(word, sections.has_weave, sections.weave);
-            } else {
-                fail(word, "only weft: and weave: end in a colon");
-            }
-        } else if (word.text.find('=') != std::string::npos) {
-            add_colour(word, sections.colours);
-        } else if (word.text != "...") {  // some threadcounts have "..." before and after the repeat
-            section->push_back(word);
-        }
+class SectionSplitter {
+ public:
+    explicit SectionSplitter(const Palette& palette) { sections_.colours = palette; }
+
+    Sections split(std::string_view text) {
+        std::vector<Word> words = WordSplitter(text).words();
+        while (!words.empty() && words.back().kind == WordKind::Dot) words.pop_back();  // the end of a sentence
+        for (const Word& word : words) add(word);
+        return std::move(sections_);
     }
-    return sections;
-}
+
+ private:
+    void add(const Word& word) {
+        switch (word.kind) {
+            case WordKind::Colour:
+                return add_colour(word, sections_.colours);
+            case WordKind::Heading:
+                return begin_section(word);
+            case WordKind::Dot:
+                return begin(word, sections_.has_weft, sections_.weft);
+            case WordKind::Ellipsis:
+                return end_repeat(word);
+            case WordKind::Stripe:
+                break;
+        }
+        if (is_ended_) fail(word, "'...' stands before the first and after the last stripe");
+        section_->push_back(word);
+    }
+
+    void begin(const Word& word, bool& is_there, std::vector<Word>& words) {
+        if (std::exchange(is_there, true)) fail(word, "given twice");
+        section_ = &words;
+        is_ended_ = false;
+    }
+
+    void begin_section(const Word& word) {
+        const std::string name = lower(word.text);
+        if (name == "weft:") return begin(word, sections_.has_weft, sections_.weft);
+        if (name == "weave:") return begin(word, sections_.has_weave, sections_.weave);
+        const bool is_of_colours = name.starts_with("palle") || name.starts_with("colo");
+        const bool is_known = is_heading(std::string_view(name).substr(0, name.find(':')));
+        const bool begins_warp = sections_.warp.empty() && !sections_.has_weft && !sections_.has_weave;
+        if (!is_known || (!is_of_colours && !begins_warp))
+            fail(word, "only weft: and weave: end in a colon, and before the stripes threadcount: and warp:");
+    }
+
+    // The second of two in a row starts the weft: "...B24 W4... ...K24 G24..."
+    void end_repeat(const Word& word) {
+        if (section_->empty()) return;
+        if (is_ended_) return begin(word, sections_.has_weft, sections_.weft);
+        is_ended_ = true;
+    }
+
+    Sections sections_;
+    std::vector<Word>* section_ = &sections_.warp;
+    bool is_ended_ = false;  // the section's stripes
+};
 
 struct Repeat {
     std::vector<SettStripe> stripes;
@@ -273,6 +389,12 @@ Repeat expand(const std::vector<Word>& words, const Palette& colours, const std:
 
 }  // namespace
 
+Palette parse_palette(std::string_view text) {
+    Sections sections = SectionSplitter({}).split(text);
+    if (!sections.warp.empty()) fail(sections.warp.front(), "no colour: colours are given as CODE=#RRGGBB");
+    return std::move(sections.colours);
+}
+
 std::optional<Weave> parse_weave(std::string_view name) {
     const std::string plain = lower(std::string(name));
     if (plain == "plain") return Weave::Plain;
@@ -282,7 +404,7 @@ std::optional<Weave> parse_weave(std::string_view name) {
 }
 
 Sett parse_threadcount(std::string_view text, const Palette& palette) {
-    const Sections sections = split_sections(text, palette);
+    const Sections sections = SectionSplitter(palette).split(text);
     Sett sett;
     Repeat warp = expand(sections.warp, sections.colours, "");
     sett.stripes = std::move(warp.stripes);

@@ -5,8 +5,11 @@
 //
 //   B/24 W4 B24 R2 K24 G24 W/2   slash: pivots at both ends, used once per repeat; the stripes between are mirrored
 //   B18 G46 K6 Y40               no slash: repeated end to end
+//   ...B18 G46 K6...             the same
 //   S=#A09060; S/20 K4 S/8       defines a colour before the stripes
+//   LT=E8CCB8LIGHT BROWN; ...    the same as the Register's "pallet" has it, with a name
 //   B/24 W4 R/2 weft: K8 W8      a separate weft, with or without pivots
+//   B24 W4 . K8 W8               the same as the Scottish Tartans Authority writes it, a dot before the weft
 //   B24 W4 weft: W1 weave: denim the weave: plain (1/1), twill (2/2, the default) or denim (3/1)
 #include <array>
 #include <cstdint>
@@ -81,8 +84,16 @@ const Palette& standard_palette();
 // Parses "#RRGGBB". Throws InputError(file, place, ...).
 Rgb8 parse_colour(std::string_view text, const std::string& file, const std::string& place);
 
-// Parses a threadcount in the notation above. Codes are looked up in the colours that it defines, in `palette`, then in
-// standard_palette(). Throws InputError("threadcount", "stripe 3 'Q5'", problem).
+// The same without the number sign, and with a name after it, if there is one: "2C2C80BLUE".
+Rgb8 parse_named_colour(std::string_view text, const std::string& file, const std::string& place);
+
+// Parses colours as a threadcount defines them: "B=2C2C80BLUE;W=FFFFFFWHITE;". Throws InputError as
+// parse_threadcount().
+Palette parse_palette(std::string_view text);
+
+// Parses a threadcount in the notation above, also after the words "Threadcount:" and "Pallet:". Codes are looked up in
+// the colours that it defines, in `palette`, then in standard_palette(). Throws InputError("threadcount", "stripe 3
+// 'Q5'", problem).
 Sett parse_threadcount(std::string_view text, const Palette& palette = {});
 
 }  // namespace selvedge::sim

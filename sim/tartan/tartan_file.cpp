@@ -32,11 +32,19 @@ bool has_digit(std::string_view text) {
     return std::any_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+// An object of codes and colours, or the text of a "pallet" of the Scottish Register of Tartans.
 Palette read_palette(const JsonView& view) {
+    if (view.value().kind() == Json::Kind::String) {
+        try {
+            return parse_palette(view.string());
+        } catch (const InputError& error) {
+            view.fail(error.place() + ": " + error.problem());
+        }
+    }
     Palette palette;
     for (const std::string& code : view.keys()) {
         const JsonView colour = view.at(code);
-        palette[code] = parse_colour(colour.string(), colour.file(), colour.path());
+        palette[code] = parse_named_colour(colour.string(), colour.file(), colour.path());
     }
     return palette;
 }

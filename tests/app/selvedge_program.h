@@ -7,9 +7,14 @@
 
 namespace selvedge::app {
 
+// The program's path, quoted.
+inline std::string program() {
+    return "'" + program_folder() + "/selvedge'";
+}
+
 // Runs the program; `arguments` use shell syntax.
 inline ProgramResult run_selvedge(const std::string& arguments) {
-    return run_command("'" + program_folder() + "/selvedge' " + arguments);
+    return run_command(program() + " " + arguments);
 }
 
 inline std::string shipped(const std::string& file) {

@@ -97,5 +97,9 @@ TEST(FrameTimes, are_a_row_for_each_frame) {
     EXPECT_THROW(FrameTimesFile(testing::TempDir() + "/no/such/folder/times.csv"), sim::InputError);
 }
 
+TEST(FrameTimes, of_a_full_disk_are_refused) {
+    EXPECT_THROW(FrameTimesFile("/dev/full").add({}), sim::InputError);
+}
+
 }  // namespace
 }  // namespace selvedge::app

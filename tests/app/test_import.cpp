@@ -223,6 +223,22 @@ TEST(ImportCommand, refuses_wrong_input_on_one_line_and_writes_nothing) {
     EXPECT_LT(cut_off.size(), drawn.size() + 150) << cut_off;
     EXPECT_NE(refused(half_shirt(), "--unit ell").find("'ell' is none of mm, cm, m, in, pt, px"), std::string::npos);
     EXPECT_NE(refused(half_shirt(), "--size 40").find("the file names no sizes"), std::string::npos);
+    sim::write_file_atomically(drawn, half_shirt());
+    const ProgramResult other = run_selvedge("import '" + drawn + "' -o '" + folder / "garment.txt" + "'");
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_NE(other.err.find(".json"), std::string::npos) << other.err;
+}
+
+TEST(ImportCommand, leaves_a_garment_of_a_newer_program_alone) {
+    const ScratchFolder folder;
+    const std::string drawn = folder / "a.svg", garment = folder / "garment.json";
+    sim::write_file_atomically(drawn, half_shirt());
+    const std::string newer = R"({"pattern": {"panels": {}}, "selvedge": {"format": 99}})";
+    sim::write_file_atomically(garment, newer);
+    const ProgramResult result = run_selvedge("import '" + drawn + "' -o '" + garment + "'");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("selvedge.format: not written over"), std::string::npos) << result.err;
+    EXPECT_EQ(content_of(garment), newer);
 }
 
 }  // namespace

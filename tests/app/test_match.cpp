@@ -86,6 +86,15 @@ TEST(MatchCommand, writes_nothing_when_the_file_has_a_newer_format) {
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_NE(result.err.find("written by a newer program"), std::string::npos) << result.err;
     EXPECT_EQ(write_json(sim::read_json(copy.path())), text);
+    const ProgramResult other = copy.match("-o '" + copy.beside("other.json") + "'");
+    EXPECT_EQ(other.err.rfind("selvedge: " + copy.path() + ": selvedge.format: written by a newer", 0), 0U)
+        << other.err;
+    EXPECT_FALSE(std::filesystem::exists(copy.beside("other.json")));
+    const ProgramResult over = run_selvedge("match " + shipped("skirt.json") + " -o '" + copy.path() + "'");
+    EXPECT_EQ(over.exit_code, 2);
+    EXPECT_NE(over.err.find("not written over: the garment there was written by a newer"), std::string::npos)
+        << over.err;
+    EXPECT_EQ(write_json(sim::read_json(copy.path())), text);
     EXPECT_EQ(run_selvedge("check '" + copy.path() + "'").exit_code, 0);
 }
 
@@ -170,8 +179,23 @@ TEST(MatchCommand, a_wrong_word_gets_one_line) {
     expect_line("--sett-size nan", "--sett-size");
     expect_line("--tartan plaid", "none is called 'plaid'");
     expect_line("--json '" + copy.path() + "'", "already");
+    expect_line("--tartan plaid", "selvedge: --tartan: none is");
+    expect_line("--tartan 'B/24 W4 Q/2'", "selvedge: --tartan: stripe 3 'Q/2': no colour 'Q'");
     expect_line("-o /nowhere/skirt.json", "cannot write");
+    expect_line("-o '" + copy.beside("skirt.txt") + "'", ".json");
     EXPECT_EQ(content_of(copy.path()), before);
+}
+
+TEST(MatchCommand, a_wrong_tartan_of_the_garment_is_named_with_its_place) {
+    const Copy copy("skirt.json");
+    sim::Json json = sim::read_json(copy.path());
+    json["selvedge"]["tartan"] = sim::Json("plaid");
+    sim::write_file_atomically(copy.path(), write_json(json));
+    for (const ProgramResult& result : {copy.match(""), run_selvedge("dress '" + copy.path() + "'")}) {
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_EQ(result.err.rfind("selvedge: " + copy.path() + ": selvedge.tartan: none is called 'plaid'", 0), 0U)
+            << result.err;
+    }
 }
 
 TEST(MatchCommand, dressing_says_when_another_tartan_is_drawn_than_was_matched) {

@@ -70,20 +70,53 @@ TEST(PrintCommand, tells_warnings_as_match_does_when_the_file_has_unknown_keys) 
     EXPECT_NE(matched.err.find(note), std::string::npos) << matched.err;
 }
 
+TEST(PrintCommand, a_name_of_a_million_letters_is_printed_in_part) {
+    const ScratchFolder folder;
+    const std::string garment = folder / "long.json", file = folder / "long.pdf";
+    sim::write_file_atomically(garment, R"({"pattern": {"panels": {")" + std::string(1000000, 'n') +
+                                            R"(": {"vertices": [[0, 0], [40, 0], [40, 40], [0, 40]], "edges": [
+            {"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]}]}},
+            "stitches": []}})");
+    const ProgramResult result =
+        run_command("ulimit -t 20; " + program() + " print '" + garment + "' -o '" + file + "'");
+    EXPECT_EQ(result.exit_code, 0) << result.err.substr(0, 1000);
+    EXPECT_LT(std::filesystem::file_size(file), 1000000U);
+}
+
+TEST(PrintCommand, more_pages_than_can_be_glued_are_refused_in_a_moment) {
+    const ScratchFolder folder;
+    const std::string garment = folder / "many.json", file = folder / "many.pdf";
+    std::string panels;
+    for (int i = 0; i < 10000; ++i) {
+        panels += (panels.empty() ? "" : ",") + ("\"p" + std::to_string(i)) +
+                  R"(": {"vertices": [[0, 0], [40, 0], [40, 40], [0, 40]], "edges": [
+            {"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]}]})";
+    }
+    sim::write_file_atomically(garment, R"({"pattern": {"panels": {)" + panels + R"(}, "stitches": []}})");
+    const ProgramResult result =
+        run_command("ulimit -t 20; " + program() + " print '" + garment + "' -o '" + file + "'");
+    EXPECT_EQ(result.exit_code, 2) << result.err.substr(0, 1000);
+    EXPECT_NE(result.err.find("pages: at most 400"), std::string::npos) << result.err;
+}
+
 TEST(PrintCommand, refuses_wrong_input_on_one_line_and_writes_nothing) {
     const ScratchFolder folder;
     const std::string file = folder / "t.pdf", drawn = folder / "t.png", garment = shipped("tshirt.json");
-    const std::string dxf = folder / "t.dxf";
+    const std::string dxf = folder / "t.dxf", svg = folder / "t.svg";
     for (const std::string& arguments :
          {garment + " -o '" + file + "' --paper a9", garment + " -o '" + file + "' --layers cut,sews",
           garment + " -o '" + drawn + "'", garment + " -o '" + file + "' --layout --fabric-width 30",
-          garment + " -o '" + dxf + "' --layout", "missing.json -o '" + file + "'"}) {
+          garment + " -o '" + dxf + "' --layout", garment + " -o '" + dxf + "' --layers cut",
+          garment + " -o '" + dxf + "' --on-fold", garment + " -o '" + svg + "' --on-fold",
+          garment + " -o '" + svg + "' --one-page", garment + " -o '" + svg + "' --astm",
+          garment + " -o '" + file + "' --folded", garment + " -o '" + file + "' --layout --on-fold",
+          "missing.json -o '" + file + "'"}) {
         const ProgramResult result = run_selvedge("print " + arguments);
         EXPECT_EQ(result.exit_code, 2) << arguments;
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n') - (result.err.find("note:") < 200 ? 1 : 0), 1)
             << result.err;
         EXPECT_FALSE(std::filesystem::exists(file));
-        EXPECT_FALSE(std::filesystem::exists(dxf));
+        EXPECT_FALSE(std::filesystem::exists(dxf) || std::filesystem::exists(svg));
     }
 }
 

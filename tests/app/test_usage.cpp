@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "sim/core/file.h"
 #include "tests/app/selvedge_program.h"
 #include "tests/support/checkout.h"
 
@@ -49,6 +50,49 @@ TEST(Usage, words_it_does_not_know_get_one_line) {
     for (const char* arguments :
          {"", "knit", "dress", "dress --no-such-option", "check", "render", "diff one.png", "mannequin --sex robot"})
         expect_one_line_and_exit_2(arguments);
+}
+
+TEST(Usage, a_mistyped_command_is_named_with_the_one_that_is_meant) {
+    EXPECT_NE(run_selvedge("dres x.json").err.find("no command 'dres': is 'dress' meant?"), std::string::npos);
+    EXPECT_NE(run_selvedge("knit x.json").err.find("no command 'knit': there are dress, "), std::string::npos);
+}
+
+TEST(Usage, output_that_a_full_disk_does_not_take_is_an_error) {
+    const ScratchFolder folder;
+    sim::write_file_atomically(folder / "broken.json", "{");
+    for (const std::string& arguments : {std::string("--version"), "check '" + folder / "broken.json" + "'"}) {
+        const ProgramResult result = run_selvedge(arguments + " > /dev/full");
+        EXPECT_EQ(result.exit_code, 2) << arguments;
+        EXPECT_EQ(result.err.rfind("selvedge: standard output: cannot write", 0), 0U) << arguments;
+        EXPECT_EQ(count_lines(result.err), 1) << arguments;
+    }
+    EXPECT_EQ(run_selvedge("check " + shipped("tshirt.json") + " > /dev/full").exit_code, 0) << "it prints nothing";
+}
+
+#if !defined(SELVEDGE_ADDRESS_SANITIZER)
+TEST(Usage, too_little_memory_to_draw_is_one_line) {
+    const ScratchFolder folder;
+    sim::write_file_atomically(folder / "t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    for (const char* kilobytes : {"400000", "600000", "700000"}) {
+        const ProgramResult result = run_command("ulimit -v " + std::string(kilobytes) + "; " + program() +
+                                                 " render '" + folder / "t.obj" + "' -o '" + folder / "t.png" + "'");
+        EXPECT_EQ(result.exit_code, 2) << kilobytes;
+        EXPECT_EQ(count_lines(result.err), 1) << kilobytes << ": " << result.err;
+        EXPECT_FALSE(std::filesystem::exists(folder / "t.png"));
+    }
+}
+#endif
+
+TEST(Usage, one_full_disk_is_one_line) {
+    const ScratchFolder folder;
+    const std::string a = folder / "a.obj", b = folder / "b.obj";
+    const ProgramResult result =
+        run_command("trap '' XFSZ; ulimit -f 8; " + program() + " dress " + shipped("poncho.json") +
+                    " --body mannequin:resolution=1 --max-level 0 --seconds 0.01 -q --no-textures --export '" + a +
+                    "' --export-body '" + b + "'");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.err, "selvedge: " + a + ", " + b + ": cannot write: File too large\n");
+    EXPECT_FALSE(std::filesystem::exists(a) || std::filesystem::exists(b));
 }
 
 TEST(Usage, a_missing_file_is_named_on_one_line) {

@@ -167,6 +167,12 @@ TEST(Manifest, nothing_in_it_can_be_read_as_another_option) {
     EXPECT_EQ(refusal("garment,no-self-collision\na,--export=x.obj\n", "m.csv"),
               "m.csv: line 2: '--export=x.obj' is no value of 'no-self-collision'");
     EXPECT_EQ(parse_option("camera=-30,10").value, "-30,10");
+    for (const char* text : {"no-textures", "no-textures=true", "no-textures=TRUE"}) {
+        EXPECT_EQ(parse_option(text).name, "no-textures") << text;
+        EXPECT_TRUE(parse_option(text).is_flag) << text;
+        EXPECT_FALSE(parse_option(text).is_off) << text;
+    }
+    EXPECT_TRUE(parse_option("no-textures=false").is_off);
 }
 
 TEST(Manifest, names_are_unique_and_safe_whatever_the_files_are_called) {

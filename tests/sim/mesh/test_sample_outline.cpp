@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include "sim/core/error.h"
 #include "sim/mesh/sample_outline.h"
 #include "sim/pattern/outline.h"
@@ -167,6 +170,37 @@ TEST(FindCrossing, lets_a_slit_run_in_and_back) {
 
 TEST(FindCrossing, finds_banks_of_a_slit_that_overlap_in_part) {
     EXPECT_TRUE(find_crossing(std::vector<Vec2d>{{0, 0}, {1, 0}, {1, 1}, {1, 0.5}, {1, 0}, {2, 0}, {2, 2}, {0, 2}}));
+}
+
+// Outlines of lattice points: some cross, some touch, and some have segments without length.
+TEST(FindCrossing, says_the_same_wherever_an_outline_begins) {
+    std::mt19937 random(3);
+    int crossings = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        std::vector<Vec2d> outline;
+        const std::size_t count = 3 + random() % 5;
+        while (outline.size() < count) outline.emplace_back(random() % 6, random() % 6);
+        const bool crosses = find_crossing(outline).has_value();
+        crossings += crosses ? 1 : 0;
+        for (std::size_t turn = 1; turn < count; ++turn) {
+            std::ranges::rotate(outline, outline.begin() + 1);
+            ASSERT_EQ(find_crossing(outline).has_value(), crosses) << trial;
+            for (Vec2d& p : outline) std::swap(p.x(), p.y());  // sorted along the other axis
+            ASSERT_EQ(find_crossing(outline).has_value(), crosses) << trial;
+        }
+    }
+    EXPECT_GT(crossings, 200);
+    EXPECT_LT(crossings, 1800);
+}
+
+TEST(FindCrossing, is_quick_for_a_comb_of_many_teeth) {
+    std::vector<Vec2d> comb;
+    for (int i = 0; i < 50000; ++i) comb.emplace_back(i % 2, i * 1e-4);
+    comb.emplace_back(-1, 5);
+    comb.emplace_back(-1, 0);
+    EXPECT_FALSE(find_crossing(comb));
+    comb[25000].x() = -2;
+    EXPECT_TRUE(find_crossing(comb));
 }
 
 TEST(Weld, gives_near_points_the_coordinates_of_the_first) {

@@ -67,6 +67,35 @@ TEST(MeasurementFile, valentina_formulas_have_values) {
     EXPECT_EQ(file.lengths.size(), 3U);
 }
 
+TEST(MeasurementFile, decimals_may_follow_a_comma) {
+    const MeasurementFile file = parse_measurements(
+        "<smis><unit>cm</unit><body-measurements><m name=\"bust_circ\" value=\"92,5\"/>"
+        "<m name=\"waist_circ\" value=\"(bust_circ-12,5)/2,0*2+0,25\"/><m name=\"hip_circ\" value=\"98.5\"/>"
+        "</body-measurements></smis>",
+        "a");
+    EXPECT_EQ(file.format, "Seamly2D");
+    EXPECT_NEAR(length_of(file, "bust_circ"), 0.925, 1e-12);
+    EXPECT_NEAR(length_of(file, "waist_circ"), 0.8025, 1e-12);
+    EXPECT_NEAR(length_of(file, "hip_circ"), 0.985, 1e-12);
+    const MeasurementFile yaml = parse_measurements("body:\n  height: 171,99\n  bust: 92 cm\n", "a");
+    EXPECT_NEAR(length_of(yaml, "height"), 1.7199, 1e-12);
+    EXPECT_EQ(length_of(yaml, "bust"), -1);
+    ASSERT_EQ(yaml.notes.size(), 1U);
+    EXPECT_EQ(yaml.notes[0], "bust: '92 cm' is no number, left out");
+}
+
+TEST(MeasurementFile, freesewings_names_are_told_in_files_of_other_programs) {
+    const std::string lines =
+        "<m name=\"waistToFloor\" value=\"105,5\"/><m name=\"hpsToBust\" value=\"27\"/><m name=\"hips\" value=\"90\"/>";
+    const MeasurementFile file =
+        parse_measurements("<smis><unit>cm</unit><body-measurements>" + lines + "</body-measurements></smis>", "a");
+    EXPECT_EQ(file.notes, (std::vector<std::string>{"its names are FreeSewing's: 'hips' is the high hip"}));
+    const MeasurementFile flat = parse_measurements("waistToFloor: 105\nhpsToBust: 27\n", "a");
+    EXPECT_EQ(flat.format, "FreeSewing");
+    EXPECT_EQ(flat.notes.front(), "its names are FreeSewing's");
+    EXPECT_EQ(flat.lengths.size(), 2U);
+}
+
 TEST(MeasurementFile, seamly_multisize_takes_the_base) {
     const MeasurementFile file = parse_measurements(
         "<smms><unit>inch</unit><body-measurements><m name=\"bust_circ\" base=\"36\" size_increase=\"1\"/>"

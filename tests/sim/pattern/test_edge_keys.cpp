@@ -152,5 +152,11 @@ TEST(EdgeKeys, a_file_of_a_newer_format_is_read_and_not_written) {
     EXPECT_FALSE(newer_format(parse_pattern(sample_text(), "f.json").json));
 }
 
+TEST(EdgeKeysInFiles, an_image_of_no_edge_is_told) {
+    EXPECT_EQ(faults_of(with_keys(R"({"keys": [1, 2, {"image": 2}, {"image": 7}], "last": 7})")),
+              (std::vector<std::string>{"f.json: pattern.panels.front.selvedge.edge_keys.keys[3]: warning: no edge has "
+                                        "the key 7, of which this is the image"}));
+}
+
 }  // namespace
 }  // namespace selvedge::sim

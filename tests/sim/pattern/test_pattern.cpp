@@ -217,6 +217,9 @@ TEST(Fabric, refuses_figures_that_no_cloth_has) {
     EXPECT_NE(spoilt("\"shear\": 12", "\"shear\": \"12\"").find("a string where a number should be"),
               std::string::npos);
     EXPECT_NE(spoilt("\"thickness\": 0.0002", "\"thick\": 0.0002").find("no key 'thickness'"), std::string::npos);
+    EXPECT_EQ(spoilt("\"shear\": 12", "\"shear\": 12, \"frition\": 0.3"),
+              "f.json: frition: unknown key 'frition': is 'friction' meant?");
+    EXPECT_EQ(spoilt("\"shear\": 12", "\"shear\": 12, \"my own\": 1"), "");
     EXPECT_EQ(complaint(fabric_text()), "");
 }
 

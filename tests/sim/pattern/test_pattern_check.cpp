@@ -105,6 +105,8 @@ INSTANTIATE_TEST_SUITE_P(
             "circle"},
         Case{"small_arc", "[25, 0, 1]", "[14, 0, 1]",
              kFront + ".edges[2].curvature.params[0]: a radius of 14 is too small for a chord of 30"},
+        Case{"text_for_a_flag", R"("front": {)", R"("front": {"selvedge": {"worn": "no"}, )",
+             kFront + ".selvedge.worn: a string where true or false should be"},
         Case{"arc_flag", "[25, 0, 1]", "[25, 0, 2]", kFront + ".edges[2].curvature.params[2]: expected 0 or 1"},
         Case{"text_for_edges", R"("edges": [{"endpoints": [0, 1]},)",
              R"("edges": "none", "was": [{"endpoints": [0, 1]},)",

@@ -160,6 +160,18 @@ TEST(Sources, links_in_a_file_are_checked) {
     EXPECT_EQ(faults_of(replaced(text, R"("copy_of": "front")", R"("copy_of": "")")).front(), at + "no panel ''");
 }
 
+TEST(Sources, panels_that_are_copies_of_each_other_are_told_so) {
+    std::string text = sample_text();
+    text = replaced(text, R"("front": {)", R"("front": {"selvedge": {"copy_of": "back"}, )");
+    text = replaced(text, R"("back": {)", R"("back": {"selvedge": {"copy_of": "front"}, )");
+    const std::string place = "f.json: pattern.panels.";
+    EXPECT_EQ(faults_of(text), (std::vector<std::string>{
+                                   place + "front.selvedge.copy_of: panel 'back' is made from 'front' itself: one of "
+                                           "them must be drawn",
+                                   place + "back.selvedge.copy_of: panel 'front' is made from 'back' itself: one of "
+                                           "them must be drawn"}));
+}
+
 // The image and the copy are derived from the front.
 TEST(Sources, a_fault_of_a_link_is_said_of_the_panel_that_has_it) {
     Pattern pattern = linked_sample();

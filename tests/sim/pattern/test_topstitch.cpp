@@ -3,6 +3,7 @@
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/field_moves.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/pattern/topstitch_check.h"
 #include "tests/sim/pattern/sample.h"
 
 namespace selvedge::sim {
@@ -75,6 +76,42 @@ TEST(Topstitch, stays_on_its_side_of_the_cloth_where_a_panel_is_mirrored) {
     EXPECT_EQ(image.internal_lines[0].topstitch->distances, Vec2d(-0.006, -0.004));
     EXPECT_EQ(mapped_panel(image, mirror), panel);
     EXPECT_EQ(reversed_edge(panel.edges[0]).topstitch->distances, Vec2d(-0.006, -0.004));
+}
+
+// A square of 20 cm, whose edge 0 runs along the x axis to the right: its left is above.
+Panel stitched_square() {
+    Panel panel{.name = "square", .vertices = {{0, 0}, {0.2, 0}, {0.2, 0.2}, {0, 0.2}}};
+    panel.edges = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+    return panel;
+}
+
+TEST(TopstitchCheck, finds_rows_off_the_cloth_and_rows_on_each_other) {
+    const Panel panel = stitched_square();
+    OutlineEdge edge = panel.edges[0];
+    const auto problem = [&](const Topstitch& rows) {
+        edge.topstitch = rows;
+        return topstitch_problem(panel, edge).value_or("");
+    };
+    EXPECT_EQ(problem({}), "");
+    EXPECT_EQ(problem({.distances = {-0.006, 0.006}}), "row 1 of the stitches lies off the cloth");
+    EXPECT_EQ(problem({.distances = {0.1, 0.06}, .rows = 3}), "row 3 of the stitches lies off the cloth");
+    EXPECT_EQ(problem({.distances = {0.006, 0}, .rows = 2}), "the rows of stitches lie on each other");
+    EXPECT_EQ(problem({.distances = {0.006, 0.0003}, .rows = 2}), "the rows of stitches lie on each other");
+    EXPECT_EQ(problem({.distances = {0.006, 0}, .rows = 1}), "");
+    InternalLine line{.points = {{0.01, 0.1}, {0.01, 0.15}}, .topstitch = Topstitch{.distances = {0.006, 0.006}}};
+    EXPECT_FALSE(topstitch_problem(panel, line));
+    line.topstitch->distances.x() = 0.02;
+    EXPECT_EQ(topstitch_problem(panel, line), "row 1 of the stitches lies off the cloth");
+}
+
+TEST(TopstitchCheck, of_a_seam_looks_at_the_panel_of_each_side) {
+    Pattern pattern{.panels = {stitched_square(), stitched_square()}};
+    pattern.panels[1].vertices[2].y() = pattern.panels[1].vertices[3].y() = 0.02;  // a strip
+    Seam seam{{0, 0}, {1, 0}};
+    seam.topstitch = Topstitch{.distances = {0.05, 0.006}};
+    EXPECT_FALSE(topstitch_problem(pattern, seam));
+    seam.topstitch->distances.x() = -0.05;
+    EXPECT_EQ(topstitch_problem(pattern, seam), "row 1 of the stitches lies off the cloth");
 }
 
 }  // namespace

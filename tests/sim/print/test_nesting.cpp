@@ -57,6 +57,25 @@ std::vector<NestItem> shapes() {
             {.name = "disc", .outline = disc}};
 }
 
+TEST(Nesting, many_alike_pieces_are_laid_and_too_many_different_ones_refused) {
+    std::vector<NestItem> items(3000, {.name = "square", .outline = {{0, 0}, {0.1, 0}, {0.1, 0.1}, {0, 0.1}}});
+    const Nest nested = nest(items, {.orders = 1});
+    EXPECT_EQ(nested.places.size(), items.size());
+    EXPECT_NEAR(nested.length, 3000.0 / 13 * 0.112, 0.1);  // 13 beside each other, on the raster
+    EXPECT_EQ(nested.places[0].shift, Vec2d(0, 0));
+    items.resize(100);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        for (Vec2d& p : items[i].outline) p *= 1 + 1e-3 * double(i);
+    }
+    EXPECT_EQ(nest(items, {.most_work = 1'000'000}).places.size(), 100U);
+    try {
+        nest(items, {.most_work = 1000});
+        ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problem(), "100 pieces are more than can be laid out together");
+    }
+}
+
 TEST(Nesting, shapes_lie_apart_and_on_the_strip) {
     const NestOptions options{.width = 0.9, .gap = 0.01};
     const std::vector<NestItem> items = shapes();

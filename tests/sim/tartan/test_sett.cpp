@@ -78,6 +78,46 @@ TEST(Threadcount, what_is_wrong_is_named_with_its_stripe) {
     EXPECT_NE(fault_of("K=#000000").find("no stripes"), std::string::npos);
 }
 
+// As the Scottish Register of Tartans gives them: a threadcount, and a "pallet" of colours with names.
+TEST(Threadcount, may_come_with_the_pallet_of_the_register) {
+    const Sett expected =
+        parse_threadcount("B=#2C2C80 W=#FFFFFF R=#C80000 K=#101010 G=#006818 B/24 W4 B24 R2 K24 G24 W/2");
+    const std::string stripes = "B/24 W4 B24 R2 K24 G24 W/2";
+    for (const std::string pallet :
+         {"B=2C2C80BLUE;W=FFFFFFWHITE;R=C80000RED;K=101010BLACK;G=006818GREEN;",
+          "B=2C2C80ROYAL BLUE;W=FFFFFFWILSON WHITE;R=C80000RED;K=101010BLACK;G=006818MID GREEN 2;",
+          "B=2C2C80;BLUE;W=FFFFFF;R=C80000;DARK RED;K=101010;G=006818;GREEN;",
+          "B=2C2C80 W=FFFFFF R=C80000RED K=101010 G=006818",
+          "B=2C2C80 Blue\nW=#FFFFFF Snow white\nR=c80000\nK=101010\nG=006818 Green\n"}) {
+        EXPECT_EQ(parse_threadcount(pallet + " " + stripes), expected) << pallet;
+        EXPECT_EQ(parse_threadcount("Pallet:\n" + pallet + "\nThreadcount:\n" + stripes), expected) << pallet;
+        EXPECT_EQ(parse_threadcount("Threadcount: " + stripes + "\nPallet: " + pallet), expected) << pallet;
+        EXPECT_EQ(parse_threadcount("Threadcount\nB/24W4B24R2K24G24W/2\nPallet\n\"" + pallet + "\""), expected)
+            << pallet;
+    }
+    EXPECT_EQ(written(parse_threadcount("LT=E8CCB8LIGHT BROWN;LT4 K2")), "LT4 K2 ");
+    EXPECT_EQ(parse_threadcount("LT=E8CCB8LIGHT BROWN;LT4").stripes[0].colour, (Rgb8{0xE8, 0xCC, 0xB8}));
+}
+
+TEST(Threadcount, may_stand_under_its_heading_with_the_usual_colours) {
+    const Sett expected = parse_threadcount("B/24 W4 B24 R2 K24 G24 W/2");
+    for (const char* heading : {"Threadcount:", "Thread count:", "threadcount", "Sett:", "Warp:"})
+        EXPECT_EQ(parse_threadcount(std::string(heading) + " B/24 W4 B24 R2 K24 G24 W/2."), expected) << heading;
+}
+
+// As the Scottish Tartans Authority writes a weft of its own.
+TEST(Threadcount, may_have_its_weft_after_a_dot) {
+    const Sett expected = parse_threadcount("B24 W4 B24 R2 weft: K24 G24 W2");
+    for (const char* text : {"B24 W4 B24 R2 . K24 G24 W2", "B24W4B24R2.K24G24W2", "B24 W4 B24 R2. K24 G24 W2.",
+                             "...B24 W4 B24 R2... . ...K24 G24 W2...", "...B24 W4 B24 R2... ...K24 G24 W2...",
+                             "\xE2\x80\xA6"
+                             "B24 W4 B24 R2\xE2\x80\xA6 . K24 G24 W2"})
+        EXPECT_EQ(parse_threadcount(text), expected) << text;
+    EXPECT_TRUE(parse_threadcount("B/24 W4 R/2 . K/8 W/2").is_weft_mirrored);
+    EXPECT_NE(fault_of("B24 . W4 . K2").find("given twice"), std::string::npos);
+    EXPECT_NE(fault_of("B24 W4 ... K2").find("stripe 4 'K2': '...' stands before"), std::string::npos);
+}
+
 TEST(Sett, a_wished_repeat_keeps_the_proportions_and_the_threads_near_their_spacing) {
     const Sett sett = with_repeat_size(parse_threadcount("K/4 A4 G16 DB16 W/2"), 0.12);
     EXPECT_DOUBLE_EQ(repeat_size(sett), 0.12);
@@ -210,6 +250,23 @@ TEST(TartanFile, may_say_a_weft_and_a_weave) {
     EXPECT_EQ(sett.register_number, 7);
     EXPECT_DOUBLE_EQ(repeat_size(sett), 0.01);
     EXPECT_DOUBLE_EQ(weft_repeat_size(sett), 0.0075);
+}
+
+TEST(TartanFile, may_have_threadcount_and_palette_as_the_registers_write_them) {
+    const Sett expected = parse_tartan(
+        R"({"name": "a", "threadcount": "B/24 LT/4 . K2 B6", "palette": {"B": "#2C2C80", "LT": "#E8CCB8"}})", "f");
+    EXPECT_EQ(
+        parse_tartan(R"({"name": "a", "threadcount": "B=2C2C80BLUE;LT=E8CCB8LIGHT BROWN; B/24 LT/4 . K2 B6"})", "f"),
+        expected);
+    EXPECT_EQ(
+        parse_tartan(
+            R"({"name": "a", "threadcount": "B/24 LT/4 . K2 B6", "palette": "B=2C2C80BLUE;LT=E8CCB8LIGHT BROWN;"})",
+            "f"),
+        expected);
+    EXPECT_EQ(parse_tartan(R"({"name": "a", "threadcount": "B/24 LT/4 . K2 B6",
+                               "palette": {"B": "2C2C80BLUE", "LT": "E8CCB8"}})",
+                           "f"),
+              expected);
 }
 
 TEST(TartanFile, faults_of_weft_weave_and_register_name_their_place) {

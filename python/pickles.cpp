@@ -1,0 +1,206 @@
+#include "python/pickles.h"
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "sim/core/error.h"
+#include "sim/core/flat_bytes.h"
+#include "sim/core/version.h"
+#include "sim/repair/body_bytes.h"
+
+namespace selvedge::python {
+namespace {
+
+[[noreturn]] void refuse() {
+    throw sim::InputError("", "pickle", "made by another version of selvedge, or broken");
+}
+
+sim::FlatWriter begun() {
+    sim::FlatWriter writer;
+    writer.text(sim::program_version());
+    return writer;
+}
+
+sim::FlatReader opened(std::string_view bytes) {
+    sim::FlatReader reader(bytes);
+    if (reader.text() != sim::program_version()) refuse();
+    return reader;
+}
+
+void write_texts(sim::FlatWriter& writer, const std::vector<std::string>& texts) {
+    writer.value(std::uint64_t(texts.size()));
+    for (const std::string& text : texts) writer.text(text);
+}
+
+std::vector<std::string> read_texts(sim::FlatReader& reader) {
+    std::vector<std::string> texts;
+    const auto count = reader.value<std::uint64_t>();
+    for (std::uint64_t i = 0; i < count && reader.is_sound(); ++i) texts.push_back(reader.text());
+    return texts;
+}
+
+void write_number(sim::FlatWriter& writer, const std::optional<double>& number) {
+    writer.value(number.has_value());
+    writer.value(number.value_or(0));
+}
+
+std::optional<double> read_number(sim::FlatReader& reader) {
+    const bool has_value = reader.value<bool>();
+    const auto value = reader.value<double>();
+    return has_value ? std::optional(value) : std::nullopt;
+}
+
+// All measures, in the order of measure_names(), or none.
+void write_readings(sim::FlatWriter& writer, const std::optional<sim::MannequinReadings>& readings) {
+    writer.value(readings.has_value());
+    if (!readings) return;
+    for (const sim::MeasureReading& reading : readings->readings) {
+        write_number(writer, reading.requested);
+        writer.value(reading.measured);
+        write_number(writer, reading.level);
+    }
+    write_number(writer, readings->stance.requested);
+    writer.value(readings->stance.made);
+    writer.value(readings->stance.is_opened);
+    writer.value(readings->stance.gap);
+}
+
+std::optional<sim::MannequinReadings> read_readings(sim::FlatReader& reader) {
+    if (!reader.value<bool>()) return std::nullopt;
+    sim::MannequinReadings readings;
+    for (const std::string_view name : sim::measure_names()) {
+        sim::MeasureReading& one = readings.readings.emplace_back();
+        one.name = name;
+        one.requested = read_number(reader);
+        one.measured = reader.value<double>();
+        one.level = read_number(reader);
+    }
+    readings.stance.requested = read_number(reader);
+    readings.stance.made = reader.value<double>();
+    readings.stance.is_opened = reader.value<bool>();
+    readings.stance.gap = reader.value<double>();
+    return readings;
+}
+
+void write_mesh(sim::FlatWriter& writer, const sim::DrawMesh& mesh) {
+    writer.list(mesh.x);
+    writer.list(mesh.normals);
+    writer.list(mesh.triangles);
+    writer.list(mesh.u);
+    writer.list(mesh.panel);
+    writer.list(mesh.level);
+    writer.list(mesh.vertex_level);
+    write_texts(writer, mesh.panel_names);
+    writer.list(mesh.panel_grain_angles);
+    writer.list(mesh.panel_sett_offsets);
+    writer.list(mesh.turned_corners);
+}
+
+sim::DrawMesh read_mesh(sim::FlatReader& reader) {
+    sim::DrawMesh mesh;
+    mesh.x = reader.list<Vec3f>();
+    mesh.normals = reader.list<Vec3f>();
+    mesh.triangles = reader.list<std::array<std::uint32_t, 3>>();
+    mesh.u = reader.list<std::array<Vec2f, 3>>();
+    mesh.panel = reader.list<std::uint16_t>();
+    mesh.level = reader.list<std::uint8_t>();
+    mesh.vertex_level = reader.list<std::uint8_t>();
+    mesh.panel_names = read_texts(reader);
+    mesh.panel_grain_angles = reader.list<float>();
+    mesh.panel_sett_offsets = reader.list<Vec2f>();
+    mesh.turned_corners = reader.list<std::uint8_t>();
+    return mesh;
+}
+
+constexpr std::string_view kBadNumber = "bad number";
+
+}  // namespace
+
+std::string bytes_of(const sim::PreparedBody& body) {
+    const sim::MadeBody& made = body.made();
+    sim::FlatWriter writer = begun();
+    writer.text(made.source);
+    writer.text(to_bytes(*made.body));
+    write_texts(writer, made.notes);
+    write_readings(writer, made.readings);
+    writer.value(std::uint64_t(made.clips.size()));
+    for (const sim::Clip& clip : made.clips) write(writer, clip);
+    return writer.bytes();
+}
+
+BodyPointer body_from(std::string_view bytes) {
+    sim::FlatReader reader = opened(bytes);
+    sim::MadeBody made{.source = reader.text()};
+    std::optional<sim::Body> body = sim::body_from_bytes(reader.text());
+    if (!body) refuse();
+    made.body = std::make_shared<const sim::Body>(std::move(*body));
+    made.notes = read_texts(reader);
+    made.readings = read_readings(reader);
+    const auto clips = reader.value<std::uint64_t>();
+    for (std::uint64_t i = 0; i < clips && reader.is_sound(); ++i) {
+        if (!read(reader, made.clips.emplace_back())) refuse();
+    }
+    if (!reader.is_sound() || !reader.is_at_end()) refuse();
+    return std::make_shared<sim::PreparedBody>(std::move(made));
+}
+
+std::string bytes_of(Result& result) {
+    sim::FlatWriter writer = begun();
+    writer.text(sim::write_pattern({.pattern = result.pattern, .json = {}}));
+    writer.text(result.pattern.name);
+    writer.text(bytes_of(*result.body));
+    writer.text(result.garment.fabric);
+    writer.text(result.report);
+    writer.text(result.dressed.report.garment);
+    writer.text(result.dressed.report.stopped_because);
+    writer.value(result.dressed.report.settled);
+    write_mesh(writer, result.dressed.mesh);
+    writer.list(result.dressed.hierarchy);
+    writer.list(result.strain);
+    writer.list(clearance_of(result));
+    const bool is_finite = result.dressed.report.stopped_because != kBadNumber;
+    writer.list(is_finite ? contact_of(result).force : std::vector<Vec3f>());
+    writer.list(is_finite ? contact_of(result).pressure : std::vector<float>());
+    const std::vector<std::vector<int>>& seams = seams_of(result);
+    writer.value(std::uint64_t(seams.size()));
+    for (const std::vector<int>& of_vertex : seams) writer.list(of_vertex);
+    return writer.bytes();
+}
+
+ResultPointer result_from(std::string_view bytes) {
+    sim::FlatReader reader = opened(bytes);
+    auto result = std::make_shared<Result>();
+    result->pattern = sim::parse_pattern(reader.text(), "").pattern;
+    result->pattern.name = reader.text();
+    result->body = body_from(reader.text());
+    result->garment.fabric = reader.text();
+    result->report = reader.text();
+    result->dressed.report.garment = reader.text();
+    result->dressed.report.stopped_because = reader.text();
+    result->dressed.report.settled = reader.value<bool>();
+    result->dressed.mesh = read_mesh(reader);
+    result->dressed.hierarchy = reader.list<sim::HierarchyTriangle>();
+    result->strain = reader.list<sim::TriangleStrain>();
+    result->clearance.set(reader.list<float>());
+    sim::ContactPressure contact{.force = reader.list<Vec3f>(), .pressure = {}};
+    contact.pressure = reader.list<float>();
+    if (result->dressed.report.stopped_because != kBadNumber) result->contact.set(std::move(contact));
+    std::vector<std::vector<int>> seams;
+    const auto count = reader.value<std::uint64_t>();
+    for (std::uint64_t i = 0; i < count && reader.is_sound(); ++i) seams.push_back(reader.list<int>());
+    result->seams.set(std::move(seams));
+    if (!reader.is_sound() || !reader.is_at_end()) refuse();
+    return result;
+}
+
+py::tuple state_of(const Document& document) {
+    return py::make_tuple(sim::write_pattern(document.content, document.file), document.file);
+}
+
+DocumentPointer document_from(const py::tuple& state) {
+    const auto file = state[1].cast<std::string>();
+    return std::make_shared<Document>(Document{sim::parse_pattern(state[0].cast<std::string>(), file), file});
+}
+
+}  // namespace selvedge::python
