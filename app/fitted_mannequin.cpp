@@ -12,10 +12,11 @@ void add_list(const char* title, const std::vector<std::string>& words, std::vec
     lines.push_back(std::move(line));
 }
 
-FittedMannequin body_of(std::span<const sim::Measurement> measurements, std::optional<sim::Sex> sex) {
+FittedMannequin body_of(std::span<const sim::Measurement> measurements, std::optional<sim::Sex> sex,
+                        const std::string& name) {
     std::vector<sim::NamedLength> lengths;
     for (const sim::Measurement& one : measurements) lengths.push_back({one.name, one.value});
-    FittedMannequin body{.fit = mannequin_from_measurements(lengths, sex), .lines = {}};
+    FittedMannequin body{.fit = mannequin_from_measurements(lengths, sex, name), .lines = {}};
     add_list("used: ", body.fit.used, body.lines);
     for (const std::string& one : body.fit.derived) body.lines.push_back("follows: " + one);
     for (const std::string& one : body.fit.refused) body.lines.push_back("not used: " + one);
@@ -31,7 +32,7 @@ FittedMannequin read_fitted_mannequin(const std::filesystem::path& path) {
     std::optional<sim::Sex> sex;
     if (file.sex == sim::MeasuredSex::Female) sex = sim::Sex::Female;
     if (file.sex == sim::MeasuredSex::Male) sex = sim::Sex::Male;
-    FittedMannequin body = body_of(file.lengths, sex);
+    FittedMannequin body = body_of(file.lengths, sex, path.stem().string());
     std::vector<std::string> lines{path.string() + ": " + file.format + ", " + std::to_string(file.lengths.size()) +
                                    " lengths"};
     lines.insert(lines.end(), file.notes.begin(), file.notes.end());
@@ -40,8 +41,8 @@ FittedMannequin read_fitted_mannequin(const std::filesystem::path& path) {
     return body;
 }
 
-FittedMannequin fitted_mannequin(std::span<const sim::Measurement> measurements) {
-    return body_of(measurements, {});
+FittedMannequin fitted_mannequin(std::span<const sim::Measurement> measurements, const std::string& name) {
+    return body_of(measurements, {}, name);
 }
 
 }  // namespace selvedge::app

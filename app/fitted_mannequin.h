@@ -18,7 +18,7 @@ struct FittedMannequin {
 // Throws InputError; `path` is in the message.
 FittedMannequin read_fitted_mannequin(const std::filesystem::path& path);
 
-// From the measurements that a drawing carries.
-FittedMannequin fitted_mannequin(std::span<const sim::Measurement> measurements);
+// From the measurements that a drawing of this name carries.
+FittedMannequin fitted_mannequin(std::span<const sim::Measurement> measurements, const std::string& name);
 
 }  // namespace selvedge::app

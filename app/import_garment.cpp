@@ -161,8 +161,9 @@ std::vector<std::string> describe_all(const sim::Pattern& pattern, const std::ve
 std::string body_of(const sim::Drawing& drawing, const ImportOptions& options, std::vector<std::string>& lines) {
     if (!options.body.empty()) return options.body;
     if (options.measurements.empty() && drawing.measurements.empty()) return "mannequin:sex=female";
-    FittedMannequin body = options.measurements.empty() ? fitted_mannequin(drawing.measurements)
-                                                        : read_fitted_mannequin(options.measurements);
+    FittedMannequin body = options.measurements.empty()
+                               ? fitted_mannequin(drawing.measurements, drawing.measurement_set + " " + drawing.title)
+                               : read_fitted_mannequin(options.measurements);
     lines = std::move(body.lines);
     return mannequin_text(body.fit.options);
 }
@@ -175,7 +176,7 @@ std::vector<sim::PanelRole> place(ImportedGarment& out, const sim::Drawing& draw
     lay_aside_folded(out.pattern, roles, out.notes);
     if (!out.pattern.seams.empty()) lay_aside_loose(out.pattern, roles, out.notes);
     out.pattern.body = body_of(drawing, options, out.body);
-    const sim::MadeBody body = make_body({.source = out.pattern.body, .load = {}});
+    const sim::MadeBody body = make_body({.source = out.pattern.body});
     sim::Arrangement arrangement = arrange_pattern(out.pattern, *body.body, out.hints);
     std::ranges::move(arrangement.notes, std::back_inserter(out.notes));
     name_sides(out.pattern, arrangement.roles, std::span(out.notes).subspan(read));
@@ -185,7 +186,7 @@ std::vector<sim::PanelRole> place(ImportedGarment& out, const sim::Drawing& draw
 // Whether the body that a drawing names can be made; if not, a note says why.
 bool is_mannequin(const std::string& body, std::vector<std::string>& notes) {
     try {
-        make_body({.source = body, .load = {}});
+        make_body({.source = body});
         return true;
     } catch (const sim::InputError& error) {
         notes.push_back(std::string("the file's body is not used: ") + error.what());

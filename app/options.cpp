@@ -36,7 +36,8 @@ T named(const std::map<std::string, T>& values, const std::string& option, const
 
 const std::map<std::string, sim::LengthUnit> kUnits{
     {"auto", sim::LengthUnit::Auto},      {"m", sim::LengthUnit::Metres},       {"dm", sim::LengthUnit::Decimetres},
-    {"cm", sim::LengthUnit::Centimetres}, {"mm", sim::LengthUnit::Millimetres}, {"in", sim::LengthUnit::Inches}};
+    {"cm", sim::LengthUnit::Centimetres}, {"mm", sim::LengthUnit::Millimetres}, {"in", sim::LengthUnit::Inches},
+    {"ft", sim::LengthUnit::Feet},        {"poser", sim::LengthUnit::Poser}};
 const std::map<std::string, sim::UpAxis> kUpAxes{
     {"auto", sim::UpAxis::Auto}, {"y", sim::UpAxis::Y}, {"z", sim::UpAxis::Z}};
 
@@ -56,7 +57,7 @@ void add_body_options(Command& command, BodyOptions& options, const std::string&
         if (!text.empty() && !sim::is_body_file(text)) sim::parse_mannequin(text);
         options.source = text;
     });
-    add("--body-unit", "Unit of a body's file: auto, m, dm, cm, mm, in (default auto: by its size)", "UNIT",
+    add("--body-unit", "Unit of a body's file: auto, m, dm, cm, mm, in, ft, poser (default auto: by its size)", "UNIT",
         [&](const std::string& text) { options.load.unit = named(kUnits, "--body-unit", text); });
     add("--body-up", "Axis of a body's file that points up: auto, y, z (default auto)", "AXIS",
         [&](const std::string& text) { options.load.up = named(kUpAxes, "--body-up", text); });

@@ -21,7 +21,7 @@ class Command;
 
 struct BodyOptions {
     std::string source;  // "mannequin[:bust=92,...]" or a file; empty: none
-    sim::LoadBodyOptions load;
+    sim::LoadBodyOptions load{.must_be_person = true};
 
     bool is_file() const;
 };

@@ -389,9 +389,10 @@ void draw_body(InspectorContext& context) {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, const char*>, 19> kTips{{
+constexpr std::array<std::pair<std::string_view, const char*>, 20> kTips{{
     {"height", "Floor to crown."},
     {"inseam", "Floor to the crotch, inside the leg."},
+    {"waist_height", "From the floor to the waist."},
     {"shoulder", "Across, from shoulder joint to shoulder joint."},
     {"arm", "From the shoulder joint over the elbow to the wrist."},
     {"bust", "Level round the fullest part."},

@@ -38,6 +38,7 @@ def mannequin(
     *,
     height: float | None = None,
     inseam: float | None = None,
+    waist_height: float | None = None,
     shoulder: float | None = None,
     arm: float | None = None,
     bust: float | None = None,
@@ -60,7 +61,7 @@ def mannequin(
 ) -> Body:
     """A mannequin from measurements in metres; those that are not given follow from the others.
 
-    sex: 'female' or 'male'. height, inseam (floor to crotch), shoulder (joint to joint) and arm (shoulder joint to
+    sex: 'female' or 'male'. height, inseam (floor to crotch), waist_height (floor to waist), shoulder (joint to joint) and arm (shoulder joint to
     wrist) are lengths, the others girths. resolution: steps of subdivision, 1 to 4. stance: angle of each leg outward
     from the vertical, rad. Body.measures has what was reached, Body.notes what could not be met.
     Raises InputError for a measure out of its range.

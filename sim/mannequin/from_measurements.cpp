@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/mannequin/guess_sex.h"
 #include "sim/mannequin/measures.h"
 
 namespace selvedge::sim {
@@ -30,6 +31,7 @@ constexpr std::array kAliases = std::to_array<Alias>({
     {"ankle", "ankle"},
     {"inseam", "inseam"},
     {"shoulderToWrist", "arm"},
+    {"waistToFloor", "waist_height"},
     // Seamly2D, Valentina
     {"height", "height"},
     {"bust_circ", "bust"},
@@ -53,12 +55,24 @@ constexpr std::array kAliases = std::to_array<Alias>({
     {"leg_ankle_circ", "ankle"},
     {"leg_crotch_to_floor", "inseam"},
     {"arm_shoulder_tip_to_wrist", "arm"},
+    {"height_waist_side", "waist_height"},
+    {"leg_waist_side_to_floor", "waist_height"},
     // GarmentCode
     {"bust", "bust"},
     {"hips", "hip"},
     {"leg_circ", "thigh"},
     {"arm_length", "arm"},
 });
+
+// Breadths of the shoulders over the outermost points of the shoulder blades. FreeSewing measures over the back: 415
+// and 450 mm on its mean bodies, where a survey has 365 and 415 (guess_sex.cpp); the mean bodies of GarmentCode have
+// 347 and 385.
+struct ShoulderBreadth {
+    std::string_view name;
+    double per_breadth = 1;
+};
+constexpr std::array kShoulderBreadths =
+    std::to_array<ShoulderBreadth>({{"shoulderToShoulder", 1.11}, {"shoulder_w", 0.94}});
 
 // A measure as a share of a sum of others.
 struct Derivation {
@@ -68,14 +82,24 @@ struct Derivation {
     double share = 1;
 };
 
-// Shares are those of the base bodies: the neck's side is at 87 % of the stature, the waist at 63 %.
+// The neck's side is at 87 % of the base bodies' stature and the waist at 63 %. The nape is at 86 % of a person's, the
+// crotch at 48 %, and an arm is 34 % of it (Gordon et al. 2014, Natick/TR-15/007, means of both sexes). The first that
+// is given and gives a height that a mannequin can have is taken.
 constexpr std::array kDerivations = std::to_array<Derivation>({
     {"height", {"waistToFloor", "hpsToWaistBack"}, {}, 0.87},
+    {"height", {"height_neck_side"}, {}, 0.87},
+    {"height", {"height_neck_back"}, {}, 0.86},
     {"height", {"waistToFloor"}, {}, 0.63},
     {"height", {"height_waist_side"}, {}, 0.63},
     {"height", {"leg_waist_side_to_floor"}, {}, 0.63},
+    {"height", {"inseam"}, {}, 0.48},
+    {"height", {"leg_crotch_to_floor"}, {}, 0.48},
+    {"height", {"shoulderToWrist"}, {}, 0.34},
+    {"height", {"arm_shoulder_tip_to_wrist"}, {}, 0.34},
+    {"height", {"arm_length"}, {}, 0.34},
     {"inseam", {"waistToFloor"}, {"waistToUpperLeg"}},
     {"inseam", {"height"}, {"head_l", "waist_line", "hips_line", "crotch_hip_diff"}},
+    {"waist_height", {"height"}, {"head_l", "waist_line"}},
 });
 
 std::string in_cm(double metres) {
@@ -86,7 +110,8 @@ std::string in_cm(double metres) {
 
 class Fitter {
  public:
-    Fitter(std::span<const NamedLength> lengths, std::optional<Sex> sex) : lengths_(lengths), sex_(sex) {}
+    Fitter(std::span<const NamedLength> lengths, std::optional<Sex> sex, std::string_view name)
+        : lengths_(lengths), sex_(sex), name_(name) {}
 
     MannequinFit fit() {
         is_known_.assign(lengths_.size(), false);
@@ -97,7 +122,7 @@ class Fitter {
             use(alias.name, is_high_hip ? "high_hip" : alias.measure);
         }
         for (const Derivation& derivation : kDerivations) derive(derivation);
-        check_inseam_share();
+        check_shares();
         choose_sex();
         list_rest();
         return std::move(fit_);
@@ -165,30 +190,45 @@ class Fitter {
         fit_.derived.push_back(std::move(text));
     }
 
-    // A mannequin's inseam is 40 to 53 % of its height; what is not is left to the height.
-    void check_inseam_share() {
-        constexpr double kLeast = 0.40, kMost = 0.53;
+    // Crotch and waist lie at some shares of a mannequin's height; what does not is left to the height.
+    void check_shares() {
         MannequinMeasures& measures = fit_.options.measures;
-        if (!measures.inseam || !measures.height) return;
-        const double share = *measures.inseam / *measures.height;
-        if (share >= kLeast && share <= kMost) return;
-        fit_.refused.push_back("inseam " + in_cm(*measures.inseam) + ": not 40 to 53 % of the height");
-        measures.inseam.reset();
+        if (!measures.height) return;
+        const auto check = [&](std::string_view name, std::optional<double>& value, const HeightShares& shares) {
+            if (!value || shares.hold(*value / *measures.height)) return;
+            const auto percent = [](double share) { return std::to_string(std::lround(100 * share)); };
+            fit_.refused.push_back(std::string(name) + " " + in_cm(*value) + ": not " + percent(shares.least) + " to " +
+                                   percent(shares.most) + " % of the height");
+            value.reset();
+        };
+        check("inseam", measures.inseam, kInseamShares);
+        check("waist_height", measures.waist_height, kWaistShares);
+        if (!measures.inseam || !measures.waist_height) return;
+        const double over = *measures.waist_height - *measures.inseam;
+        if (kWaistOverCrotch.hold(over / *measures.height)) return;
+        fit_.refused.push_back("waist_height " + in_cm(*measures.waist_height) +
+                               ": too near to the inseam, or too far");
+        measures.waist_height.reset();
     }
 
     void choose_sex() {
-        fit_.options.sex = sex_.value_or(Sex::Female);
-        if (sex_) return;
-        constexpr double kFemale = 0.07;  // m, of a bust over the ribs below it
-        const MannequinMeasures& measures = fit_.options.measures;
-        if (!measures.bust || !measures.underbust) {
-            fit_.guessed.emplace_back("sex: female, for nothing tells it");
+        if (sex_) {
+            fit_.options.sex = *sex_;
             return;
         }
-        const double over = *measures.bust - *measures.underbust;
-        fit_.options.sex = over >= kFemale ? Sex::Female : Sex::Male;
-        fit_.guessed.push_back(std::string("sex: ") + (over >= kFemale ? "female" : "male") + ", for the bust is " +
-                               in_cm(over) + " over the underbust");
+        SexEvidence evidence{.measures = fit_.options.measures, .name = name_};
+        for (const ShoulderBreadth& breadth : kShoulderBreadths) {
+            const std::optional<double> length = value(breadth.name);
+            if (length) evidence.shoulder_breadth = *length / breadth.per_breadth;
+        }
+        const SexGuess guess = guess_sex(evidence);
+        fit_.options.sex = guess.sex;
+        std::string text = std::string("sex: ") + (guess.sex == Sex::Male ? "male" : "female");
+        text += guess.reasons.empty() ? ", for nothing tells it" : ", by " + guess.reasons;
+        if (!guess.is_sure())
+            text += " (not sure, " + std::to_string(std::lround(100 * guess.probability)) +
+                    " %: mannequin --sex settles it, or the sex in --body mannequin:sex=...)";
+        fit_.guessed.push_back(std::move(text));
     }
 
     void list_rest() {
@@ -202,14 +242,16 @@ class Fitter {
 
     std::span<const NamedLength> lengths_;
     std::optional<Sex> sex_;
+    std::string_view name_;
     std::vector<bool> is_known_;
     MannequinFit fit_;
 };
 
 }  // namespace
 
-MannequinFit mannequin_from_measurements(std::span<const NamedLength> lengths, std::optional<Sex> sex) {
-    return Fitter(lengths, sex).fit();
+MannequinFit mannequin_from_measurements(std::span<const NamedLength> lengths, std::optional<Sex> sex,
+                                         std::string_view name) {
+    return Fitter(lengths, sex, name).fit();
 }
 
 std::string mannequin_text(const MannequinOptions& options) {

@@ -3,6 +3,7 @@
 // and of GarmentCode; and the list of what was used, what follows from others, and what is left to the base body.
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/mannequin/mannequin.h"
@@ -25,8 +26,10 @@ struct MannequinFit {
     std::vector<std::string> ignored = {};  // names that say nothing of the mannequin
 };
 
-// Does not throw: what cannot be used is in the lists. `sex`: as the file tells it.
-MannequinFit mannequin_from_measurements(std::span<const NamedLength> lengths, std::optional<Sex> sex = {});
+// Does not throw: what cannot be used is in the lists. `sex`: as the file tells it; otherwise it is guessed, also by
+// the words of the file's name (guess_sex.h).
+MannequinFit mannequin_from_measurements(std::span<const NamedLength> lengths, std::optional<Sex> sex = {},
+                                         std::string_view name = {});
 
 // "mannequin:sex=female,bust=92.5,...", which parse_mannequin() reads back, to 0.1 mm.
 std::string mannequin_text(const MannequinOptions& options);

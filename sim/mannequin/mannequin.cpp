@@ -27,6 +27,7 @@ constexpr double kClearanceStep = 0.05;
 struct Readings {
     double height = 0;
     double inseam = 0;
+    double waist = 0;  // its height
     double shoulder = 0;
     double arm = 0;
     LegGap leg_gap;
@@ -47,6 +48,7 @@ Readings take_measures(const MannequinBase& base, const Body& body, const Landma
     const double crotch = crotch_height(base, body.x);
     return {.height = range.high - range.low,
             .inseam = crotch,
+            .waist = landmarks.levels.waist,
             .shoulder = 2 * landmarks.joints[Joint::LeftUpperArm].x(),
             .arm = arm_length(landmarks.joints),
             .leg_gap = measure_leg_gap(body, crotch, landmarks.joints),
@@ -66,6 +68,7 @@ ShapeParameters first_shape(const MannequinBase& base, const MannequinOptions& o
     const double head = joints[Joint::Head].y();
     const double neck_up = (base.height - head) * head_scale(shape);
     shape.inseam = measures.inseam.value_or(base.landmarks.levels.crotch * (shape.height - neck_up) / head);
+    shape.waist = measures.waist_height;
     shape.arm = measures.arm ? *measures.arm / arm_length(joints) : shape.stature;
     for (std::size_t g = 0; g < kGirthCount; ++g) shape.scale.value[g] = targets.value[g] / base.girths.value[g];
     shape.stance = wanted_stance(options);
@@ -131,7 +134,8 @@ std::vector<SkinWeights> skin_of(const VertexRows& weights) {
 
 std::vector<MeasureReading> read_off(const Readings& readings, const Landmarks& landmarks,
                                      const MannequinMeasures& requested) {
-    const std::array<double, 4> lengths{readings.height, readings.inseam, readings.shoulder, readings.arm};
+    const std::array<double, 5> lengths{readings.height, readings.inseam, readings.waist, readings.shoulder,
+                                        readings.arm};
     std::vector<MeasureReading> lines;
     for (const MeasureEntry& entry : measure_entries()) {
         const std::size_t line = lines.size();
@@ -228,7 +232,7 @@ std::string made_from(const MannequinOptions& options) {
 Mannequin make_mannequin(const MannequinOptions& options) {
     check_options(options);
     const MannequinBase base = make_mannequin_base(options.sex, options.subdivisions);
-    check_inseam(base, options.measures);
+    check_heights(base, options.measures);
     const GirthValues targets = target_girths(base, options.measures);
     ShapeParameters shape = first_shape(base, options, targets);
 

@@ -15,10 +15,11 @@ enum class Sex { Female, Male };
 // In metres. Unset measures follow from the others by the base body's proportions; an unset height is the base body's.
 struct MannequinMeasures {
     std::optional<double> height = {};
-    std::optional<double> inseam = {};    // floor to crotch
-    std::optional<double> shoulder = {};  // joint to joint
-    std::optional<double> arm = {};       // shoulder joint to wrist
-    std::optional<double> bust = {};      // male: chest
+    std::optional<double> inseam = {};        // floor to crotch
+    std::optional<double> waist_height = {};  // floor to waist
+    std::optional<double> shoulder = {};      // joint to joint
+    std::optional<double> arm = {};           // shoulder joint to wrist
+    std::optional<double> bust = {};          // male: chest
     std::optional<double> underbust = {};
     std::optional<double> waist = {};
     std::optional<double> high_hip = {};

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 #include "sim/body/section.h"
 #include "sim/core/error.h"
@@ -13,19 +14,29 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr std::size_t kLengthCount = 4;
+constexpr std::size_t kLengthCount = 5;
 
 using Measures = MannequinMeasures;
 constexpr std::array<MeasureEntry, kLengthCount + kGirthCount> kEntries{{
-    {"height", &Measures::height, 1.40, 2.10},     {"inseam", &Measures::inseam, 0.55, 1.05},
-    {"shoulder", &Measures::shoulder, 0.25, 0.55}, {"arm", &Measures::arm, 0.40, 0.75},
-    {"bust", &Measures::bust, 0.70, 1.50},         {"underbust", &Measures::underbust, 0.60, 1.40},
-    {"waist", &Measures::waist, 0.50, 1.50},       {"high_hip", &Measures::high_hip, 0.60, 1.55},
-    {"hip", &Measures::hip, 0.70, 1.60},           {"neck", &Measures::neck, 0.25, 0.55},
-    {"biceps", &Measures::biceps, 0.18, 0.55},     {"elbow", &Measures::elbow, 0.17, 0.45},
-    {"forearm", &Measures::forearm, 0.16, 0.45},   {"wrist", &Measures::wrist, 0.12, 0.25},
-    {"thigh", &Measures::thigh, 0.38, 0.95},       {"mid_thigh", &Measures::mid_thigh, 0.32, 0.80},
-    {"knee", &Measures::knee, 0.26, 0.60},         {"calf", &Measures::calf, 0.24, 0.60},
+    {"height", &Measures::height, 1.40, 2.10},
+    {"inseam", &Measures::inseam, 0.55, 1.05},
+    {"waist_height", &Measures::waist_height, 0.75, 1.45},
+    {"shoulder", &Measures::shoulder, 0.25, 0.55},
+    {"arm", &Measures::arm, 0.40, 0.75},
+    {"bust", &Measures::bust, 0.70, 1.50},
+    {"underbust", &Measures::underbust, 0.60, 1.40},
+    {"waist", &Measures::waist, 0.50, 1.50},
+    {"high_hip", &Measures::high_hip, 0.60, 1.55},
+    {"hip", &Measures::hip, 0.70, 1.60},
+    {"neck", &Measures::neck, 0.25, 0.55},
+    {"biceps", &Measures::biceps, 0.18, 0.55},
+    {"elbow", &Measures::elbow, 0.17, 0.45},
+    {"forearm", &Measures::forearm, 0.16, 0.45},
+    {"wrist", &Measures::wrist, 0.12, 0.25},
+    {"thigh", &Measures::thigh, 0.38, 0.95},
+    {"mid_thigh", &Measures::mid_thigh, 0.32, 0.80},
+    {"knee", &Measures::knee, 0.26, 0.60},
+    {"calf", &Measures::calf, 0.24, 0.60},
     {"ankle", &Measures::ankle, 0.16, 0.36},
 }};
 
@@ -125,13 +136,21 @@ void check_options(const MannequinOptions& options) {
     }
 }
 
-void check_inseam(const MannequinBase& base, const MannequinMeasures& measures) {
-    constexpr double kMin = 0.40;
-    constexpr double kMax = 0.53;
-    if (!measures.inseam) return;
+void check_heights(const MannequinBase& base, const MannequinMeasures& measures) {
     const double height = measures.height.value_or(base.height);
-    if (*measures.inseam >= kMin * height && *measures.inseam <= kMax * height) return;
-    refuse(kEntries[1], *measures.inseam, kMin * height, kMax * height, " for a height of " + as_limit(height));
+    for (const auto& [measure, shares] :
+         {std::pair(&Measures::inseam, kInseamShares), std::pair(&Measures::waist_height, kWaistShares)}) {
+        const std::optional<double>& value = measures.*measure;
+        if (!value || shares.hold(*value / height)) continue;
+        refuse(*std::ranges::find(kEntries, measure, &MeasureEntry::value), *value, shares.least * height,
+               shares.most * height, " for a height of " + as_limit(height));
+    }
+    if (!measures.inseam || !measures.waist_height) return;
+    const double over = *measures.waist_height - *measures.inseam;
+    if (kWaistOverCrotch.hold(over / height)) return;
+    refuse(*std::ranges::find(kEntries, &Measures::waist_height, &MeasureEntry::value), *measures.waist_height,
+           *measures.inseam + kWaistOverCrotch.least * height, *measures.inseam + kWaistOverCrotch.most * height,
+           " for an inseam of " + as_limit(*measures.inseam));
 }
 
 GirthValues target_girths(const MannequinBase& base, const MannequinMeasures& measures) {

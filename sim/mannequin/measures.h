@@ -18,15 +18,27 @@ struct MeasureEntry {
     double most = 0;   // m
 };
 
-// All measures: height, inseam, shoulder, arm, then the girths in the order of Girth.
+// All measures: height, inseam, waist_height, shoulder, arm, then the girths in the order of Girth.
 std::span<const MeasureEntry> measure_entries();
 const MeasureEntry& measure_entry(Girth girth);
 
 // Throws InputError with the name, value and range (in cm) of a measure that is out of range.
 void check_options(const MannequinOptions& options);
 
-// Throws InputError when the inseam is not between 40 % and 53 % of the height.
-void check_inseam(const MannequinBase& base, const MannequinMeasures& measures);
+// Which shares of the height a mannequin can have.
+struct HeightShares {
+    double least = 0;
+    double most = 0;
+
+    bool hold(double share) const { return share >= least && share <= most; }
+};
+inline constexpr HeightShares kInseamShares{0.40, 0.53};
+inline constexpr HeightShares kWaistShares{0.55, 0.70};
+inline constexpr HeightShares kWaistOverCrotch{0.10, 0.225};  // 0.14 and 0.17 on the base bodies
+
+// Throws InputError when inseam, waist_height, or one over the other are not shares of the height that a mannequin can
+// have.
+void check_heights(const MannequinBase& base, const MannequinMeasures& measures);
 
 // Target girths, m: as given, or derived from bust, waist and hip.
 GirthValues target_girths(const MannequinBase& base, const MannequinMeasures& measures);

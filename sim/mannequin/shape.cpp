@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "sim/core/parallel.h"
 #include "sim/mannequin/measures.h"
@@ -252,10 +254,26 @@ Pchip height_map(const MannequinBase& base, const ShapeParameters& shape) {
     const double head_at = shape.height - head_length;
     const double trunk = head_at / head;
     const double leg = shape.inseam / crotch;
+    const double waist = base.landmarks.levels.waist;
+    const double lower_trunk = shape.waist ? (*shape.waist - shape.inseam) / (waist - crotch) : trunk;
     const double neck_at = shape.inseam + (head_at - shape.inseam) * (neck - crotch) / (head - crotch);
-    return Pchip({-0.1, 0, 0.12 * crotch, 0.9 * crotch, crotch + 0.03, neck, head, base.height, base.height + 0.3},
-                 {-0.1 * leg, 0, 0.12 * shape.inseam, 0.9 * shape.inseam, shape.inseam + 0.03 * trunk, neck_at, head_at,
-                  shape.height, shape.height + 0.3 * head_scale(shape)});
+    std::vector<double> from{-0.1, 0,    0.12 * crotch, 0.9 * crotch,     crotch + 0.03,
+                             neck, head, base.height,   base.height + 0.3};
+    std::vector<double> to{-0.1 * leg,
+                           0,
+                           0.12 * shape.inseam,
+                           0.9 * shape.inseam,
+                           shape.inseam + 0.03 * lower_trunk,
+                           neck_at,
+                           head_at,
+                           shape.height,
+                           shape.height + 0.3 * head_scale(shape)};
+    if (shape.waist) {
+        constexpr std::ptrdiff_t kAboveCrotch = 5;  // index of the neck's
+        from.insert(from.begin() + kAboveCrotch, waist);
+        to.insert(to.begin() + kAboveCrotch, *shape.waist);
+    }
+    return {std::move(from), std::move(to)};
 }
 
 // The scale of the chest without the breasts: for women mostly that of the underbust.

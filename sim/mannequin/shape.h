@@ -1,6 +1,7 @@
 #pragma once
 // Deforms the base body by a set of shape parameters: each vertex moves to the weighted mean of the positions given by
 // the deformations of torso, head, limbs, hands and feet.
+#include <optional>
 #include <vector>
 
 #include "sim/mannequin/base.h"
@@ -13,15 +14,16 @@ namespace selvedge::sim {
 
 // The parameters that calibration adjusts until the measured girths match the requested ones.
 struct ShapeParameters {
-    double height = 0;       // m
-    double stature = 1;      // height / height of the base body
-    double inseam = 0;       // new height of the base body's crotch level, m
-    double arm = 1;          // arm length / that of the base body
-    double shoulder = 1;     // shoulder width / that of the base body, subject to min_shoulder()
-    double clearance = 0.9;  // minimum shoulder width relative to the scale of the upper chest
-    double stance = 0;       // of each leg, outward from the vertical, rad
-    double bust_ratio = 1;   // bust / bust of the base body scaled to this height
-    GirthValues scale;       // radial scales at the levels of the girths
+    double height = 0;                 // m
+    double stature = 1;                // height / height of the base body
+    double inseam = 0;                 // new height of the base body's crotch level, m
+    std::optional<double> waist = {};  // new height of the base body's waist, m; none: where its trunk has it
+    double arm = 1;                    // arm length / that of the base body
+    double shoulder = 1;               // shoulder width / that of the base body, subject to min_shoulder()
+    double clearance = 0.9;            // minimum shoulder width relative to the scale of the upper chest
+    double stance = 0;                 // of each leg, outward from the vertical, rad
+    double bust_ratio = 1;             // bust / bust of the base body scaled to this height
+    GirthValues scale;                 // radial scales at the levels of the girths
 };
 
 // Scale of the head: the square root of the height ratio, because tall people do not have much larger heads.

@@ -124,6 +124,7 @@ struct Drawing {
     std::string sample_size = {};                // that the file names; empty: none
     std::optional<double> allowance = {};        // m, that the file states for the whole pattern
     std::vector<Measurement> measurements = {};  // of the body that it was drafted for
+    std::string measurement_set = {};            // what the file calls them: "cisFemaleAdult34"
     bool is_upright = true;                      // parts are drawn as they are worn; otherwise as they lie on cloth
     bool is_y_down = false;                      // in the file; messages name places as the file does
     std::vector<std::string> notes = {};         // what was repaired or left out, one line each

@@ -87,6 +87,7 @@ Drawing read_freesewing(const Json& root, const std::string& file) {
     drawing.metres_per_unit = kMm;
     if (view.has("sa")) drawing.allowance = kMm * view.at("sa").number_between(0, 500);
     if (view.has("measurements")) read_measurements(view.at("measurements"), drawing);
+    drawing.measurement_set = text_of(view, "measurementSet");
     const JsonView parts = view.at("parts");
     for (const std::string& name : parts.keys()) {
         const JsonView from = parts.at(name);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "sim/body/landmarks.h"
@@ -84,8 +85,48 @@ Range bust_range(const Stature& stature, const std::optional<double>& armpit) {
     const double below_arms = armpit ? *armpit - kLandmarkError * stature.height() : range.high;
     return {range.low, std::max(range.low, std::min(range.high, below_arms))};
 }
-Range hip_range(const Stature& stature) {
-    return {stature.floor + 0.47 * stature.height(), stature.floor + 0.56 * stature.height()};
+
+// Shares of the stature between which waist and hip lie on bodies whose crotch and armpits are where most people have
+// them; those of other bodies lie in the same way between their own.
+constexpr double kCrotchShare = 0.475, kArmpitShare = 0.757;
+constexpr double kLowestHip = 0.47, kHighestHip = 0.56, kLowestWaist = 0.57, kHighestWaist = 0.685;
+constexpr double kUsual = 0.02;  // of the stature: most people's, and what find_landmarks() does not tell
+
+bool has_usual_trunk(const Stature& stature, const LandmarkHeights& landmarks) {
+    const auto is_usual = [&](const std::optional<double>& y, double share) {
+        return !y || std::abs((*y - stature.floor) / stature.height() - share) <= kUsual;
+    };
+    return is_usual(landmarks.crotch, kCrotchShare) && is_usual(landmarks.armpit, kArmpitShare);
+}
+
+// Of a share of the stature on a body of usual proportions.
+double height_on_trunk(const Stature& stature, const LandmarkHeights& landmarks, double share) {
+    const auto usual = [&](double other) { return stature.floor + other * stature.height(); };
+    if (has_usual_trunk(stature, landmarks)) return usual(share);
+    const double crotch = landmarks.crotch.value_or(usual(kCrotchShare));
+    const double armpit = landmarks.armpit.value_or(usual(kArmpitShare));
+    return std::lerp(crotch, armpit, (share - kCrotchShare) / (kArmpitShare - kCrotchShare));
+}
+
+Range hip_range(const Stature& stature, const LandmarkHeights& landmarks) {
+    return {height_on_trunk(stature, landmarks, kLowestHip), height_on_trunk(stature, landmarks, kHighestHip)};
+}
+
+// Height of the smallest girth between hips and ribs; usual: that of a body of usual proportions.
+double waist_height(const Body& body, const Stature& stature, const LandmarkHeights& landmarks, double usual) {
+    if (has_usual_trunk(stature, landmarks)) return usual;
+    constexpr double kStep = 0.005;  // of the usual stature
+    double waist = usual, least = std::numeric_limits<double>::infinity();
+    for (double share = kLowestWaist; share <= kHighestWaist; share += kStep) {
+        const double y = height_on_trunk(stature, landmarks, share);
+        const std::optional<MeasuredPart> part = trunk_at(body, y, stature.height());
+        if (!part) continue;
+        const double girth = tape_length(part->inside, part->plane);
+        if (girth >= least) continue;
+        least = girth;
+        waist = y;
+    }
+    return waist;
 }
 
 // Square to the line from a limb's first joint to its second.
@@ -167,23 +208,22 @@ std::vector<FitRow> measure_fit(const DrawMesh& garment, const MeasuredBody& mea
     const Body& body = measured.body();
     const Stature& stature = measured.stature();
     const double height = stature.height();
-    const TorsoHeights torso = torso_heights(body, stature);
+    const LandmarkHeights& landmarks = measured.landmarks();
+    const double waist_at = waist_height(body, stature, landmarks, torso_heights(body, stature).waist);
     const BodyLimbs& limbs = measured.limbs();
-    const std::optional<MeasuredPart> bust =
-        widest_of_trunk(body, bust_range(stature, measured.landmarks().armpit), height);
-    const std::optional<MeasuredPart> waist = trunk_at(body, torso.waist, height);
-    const Range hips = hip_range(stature);
+    const std::optional<MeasuredPart> bust = widest_of_trunk(body, bust_range(stature, landmarks.armpit), height);
+    const std::optional<MeasuredPart> waist = trunk_at(body, waist_at, height);
+    const Range hips = hip_range(stature, landmarks);
     std::vector<FitRow> rows;
     const auto add = [&](std::string_view measure, const std::optional<MeasuredPart>& part) {
         rows.push_back(row_of(measure, part, garment));
     };
     add("bust", bust);
     if (bust && !rows.back().garment_girth)
-        rows.back().garment_girth = uppermost_girth(garment, body, {torso.waist, bust->plane.point.y()}, height);
+        rows.back().garment_girth = uppermost_girth(garment, body, {waist_at, bust->plane.point.y()}, height);
     add("waist", waist);
     if (waist && !is_covered(garment, *waist))
-        rows.back().garment_girth =
-            uppermost_girth(garment, body, {std::min(hips.high, torso.waist), torso.waist}, height);
+        rows.back().garment_girth = uppermost_girth(garment, body, {std::min(hips.high, waist_at), waist_at}, height);
     add("hip", widest_of_trunk(body, hips, height));
     add("neck", narrowest_of_neck(body, limbs[LimbKind::Head]));
     add("left_sleeve", limb_at(body, limbs[LimbKind::LeftArm], kSleevePosition));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <limits>
 
@@ -50,11 +51,13 @@ struct UnitOfLength {
     double metres;
     const char* name;
 };
-constexpr std::array<UnitOfLength, 5> kUnits{{{LengthUnit::Metres, 1, "metres"},
+constexpr std::array<UnitOfLength, 7> kUnits{{{LengthUnit::Metres, 1, "metres"},
                                               {LengthUnit::Decimetres, 0.1, "decimetres"},
                                               {LengthUnit::Centimetres, 0.01, "centimetres"},
                                               {LengthUnit::Millimetres, 0.001, "millimetres"},
-                                              {LengthUnit::Inches, 0.0254, "inches"}}};
+                                              {LengthUnit::Inches, 0.0254, "inches"},
+                                              {LengthUnit::Feet, 0.3048, "feet"},
+                                              {LengthUnit::Poser, 8.6 * 0.3048, "Poser's units of 8.6 feet"}}};
 
 const UnitOfLength& unit_of_length(LengthUnit unit) {
     return *std::ranges::find(kUnits, unit, &UnitOfLength::unit);
@@ -67,8 +70,18 @@ double implausibility(double height, double depth) {
     return std::abs(std::log(height / kHeight)) + std::abs(std::log(depth / kDepth));
 }
 
+// A child of a year is as tall in metres as a figure of Poser's in its units, but has shorter legs: its crotch is at
+// 0.38 of its stature.
+bool is_grown(const PersonLikeness& person) {
+    constexpr double kGrown = 0.43;
+    const Stature& stature = person.stature;
+    return person.is_whole() && person.landmarks.crotch &&
+           *person.landmarks.crotch - stature.floor > kGrown * stature.height();
+}
+
 // The most plausible unit in which the body is 0.3 to 2.3 m tall; otherwise, for giants, up to 4 m.
-LengthUnit length_unit(double height, double depth, const std::string& file, LengthUnit requested) {
+LengthUnit length_unit(double height, double depth, const PersonLikeness& person, const std::string& file,
+                       LengthUnit requested) {
     if (requested != LengthUnit::Auto) return requested;
     constexpr double kLeast = 0.3, kTallest = 2.3, kGiant = 4;  // m
     depth = std::max(depth, 1e-3 * height);
@@ -79,13 +92,14 @@ LengthUnit length_unit(double height, double depth, const std::string& file, Len
         };
         for (const UnitOfLength& unit : kUnits) {
             if (height * unit.metres < kLeast || height * unit.metres > most) continue;
+            if (unit.unit == LengthUnit::Poser && !is_grown(person)) continue;
             if (!best || cost(unit) < cost(*best)) best = &unit;
         }
         if (best) return best->unit;
     }
     throw InputError(
         file, "",
-        "a body " + std::to_string(height) + " units tall is not one in m, dm, cm, mm or inches: name its unit");
+        "a body " + std::to_string(height) + " units tall is not one in m, dm, cm, mm, inches or feet: name its unit");
 }
 
 // Applies to any unit: nothing larger is a person, and the memory of the collision field grows with the volume.
@@ -99,28 +113,37 @@ void check_size(const ImportedScene& scene, double scale, const std::string& fil
     }
 }
 
-// Converts the file's frame to ours. Z up follows the convention of Blender and CAD: the body faces -y.
+// Converts the file's frame to ours.
 struct FileFrame {
     double scale = 1;
-    UpAxis up = UpAxis::Y;
+    Stance stance;
     double lift = 0;  // m
 
-    Vec3d operator()(const Vec3d& p) const {
-        const Vec3d turned = up == UpAxis::Z ? Vec3d(p.x(), p.z(), -p.y()) : p;
-        return scale * turned + Vec3d(0, lift, 0);
-    }
+    Vec3d operator()(const Vec3d& p) const { return scale * stance(p) + Vec3d(0, lift, 0); }
 };
 
-FileFrame choose_frame(const ImportedScene& scene, const std::filesystem::path& path, const LoadBodyOptions& options,
-                       LoadBodyReport& report) {
-    report.up = up_axis(scene, path, options.up);
+// Of the person, as far as it was found.
+void check_stature(const PersonLikeness& person, double scale, const std::string& file) {
+    constexpr double kSmallest = 0.4, kTallest = 2.75;  // m: newborn children, and the tallest man on record, 2.72 m
+    const double stature = person.stature.height() * scale;
+    if (stature >= kSmallest && stature <= kTallest) return;
+    char text[96];
+    std::snprintf(text, sizeof text, "no person is %.2f m tall: is its unit right?", stature);
+    throw InputError(file, "", text);
+}
+
+FileFrame choose_frame(const ImportedScene& scene, const PersonSearch& person, const std::filesystem::path& path,
+                       const LoadBodyOptions& options, LoadBodyReport& report) {
+    report.up = person.stance.up;
+    report.quarter_turns = person.stance.quarter_turns;
     const int up = report.up == UpAxis::Z ? 2 : 1;
     const double depth = std::min(range_along(scene, 0).extent(), range_along(scene, 3 - up).extent());
-    report.unit = length_unit(range_along(scene, up).extent(), depth, path.string(), options.unit);
+    report.unit = length_unit(range_along(scene, up).extent(), depth, person.likeness, path.string(), options.unit);
     report.is_unit_assumed = options.unit == LengthUnit::Auto;
     const double scale = unit_of_length(report.unit).metres;
     check_size(scene, scale, path.string());
-    return {.scale = scale, .up = report.up};
+    if (options.must_be_person && person.likeness.is_person()) check_stature(person.likeness, scale, path.string());
+    return {.scale = scale, .stance = person.stance};
 }
 
 struct JoinedScene {
@@ -140,6 +163,45 @@ JoinedScene join(const ImportedScene& scene, const FileFrame& frame) {
         if (has_skin) joined.skin.insert(joined.skin.end(), mesh.skin.begin(), mesh.skin.end());
     }
     return joined;
+}
+
+// Without the triangles that are not kept, and the vertices that only they use.
+void keep_triangles(ImportedScene& scene, const std::vector<bool>& is_kept) {
+    if (is_kept.empty()) return;
+    std::size_t at = 0;
+    for (ImportedMesh& mesh : scene.meshes) {
+        ImportedMesh kept;
+        kept.name = mesh.name;
+        kept.material = mesh.material;
+        std::vector<std::int64_t> place(mesh.x.size(), -1);
+        for (std::array<std::uint32_t, 3> triangle : mesh.triangles) {
+            if (!is_kept[at++]) continue;
+            for (std::uint32_t& v : triangle) {
+                if (place[v] < 0) {
+                    place[v] = std::int64_t(kept.x.size());
+                    kept.x.push_back(mesh.x[v]);
+                    if (!mesh.u.empty()) kept.u.push_back(mesh.u[v]);
+                    if (!mesh.skin.empty()) kept.skin.push_back(mesh.skin[v]);
+                }
+                v = std::uint32_t(place[v]);
+            }
+            kept.triangles.push_back(triangle);
+        }
+        mesh = std::move(kept);
+    }
+    // A mesh without triangles says nothing of the skin.
+    std::erase_if(scene.meshes, [](const ImportedMesh& mesh) { return mesh.triangles.empty(); });
+}
+
+// Where the person is, for repair(), in metres.
+RepairOptions repair_options(const LoadBodyOptions& options, const PersonSearch& person, const FileFrame& frame) {
+    RepairOptions repair = options.repair;
+    if (person.on_the_person) repair.main_at = frame(*person.on_the_person);
+    constexpr double kAboveNeck = 0.3;  // of the way from the neck to the crown: below it, a hole is the neck's
+    const std::optional<double>& neck = person.likeness.landmarks.neck;
+    if (person.likeness.is_person() && neck)
+        repair.head_from = frame.scale * (*neck + kAboveNeck * (person.likeness.stature.crown - *neck));
+    return repair;
 }
 
 void stand_on_floor(Body& body) {
@@ -188,13 +250,18 @@ void write_notes(LoadBodyReport& report, const Body& body) {
     const HeightRange height = height_range(body);
     if (report.unit != LengthUnit::Metres) notes.push_back(describe_unit(report, height.high - height.low));
     if (report.up == UpAxis::Z) notes.emplace_back("turned from z up to y up");
+    if (report.quarter_turns != 0)
+        notes.push_back("turned by " + std::to_string(90 * report.quarter_turns) + " degrees to face the front");
     if (std::abs(body.lift) > 1e-4) notes.push_back(describe_shift(body.lift));
     if (repair.dropped_triangles > 0)
         notes.push_back("left out " + triangles_text(repair.dropped_triangles) + " without area or twice there");
     if (repair.cuts.edges > 0) notes.push_back(describe_cuts(repair.cuts, body.lift));
     if (repair.turned_triangles > 0)
         notes.push_back("turned " + triangles_text(repair.turned_triangles) + " to face outward");
-    if (repair.capped_holes > 0) notes.push_back("capped " + count_text(as_size(repair.capped_holes), "hole"));
+    if (repair.capped_crowns > 0) notes.emplace_back("closed the top of the head, which the file leaves open");
+    const int capped = repair.capped_holes - repair.capped_crowns;
+    if (capped > 0) notes.push_back("capped " + count_text(as_size(capped), "hole"));
+    for (const std::string& left_out : report.left_out) notes.push_back("left out " + left_out);
     for (const std::string& dropped : repair.dropped_pieces) notes.push_back("left out " + dropped);
 }
 
@@ -230,9 +297,18 @@ BodyClips body_of(ImportedScene scene, const std::filesystem::path& path, const 
     LoadBodyReport own;
     LoadBodyReport& filled_report = report ? *report : own;
     filled_report = {};
-    const FileFrame frame = choose_frame(scene, path, options, filled_report);
+    PersonSearch person = find_person(join(scene, {}).surface, scene.bones,
+                                      {.file = path.string(),
+                                       .first_up = up_axis(scene, path, options.up),
+                                       .may_be_other_up = options.up == UpAxis::Auto});
+    keep_triangles(scene, person.is_kept);
+    filled_report.left_out = std::move(person.left_out);
+    const FileFrame frame = choose_frame(scene, person, path, options, filled_report);
     JoinedScene joined = join(scene, frame);
-    Surface surface = repair(std::move(joined.surface), path.string(), options.repair, filled_report.repair);
+    Surface surface =
+        repair(std::move(joined.surface), path.string(), repair_options(options, person, frame), filled_report.repair);
+    if (options.must_be_person && !person.likeness.is_person())
+        throw InputError(path.string(), "", "it is no person: " + person.likeness.lacks);
 
     BodyClips motion;
     Body& body = motion.body;

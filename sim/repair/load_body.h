@@ -1,6 +1,7 @@
 #pragma once
-// Loads a body from an OBJ, glTF, GLB or FBX file: reads it in a guarded child process (guarded_import.h), converts it
-// to metres with y up, and repairs it to a closed surface (surface_repair.h). Keeps the file's bones, skin weights and
+// Loads a body from an OBJ, glTF, GLB or FBX file: reads it in a guarded child process (guarded_import.h), leaves out
+// what is not of the person in it (find_person.h), converts it to metres with y up, and repairs it to a closed surface
+// (surface_repair.h). Keeps the file's bones, skin weights and
 // clips. Also loads motion alone, without a surface.
 #include <filesystem>
 #include <string>
@@ -8,18 +9,20 @@
 
 #include "sim/body/body.h"
 #include "sim/body/clip.h"
+#include "sim/repair/find_person.h"
 #include "sim/repair/surface_repair.h"
 
 namespace selvedge::sim {
 
 struct ImportedScene;  // sim/repair/guarded_import.h
 
-enum class LengthUnit { Auto, Metres, Decimetres, Centimetres, Millimetres, Inches };  // Auto: by height and depth
-enum class UpAxis { Auto, Y, Z };  // Auto: the longer of y and z; y for glTF
+// Auto: by height and depth. Poser: of the program of that name, 8.6 feet.
+enum class LengthUnit { Auto, Metres, Decimetres, Centimetres, Millimetres, Inches, Feet, Poser };
 
 struct LoadBodyOptions {
     LengthUnit unit = LengthUnit::Auto;
-    UpAxis up = UpAxis::Auto;
+    UpAxis up = UpAxis::Auto;     // Auto: that with which a person stands; the longer of y and z, but y for glTF, first
+    bool must_be_person = false;  // refuses a surface on which no person is found, or one of an impossible stature
     bool stands_on_floor = true;  // moves the lowest point to y = 0; otherwise the height stays as in the file
     RepairOptions repair = {};
 };
@@ -28,6 +31,9 @@ struct LoadBodyReport {
     LengthUnit unit = LengthUnit::Metres;  // as used
     bool is_unit_assumed = true;           // not requested
     UpAxis up = UpAxis::Y;                 // as used
+    int quarter_turns = 0;                 // by which the person was turned to face the front
+    std::vector<std::string>
+        left_out;  // pieces that are not of the person: a description with the reason for each kind
     RepairReport repair;
     std::vector<std::string> notes;  // one sentence per change; empty when nothing was changed
 };

@@ -50,6 +50,7 @@ std::string key_of(const std::filesystem::path& path, const LoadBodyOptions& opt
     key.text(sha256_of_file(path));
     key.value(options.unit);
     key.value(options.up);
+    key.value(options.must_be_person);
     key.value(options.stands_on_floor);
     return key.bytes();
 }

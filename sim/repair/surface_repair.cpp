@@ -7,10 +7,12 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
 
+#include "sim/body/section.h"
 #include "sim/core/assert.h"
 #include "sim/core/disjoint_sets.h"
 #include "sim/core/edge_table.h"
@@ -20,7 +22,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr double kSamePlace = 1e-12;  // m, coordinates that are equal in the file
+constexpr double kSamePlace = 1e-12;  // m, or in the unit of a file: coordinates that are equal in the file
 
 // Merges only vertices on open edges. Vertices of parts that are closed already may come as near as they like.
 void weld_open_edges(Surface& surface, double distance, RepairReport& report) {
@@ -70,13 +72,6 @@ void drop_degenerate(Surface& surface, RepairReport& report) {
     surface.triangles = std::move(triangles);
 }
 
-double perimeter(const std::vector<Vec3d>& x, const std::vector<int>& loop) {
-    double length = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i)
-        length += (x[std::size_t(loop[(i + 1) % loop.size()])] - x[std::size_t(loop[i])]).norm();
-    return length;
-}
-
 Vec3d middle(const std::vector<Vec3d>& x, const std::vector<int>& loop) {
     Vec3d sum = Vec3d::Zero();
     for (const int v : loop) sum += x[std::size_t(v)];
@@ -87,24 +82,115 @@ std::string centimetres(double metres) {
     return std::to_string(int(std::lround(metres * 100))) + " cm";
 }
 
+// The rim of a hole as a loop in its own plane.
+struct Rim {
+    SectionLoop loop;
+    Plane plane;       // its normal points out of the hole
+    double girth = 0;  // m, of its convex hull, or twice its reach if it is not flat: scans have ragged rims
+};
+
+Rim rim_of(const std::vector<Vec3d>& x, const std::vector<int>& hole) {
+    Rim rim;
+    rim.loop.centre = middle(x, hole);
+    Vec3d area = Vec3d::Zero();
+    for (std::size_t i = 0; i < hole.size(); ++i) {
+        rim.loop.points.push_back(x[std::size_t(hole[i])]);
+        const Vec3d a = rim.loop.points.back() - rim.loop.centre;
+        area -= a.cross(x[std::size_t(hole[(i + 1) % hole.size()])] - rim.loop.centre) / 2;
+    }
+    rim.loop.area = area.norm();
+    rim.plane = {.point = rim.loop.centre, .normal = rim.loop.area > 0 ? Vec3d(area / rim.loop.area) : Vec3d::UnitY()};
+    Eigen::AlignedBox3d box;
+    for (const Vec3d& p : rim.loop.points) box.extend(p);
+    rim.girth = std::max(tape_length(rim.loop, rim.plane), 2 * box.sizes().maxCoeff());
+    return rim;
+}
+
+// Whether a scan missed the top of a head there: a round hole that looks upward, all of it above the neck, no longer
+// than a head is round.
+bool is_crown(const Surface& surface, const RepairOptions& options, const std::vector<int>& hole) {
+    // 574 mm round, 16 mm standard deviation for men (Gordon et al. 2014, Natick/TR-15/007); four of them, and hair.
+    constexpr double kLargestHead = 0.66;  // m
+    constexpr double kLeastCrown = 0.10;   // m: what is smaller may be flat
+    constexpr double kRound = 0.7;         // of a circle's area for its length
+    constexpr double kUpward = 0.8;        // cosine of the angle between the hole's normal and the vertical
+    if (!options.head_from) return false;
+    for (const int v : hole)
+        if (surface.x[std::size_t(v)].y() < *options.head_from) return false;
+    const Rim rim = rim_of(surface.x, hole);
+    if (rim.girth < kLeastCrown || rim.girth > kLargestHead || rim.plane.normal.y() < kUpward) return false;
+    return 4 * std::numbers::pi * rim.loop.area > kRound * rim.girth * rim.girth;
+}
+
 void judge_holes(const Surface& surface, const RepairOptions& options, SurfacePiece& piece) {
     for (const std::vector<int>& hole : piece.holes) {
-        const double length = perimeter(surface.x, hole);
-        if (length <= options.largest_hole || !piece.flaw.empty()) continue;
-        const Vec3d at = middle(surface.x, hole);
-        piece.flaw = "it is open: a hole of " + centimetres(length) + " round, at a height of " + centimetres(at.y());
+        const Rim rim = rim_of(surface.x, hole);
+        if (rim.girth <= options.largest_hole || !piece.flaw.empty() || is_crown(surface, options, hole)) continue;
+        piece.flaw = "it is open: a hole of " + centimetres(rim.girth) + " round, at a height of " +
+                     centimetres(rim.loop.centre.y());
     }
 }
 
-// Caps each hole with a triangle fan around the mean of its rim, oriented consistently with the surface.
-void cap_holes(Surface& surface, SurfacePiece& piece, RepairReport& report) {
-    for (const std::vector<int>& hole : piece.holes) {
-        const int centre = int(surface.x.size());
-        surface.x.push_back(middle(surface.x, hole));
-        surface.origin.push_back(surface.origin[std::size_t(hole.front())]);
+// Closes a hole with a triangle fan around a point, oriented consistently with the surface.
+void add_fan(Surface& surface, SurfacePiece& piece, const std::vector<int>& hole, const Vec3d& tip) {
+    const int centre = int(surface.x.size());
+    surface.x.push_back(tip);
+    surface.origin.push_back(surface.origin[std::size_t(hole.front())]);
+    for (std::size_t i = 0; i < hole.size(); ++i) {
+        piece.triangles.push_back(int(surface.triangles.size()));
+        surface.triangles.push_back({hole[(i + 1) % hole.size()], hole[i], centre});
+    }
+}
+
+// Half the mean of breadth and depth of a head, m: of the piece above a height.
+double head_radius(const Surface& surface, const SurfacePiece& piece, double from) {
+    Eigen::AlignedBox3d box;
+    for (const int t : piece.triangles)
+        for (const int v : surface.triangles[std::size_t(t)])
+            if (surface.x[std::size_t(v)].y() >= from) box.extend(surface.x[std::size_t(v)]);
+    return box.isEmpty() ? 0 : (box.sizes().x() + box.sizes().z()) / 4;
+}
+
+// Closes the hole at a crown with rings that go on as an egg of the head's size.
+void add_dome(Surface& surface, SurfacePiece& piece, const std::vector<int>& hole, double head) {
+    constexpr int kRings = 6;
+    const Rim rim = rim_of(surface.x, hole);
+    const double across = std::sqrt(rim.loop.area / std::numbers::pi);
+    // Of men's heads, half the height from chin to crown is 116 mm, a quarter of breadth and length together 88 mm
+    // (Gordon et al. 2014, Natick/TR-15/007).
+    constexpr double kTaller = 1.3;
+    const double ball = std::max(head, across);
+    const auto height_at = [&](double r) { return kTaller * std::sqrt(ball * ball - r * r); };
+    std::vector<int> outer = hole;
+    for (int ring = 1; ring < kRings; ++ring) {
+        const double share = 1 - double(ring) / kRings;
+        const Vec3d rise = (height_at(share * across) - height_at(across)) * rim.plane.normal;
+        std::vector<int> inner;
+        for (const int v : hole) {
+            inner.push_back(int(surface.x.size()));
+            surface.x.push_back(rim.loop.centre + share * (surface.x[std::size_t(v)] - rim.loop.centre) + rise);
+            surface.origin.push_back(surface.origin[std::size_t(v)]);
+        }
         for (std::size_t i = 0; i < hole.size(); ++i) {
-            piece.triangles.push_back(int(surface.triangles.size()));
-            surface.triangles.push_back({hole[(i + 1) % hole.size()], hole[i], centre});
+            const std::size_t next = (i + 1) % hole.size();
+            for (const std::array<int, 3>& triangle :
+                 {std::array{outer[next], outer[i], inner[i]}, std::array{outer[next], inner[i], inner[next]}}) {
+                piece.triangles.push_back(int(surface.triangles.size()));
+                surface.triangles.push_back(triangle);
+            }
+        }
+        outer = std::move(inner);
+    }
+    add_fan(surface, piece, outer, rim.loop.centre + (height_at(0) - height_at(across)) * rim.plane.normal);
+}
+
+void cap_holes(Surface& surface, const RepairOptions& options, SurfacePiece& piece, RepairReport& report) {
+    for (const std::vector<int>& hole : piece.holes) {
+        if (is_crown(surface, options, hole)) {
+            add_dome(surface, piece, hole, head_radius(surface, piece, *options.head_from));
+            ++report.capped_crowns;
+        } else {
+            add_fan(surface, piece, hole, middle(surface.x, hole));
         }
         ++report.capped_holes;
     }
@@ -206,6 +292,22 @@ std::size_t largest(const Surface& surface, const std::vector<SurfacePiece>& pie
     return best;
 }
 
+// The piece with the vertex nearest to a point.
+std::size_t nearest(const Surface& surface, const std::vector<SurfacePiece>& pieces, const Vec3d& point) {
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        for (const int t : pieces[i].triangles)
+            for (const int v : surface.triangles[std::size_t(t)]) {
+                const double distance = (surface.x[std::size_t(v)] - point).squaredNorm();
+                if (distance >= least) continue;
+                best = i;
+                least = distance;
+            }
+    }
+    return best;
+}
+
 std::string describe(const SurfacePiece& piece, const std::string& why) {
     return "a piece of " + count_text(piece.triangles.size(), "triangle") + ": " + why;
 }
@@ -213,11 +315,11 @@ std::string describe(const SurfacePiece& piece, const std::string& why) {
 // Closes and orients each piece; returns the pieces without a flaw.
 std::vector<SurfacePiece> close_pieces(Surface& surface, std::vector<SurfacePiece> pieces, const std::string& file,
                                        const RepairOptions& options, RepairReport& report) {
-    const std::size_t main = largest(surface, pieces);
+    const std::size_t main = options.main_at ? nearest(surface, pieces, *options.main_at) : largest(surface, pieces);
     for (SurfacePiece& piece : pieces) {
         judge_holes(surface, options, piece);
         if (!piece.flaw.empty()) continue;
-        cap_holes(surface, piece, report);
+        cap_holes(surface, options, piece, report);
         turn_outward(surface, piece);
     }
     if (!pieces[main].flaw.empty()) throw InputError(file, "", "its surface cannot be closed: " + pieces[main].flaw);
@@ -268,16 +370,20 @@ int count_turned(const std::vector<std::array<int, 3>>& before, const std::vecto
 
 }  // namespace
 
-Surface repair(Surface surface, const std::string& file, const RepairOptions& options, RepairReport& report) {
-    report = {};
+void weld_surface(Surface& surface, double distance, RepairReport& report) {
     surface.origin.clear();
     for (std::size_t v = 0; v < surface.x.size(); ++v) surface.origin.push_back(int(v));
     // Readers split vertices at seams of their texture, and some files share none: copies at one place come first.
-    for (const double distance : {kSamePlace, options.weld_distance}) {
-        weld_open_edges(surface, distance, report);
+    for (const double near : {std::min(kSamePlace, distance), distance}) {
+        weld_open_edges(surface, near, report);
         drop_degenerate(surface, report);
     }
     report.cuts = cut_crowded_edges(surface.x, surface.origin, surface.triangles);
+}
+
+Surface repair(Surface surface, const std::string& file, const RepairOptions& options, RepairReport& report) {
+    report = {};
+    weld_surface(surface, options.weld_distance, report);
     if (surface.triangles.empty()) throw InputError(file, "", "its triangles have no area");
 
     const std::vector<std::array<int, 3>> before = surface.triangles;

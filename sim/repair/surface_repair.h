@@ -3,6 +3,7 @@
 // drops degenerate and duplicate triangles, cuts where too many triangles meet, orients pieces, caps small holes.
 // RepairReport counts each change. Also here: the parts that it uses (connected pieces, vertex welding).
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,10 @@ struct Surface {
 
 struct RepairOptions {
     double weld_distance = 1e-6;  // m, vertices on open edges at most this far apart are merged
-    double largest_hole = 0.6;    // m, perimeter: an open neck or eye is capped, a missing half of the body is not
+    double largest_hole =
+        0.6;  // m round, as a tape goes: an open neck or eye is capped, a missing half of the body is not
+    std::optional<Vec3d> main_at = {};     // m, of a vertex of the piece that is the body; none: the largest piece is
+    std::optional<double> head_from = {};  // m, height above which a round hole is a crown that a scan did not see
 };
 
 struct RepairReport {
@@ -29,6 +33,7 @@ struct RepairReport {
     EdgeCuts cuts;
     int turned_triangles = 0;
     int capped_holes = 0;
+    int capped_crowns = 0;                    // of them, closed with a dome
     int pieces = 0;                           // connected pieces that remain
     std::vector<std::string> dropped_pieces;  // one description with the reason per piece
 };
@@ -36,6 +41,10 @@ struct RepairReport {
 // Drops pieces that cannot be closed and pieces that lie wholly inside the largest piece. Throws InputError with `file`
 // when the largest piece cannot be closed or when no triangle is left. Deterministic.
 Surface repair(Surface surface, const std::string& file, const RepairOptions& options, RepairReport& report);
+
+// Its first half: welds vertices on open edges that are at most `distance` apart (in the unit of the surface), drops
+// degenerate and duplicate triangles, and cuts where too many meet. Fills in `origin`.
+void weld_surface(Surface& surface, double distance, RepairReport& report);
 
 // Connected pieces of a triangle soup: adjacency, orientation and holes.
 

@@ -3,6 +3,9 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -164,6 +167,33 @@ DressReport report_of(const Pattern& pattern, const Body& body, const DressOptio
 
 }  // namespace
 
+std::vector<std::string> girths_unlike_asked(const std::vector<FitRow>& fit, const MannequinReadings& mannequin) {
+    constexpr double kSame = 0.003;  // m
+    std::vector<std::string> notes;
+    for (const FitRow& row : fit) {
+        const auto asked = std::ranges::find(mannequin.readings, row.measure, &MeasureReading::name);
+        if (asked == mannequin.readings.end() || !asked->requested || !asked->level || !row.body_girth) continue;
+        if (std::abs(*row.body_girth - *asked->requested) <= kSame) continue;
+        std::array<char, 192> text{};
+        std::snprintf(text.data(), text.size(),
+                      "%s: the mannequin was asked for %.1f cm and has %.1f cm at a height of %.1f cm; the fit table "
+                      "measures %.1f cm",
+                      std::string(row.measure).c_str(), 100 * *asked->requested, 100 * asked->measured,
+                      100 * *asked->level, 100 * *row.body_girth);
+        notes.emplace_back(text.data());
+    }
+    return notes;
+}
+
+namespace {
+
+void note_girths(const MadeBody& made, DressReport& report) {
+    if (made.readings)
+        std::ranges::move(girths_unlike_asked(report.fit, *made.readings), std::back_inserter(report.notes));
+}
+
+}  // namespace
+
 DressedGarment::DressedGarment() = default;
 DressedGarment::DressedGarment(DressedGarment&&) noexcept = default;
 DressedGarment& DressedGarment::operator=(DressedGarment&&) noexcept = default;
@@ -185,8 +215,7 @@ DressedGarment dress(const Pattern& pattern, const std::shared_ptr<const Prepare
     check_size(pattern);
     const Body& body = prepared->body();
     DressedGarment dressed;
-    dressed.report = report_of(pattern, body, options);
-    DressReport& report = dressed.report;
+    DressReport& report = dressed.report = report_of(pattern, body, options);
     PhaseTimer timer(report.timing);
     Dressing dressing({}, store);
     dressing.set_options(options);
@@ -234,6 +263,7 @@ DressedGarment dress(const Pattern& pattern, const std::shared_ptr<const Prepare
     const BodyCollider& collider = own ? *own : dressing.collider();
     const MeasuredBody at_rest(collider.body());
     inspect(dressed, dressing, wearing, collider, own ? at_rest : dressing.measured(), result, too_small);
+    note_girths(prepared->made(), report);
     dressed.hierarchy = triangle_hierarchy(cloth);
     dressed.meshing = dressing.drape().meshing;
     timer.done("inspection");

@@ -2,6 +2,8 @@
 // Facade for the batch program and tests: dresses a body in a pattern, drapes the garment until it is at rest, and
 // reports every fault.
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "sim/body/body.h"
 #include "sim/core/parallel.h"
@@ -44,5 +46,9 @@ DressedGarment dress(const Pattern& pattern, const std::shared_ptr<const Prepare
 // The same, with a body that is prepared first.
 DressedGarment dress(const Pattern& pattern, const Body& body, const DressOptions& options = {},
                      const Progress& progress = {}, const ContentStore* store = nullptr);
+
+// Bust, waist and hip that the fit table measures otherwise than the mannequin was asked for, one sentence each: the
+// table goes to where the trunk is widest or narrowest, and the mannequin has its measures at levels of its own.
+std::vector<std::string> girths_unlike_asked(const std::vector<FitRow>& fit, const MannequinReadings& mannequin);
 
 }  // namespace selvedge::sim

@@ -44,7 +44,7 @@ class Bodies(InFolder):
         path = self.folder / "body.obj"
         selvedge.mannequin(resolution=1).export(path)
         metres = selvedge.load_body(path)
-        self.assertAlmostEqual(selvedge.load_body(path, unit="cm").height, metres.height / 100, delta=1e-6)
+        self.assertAlmostEqual(selvedge.load_body(path, unit="ft").height, metres.height * 0.3048, delta=1e-6)
 
     def test_wrong_input_names_the_argument(self):
         def place_of(call):

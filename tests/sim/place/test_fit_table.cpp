@@ -84,6 +84,18 @@ TEST(FitTable, measures_the_mannequin_as_it_was_asked_for) {
     }
 }
 
+// Of drafts for large sizes: legs of 41 % of the stature, so that the hip is fullest at 42 % of it.
+TEST(FitTable, finds_waist_and_hip_of_a_body_of_other_proportions) {
+    MannequinMeasures measures{.height = 1.967, .inseam = 0.801, .bust = 1.105, .waist = 0.882, .hip = 1.084};
+    for (const auto& waist_height : {std::optional<double>(), std::optional(1.209)}) {
+        measures.waist_height = waist_height;
+        const Mannequin asked = make_mannequin({.sex = Sex::Male, .measures = measures, .subdivisions = 1});
+        const std::vector<FitRow> rows = fit_on({}, asked.body);
+        EXPECT_NEAR(row(rows, "waist").body_girth.value(), 0.882, 0.003);
+        EXPECT_NEAR(row(rows, "hip").body_girth.value(), 1.084, 0.003);
+    }
+}
+
 TEST(FitTable, measures_a_tube_round_the_trunk_in_its_cloth) {
     const std::vector<FitRow> rows =
         fit_on(worn_tube({.from = {0, 0.9, 0}, .to = {0, 1.2, 0}, .radius = 0.19, .girth = 0.9}), mannequin());

@@ -54,6 +54,20 @@ void expect_dressed(const DressedGarment& dressed, const Body& body) {
     EXPECT_GT(lowest, 0.2F) << "it fell off";
 }
 
+TEST(GirthsUnlikeAsked, are_told_from_more_than_three_millimetres_on) {
+    const MannequinReadings asked{.readings = {{.name = "bust", .requested = {}, .measured = 1.1, .level = 1.39},
+                                               {.name = "waist", .requested = 0.882, .measured = 0.882, .level = 1.21},
+                                               {.name = "hip", .requested = 1.084, .measured = 1.083, .level = 0.812}},
+                                  .stance = {}};
+    const std::vector<FitRow> fit{{.measure = "bust", .body_girth = 1.2},
+                                  {.measure = "waist", .body_girth = 0.8845},
+                                  {.measure = "hip", .body_girth = 1.09}};
+    EXPECT_EQ(girths_unlike_asked(fit, asked),
+              std::vector<std::string>{"hip: the mannequin was asked for 108.4 cm and has 108.3 cm at a height of 81.2 "
+                                       "cm; the fit table measures 109.0 cm"});
+    EXPECT_TRUE(girths_unlike_asked({}, asked).empty());
+}
+
 TEST(Dress, refuses_panels_in_a_wrong_unit_before_the_work) {
     Pattern pattern = shipped("tshirt");
     for (Panel& panel : pattern.panels) {
