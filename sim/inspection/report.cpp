@@ -81,6 +81,12 @@ Json options_json(const DressOptions& options) {
     return json;
 }
 
+Json json_of(const Vec3d& x) {
+    Json list = Json::array();
+    for (const double value : x) list.push_back(value);
+    return list;
+}
+
 Json fit_json(const std::vector<FitRow>& fit) {
     Json list = Json::array();
     for (const FitRow& row : fit) {
@@ -89,6 +95,8 @@ Json fit_json(const std::vector<FitRow>& fit) {
         item[report_key::kBodyGirthM] = json_or_null(row.body_girth);
         item[report_key::kGarmentGirthM] = json_or_null(row.garment_girth);
         item[report_key::kEaseM] = json_or_null(row.ease());
+        item[report_key::kPlanePointM] = row.plane ? json_of(row.plane->point) : Json();
+        item[report_key::kPlaneNormal] = row.plane ? json_of(row.plane->normal) : Json();
         list.push_back(std::move(item));
     }
     return list;

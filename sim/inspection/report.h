@@ -54,6 +54,8 @@ inline constexpr std::string_view kMeasure = "measure";
 inline constexpr std::string_view kBodyGirthM = "body_girth_m";
 inline constexpr std::string_view kGarmentGirthM = "garment_girth_m";
 inline constexpr std::string_view kEaseM = "ease_m";
+inline constexpr std::string_view kPlanePointM = "plane_point_m";
+inline constexpr std::string_view kPlaneNormal = "plane_normal";
 
 inline constexpr std::string_view kMesh = "mesh";
 inline constexpr std::string_view kBaseTriangles = "base_triangles";

@@ -27,7 +27,7 @@ std::vector<SectionLoop> enclosed_by(const GarmentLoop& garment, const std::vect
                                      const Plane& plane) {
     std::vector<SectionLoop> enclosed;
     std::ranges::copy_if(body, std::back_inserter(enclosed),
-                         [&](const SectionLoop& loop) { return goes_round(garment, plane, loop.centre); });
+                         [&](const SectionLoop& loop) { return goes_round(garment.points, plane, loop.centre); });
     return enclosed;
 }
 
