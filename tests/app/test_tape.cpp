@@ -59,5 +59,26 @@ TEST(FitTableTape, agrees_on_bodies_of_others) {
         expect_the_tape_agrees(folder, with_thick_thighs(folder, bodies / "mh_female.obj", overlap), 7);
 }
 
+TEST(TouchingThighs, have_room_for_trousers) {
+    const char* data = std::getenv("SELVEDGE_TEST_DATA");
+    if (!data) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set";
+    const ScratchFolder folder;
+    const std::filesystem::path drafts = std::filesystem::path(data) / "garmentcode";
+    const std::string body = folder / "apart.obj", touching = folder / "touching.obj", report = folder / "report.json";
+    ASSERT_LE(run_selvedge("mannequin --measurements '" + (drafts / "mean_all_measurements.yaml").string() +
+                           "' --resolution 1 -o '" + body + "'")
+                  .exit_code,
+              1);
+    for (const char* overlap : {"0", "6"}) {
+        ASSERT_EQ(run_command("python3 -B '" + source_folder() + "/tests/app/thick_thighs.py' '" + body + "' '" +
+                              touching + "' " + overlap + " 0")
+                      .exit_code,
+                  0);
+        const ProgramResult dressed = run_selvedge("dress '" + (drafts / "pants_long_specification.json").string() +
+                                                   "' -q --body '" + touching + "' --report '" + report + "'");
+        EXPECT_EQ(dressed.exit_code, 0) << overlap << ": " << dressed.out << dressed.err;
+    }
+}
+
 }  // namespace
 }  // namespace selvedge::app

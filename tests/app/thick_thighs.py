@@ -1,14 +1,14 @@
 """Writes a body with thick thighs, which touch or overlap: a copy of a body in OBJ that stands upright on parted legs.
 
-Usage: thick_thighs.py BODY.obj THICK.obj OVERLAP_MM
+Usage: thick_thighs.py BODY.obj THICK.obj OVERLAP_MM [THICKER]
 
-Thighs are widened about their middles by a fifth, then moved to the middle until they overlap by that where they are
+Thighs are widened about their middles by the share THICKER (default 0.2), then moved to the middle until they overlap by that where they are
 nearest to each other; below zero, so much apart.
 """
 import math
 import sys
 
-THICKER = 0.2
+THICKER = float(sys.argv[4]) if len(sys.argv) > 4 else 0.2
 HIGHEST, THIGH, KNEE = 0.60, 0.44, 0.28  # of the stature: from where to where they are widened
 TRUNK = 0.12                             # of the stature, half of its width: beyond are the hands
 
