@@ -117,6 +117,15 @@ enum class FaultClass {
 FaultClass class_of(const DressFault& fault);
 std::string_view name_of(FaultClass fault_class);  // "defect" or "does_not_fit"
 
+struct DressReport;
+
+// Adds it to the faults; to the notes, as the sentence of its cause, if it is smaller than what counts as a fault of its
+// kind (note_below()).
+void add_fault(DressReport& report, DressFault fault);
+
+// The size below which what is wrong is noted and is no fault, in the unit of the kind; 0: it is a fault at any size.
+double note_below(std::string_view kind);
+
 // What is wrong, where and by how much, as a sentence: "too small at the waist (y 1.02 m) by 3.2 cm", "crossing itself
 // over 1.4 cm: 12 pairs of triangles, one at 'front' at x 0.113 y 1.071 z 0.129 m".
 std::string cause_of(const DressFault& fault);

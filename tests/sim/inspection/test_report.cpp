@@ -117,6 +117,24 @@ TEST(Report, gives_back_what_was_put_in) {
     EXPECT_EQ(view.at("timing").at("phases").at("sewing").number(), 2.0);
 }
 
+TEST(Report, notes_what_is_smaller_than_a_fault_of_its_kind) {
+    for (const auto& [kind, small, large] :
+         {std::tuple("self_crossing", 0.001, 0.003), {"not_settled", 0.009, 0.011}, {"wrong_layer_order", 2.0, 3.0}}) {
+        DressReport report;
+        add_fault(report, {.kind = kind, .place = "somewhere", .value = small});
+        EXPECT_TRUE(report.faults.empty()) << kind;
+        ASSERT_EQ(report.notes.size(), 1U) << kind;
+        EXPECT_EQ(outcome_of(report), Outcome::Dressed) << kind;
+        add_fault(report, {.kind = kind, .place = "somewhere", .value = large});
+        EXPECT_EQ(report.faults.size(), 1U) << kind;
+        EXPECT_EQ(outcome_of(report), Outcome::Defect) << kind;
+    }
+    DressReport report;
+    add_fault(report, {.kind = "broken_mesh", .place = "edge 3", .value = 0});
+    EXPECT_EQ(report.faults.size(), 1U) << "at any size";
+    EXPECT_NEAR(note_below("not_settled"), static_cast<double>(DrapeOptions{}.rest_speed), 1e-6);
+}
+
 TEST(Report, tells_a_garment_that_does_not_fit_from_a_defect_of_the_drape) {
     DressReport report = full_report();
     report.faults.push_back({"does_not_fit", "too small at the waist (y 1.02 m) by 36.5 cm", 0.365});
