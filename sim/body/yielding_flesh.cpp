@@ -7,20 +7,21 @@
 #include <set>
 #include <tuple>
 
+#include "sim/body/parted_legs.h"
 #include "sim/core/assert.h"
 
 namespace selvedge::sim {
 namespace {
 
-constexpr float kRoom = 0.008F;     // m, between two sides: a sleeve and the side of a shirt with their contact offsets
-constexpr float kDeepest = 0.05F;   // m, of an overlap, the radius of a slender thigh: deeper ones are left
-constexpr float kFadeOut = 0.01F;   // m, over which those that are too deep are let go
-constexpr float kFadeIn = 0.002F;   // m, over which pairs that lack room come in
-constexpr float kThickest = 0.2F;   // m, that counts as thickness: a trunk
-constexpr float kSlender = 0.03F;   // m: there is no cloth between two sides that are both less thick, as fingers
-constexpr float kSpacing = 0.018F;  // m, between samples: 14 round an arm
-constexpr float kPatch = 0.08F;     // m, size of patches
-constexpr float kBlur = 0.025F;     // m, radius along the surface of the samples that make a distance: 6 of them
+constexpr float kRoom = static_cast<float>(kRoomForCloth);
+constexpr float kDeepest = 0.05F;    // m, of an overlap, the radius of a slender thigh: deeper ones are left
+constexpr float kFadeOut = 0.01F;    // m, over which those that are too deep are let go
+constexpr float kFadeIn = 0.002F;    // m, over which pairs that lack room come in
+constexpr float kThickest = 0.2F;    // m, that counts as thickness: a trunk
+constexpr float kSlender = 0.03F;    // m: there is no cloth between two sides that are both less thick, as fingers
+constexpr float kSpacing = 0.018F;   // m, between samples: 14 round an arm
+constexpr float kPatch = 0.08F;      // m, size of patches
+constexpr float kBlur = 0.025F;      // m, radius along the surface of the samples that make a distance: 6 of them
 constexpr float kFullWeight = 0.5F;  // a third of the weight of all samples within kBlur, on a flat surface
 constexpr float kFacing = 0.3F;      // cosine, from which the opposite of a normal counts as facing another
 constexpr int kPasses = 2;           // the second takes what sides that are not parallel leave

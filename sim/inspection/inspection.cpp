@@ -24,7 +24,7 @@ namespace selvedge::sim {
 namespace {
 
 void add_fault(DressReport& report, std::string kind, std::string place, double value) {
-    report.faults.push_back({std::move(kind), std::move(place), value});
+    add_fault(report, DressFault{std::move(kind), std::move(place), value});
 }
 
 std::string describe_position(const Vec3f& x) {
@@ -252,7 +252,13 @@ void validate_rest(const DrapeResult& draped, DressReport& report) {
             "its fall was ended early, because it is too small for the body; it is stretched by up to " +
             std::to_string(stretch) + " %");
     } else if (!draped.settled) {
-        add_fault(report, "not_settled", "whole garment, rms speed in m/s", draped.fall_speed);
+        DressFault fault{"not_settled", "whole garment, rms speed in m/s", draped.fall_speed};
+        // What was given up, or has no finite positions, tells nothing by being slow.
+        if (draped.given_up || draped.bad_vertex) {
+            report.faults.push_back(std::move(fault));
+        } else {
+            add_fault(report, std::move(fault));
+        }
     }
 }
 

@@ -13,17 +13,29 @@
 namespace selvedge::sim {
 namespace {
 
-// What a kind of fault is called, and the unit of its value.
+// What a kind of fault is called, the unit of its value, and the value from which it is a fault.
 struct FaultKind {
     std::string_view kind;
     std::string_view unit;
+    double least = 0;
 };
-constexpr std::array<FaultKind, 13> kFaultKinds{{{"not_settled", "m/s"},
+
+// What is at rest by the drape's own measure (DrapeOptions::rest_speed), though not for as long as it should be.
+constexpr double kAtRest = 0.01;  // m/s
+
+// A stitch is 2 to 3 mm long. The shortest edges of the mesh are ten times as long, so that a contour this short lies
+// in the corner of one or two triangles, and no picture of a garment shows it.
+constexpr double kShortCrossing = 0.002;  // m
+
+// Fewer vertices than a triangle has are no area.
+constexpr double kFewVertices = 3;
+
+constexpr std::array<FaultKind, 13> kFaultKinds{{{"not_settled", "m/s", kAtRest},
                                                  {"open_seam", "m"},
                                                  {"inside_body", "m"},
                                                  {"through_body", "m"},
-                                                 {"self_crossing", "m"},
-                                                 {"wrong_layer_order", "vertices"},
+                                                 {"self_crossing", "m", kShortCrossing},
+                                                 {"wrong_layer_order", "vertices", kFewVertices},
                                                  {"limb_missed", "limbs"},
                                                  {"displaced", "m"},
                                                  {"on_floor", "share of the vertices"},
@@ -32,12 +44,15 @@ constexpr std::array<FaultKind, 13> kFaultKinds{{{"not_settled", "m/s"},
                                                  {"broken_mesh", ""},
                                                  {"does_not_fit", "m"}}};
 
+const FaultKind* kind_of(std::string_view kind) {
+    const auto* const known = std::ranges::find(kFaultKinds, kind, &FaultKind::kind);
+    return known == kFaultKinds.end() ? nullptr : known;
+}
+
 std::string_view unit_of(const DressFault& fault) {
     if (!fault.unit.empty()) return fault.unit;
-    for (const FaultKind& known : kFaultKinds) {
-        if (known.kind == fault.kind) return known.unit;
-    }
-    return "";
+    const FaultKind* const known = kind_of(fault.kind);
+    return known ? known->unit : "";
 }
 
 // "3.2 cm", "0.4 mm".
@@ -81,6 +96,12 @@ Json options_json(const DressOptions& options) {
     return json;
 }
 
+Json json_of(const Vec3d& x) {
+    Json list = Json::array();
+    for (const double value : x) list.push_back(value);
+    return list;
+}
+
 Json fit_json(const std::vector<FitRow>& fit) {
     Json list = Json::array();
     for (const FitRow& row : fit) {
@@ -89,6 +110,8 @@ Json fit_json(const std::vector<FitRow>& fit) {
         item[report_key::kBodyGirthM] = json_or_null(row.body_girth);
         item[report_key::kGarmentGirthM] = json_or_null(row.garment_girth);
         item[report_key::kEaseM] = json_or_null(row.ease());
+        item[report_key::kPlanePointM] = row.plane ? json_of(row.plane->point) : Json();
+        item[report_key::kPlaneNormal] = row.plane ? json_of(row.plane->normal) : Json();
         list.push_back(std::move(item));
     }
     return list;
@@ -171,6 +194,19 @@ Json timing_json(const DressTiming& timing) {
 }
 
 }  // namespace
+
+double note_below(std::string_view kind) {
+    const FaultKind* const known = kind_of(kind);
+    return known ? known->least : 0;
+}
+
+void add_fault(DressReport& report, DressFault fault) {
+    if (fault.value < note_below(fault.kind)) {
+        report.notes.push_back(cause_of(fault));
+    } else {
+        report.faults.push_back(std::move(fault));
+    }
+}
 
 FaultClass class_of(const DressFault& fault) {
     return fault.kind == "does_not_fit" ? FaultClass::DoesNotFit : FaultClass::Defect;

@@ -54,6 +54,8 @@ inline constexpr std::string_view kMeasure = "measure";
 inline constexpr std::string_view kBodyGirthM = "body_girth_m";
 inline constexpr std::string_view kGarmentGirthM = "garment_girth_m";
 inline constexpr std::string_view kEaseM = "ease_m";
+inline constexpr std::string_view kPlanePointM = "plane_point_m";
+inline constexpr std::string_view kPlaneNormal = "plane_normal";
 
 inline constexpr std::string_view kMesh = "mesh";
 inline constexpr std::string_view kBaseTriangles = "base_triangles";
@@ -114,6 +116,15 @@ enum class FaultClass {
 };
 FaultClass class_of(const DressFault& fault);
 std::string_view name_of(FaultClass fault_class);  // "defect" or "does_not_fit"
+
+struct DressReport;
+
+// Adds it to the faults; to the notes, as the sentence of its cause, if it is smaller than what counts as a fault of its
+// kind (note_below()).
+void add_fault(DressReport& report, DressFault fault);
+
+// The size below which what is wrong is noted and is no fault, in the unit of the kind; 0: it is a fault at any size.
+double note_below(std::string_view kind);
 
 // What is wrong, where and by how much, as a sentence: "too small at the waist (y 1.02 m) by 3.2 cm", "crossing itself
 // over 1.4 cm: 12 pairs of triangles, one at 'front' at x 0.113 y 1.071 z 0.129 m".

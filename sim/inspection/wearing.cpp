@@ -172,7 +172,8 @@ void report_missed(const MissedLimbs& missed, DressReport& report) {
         LimbSet alike;
         for (std::size_t k = i; k < kLimbCount; ++k) alike[k] = missed[k] == missed[i];
         named |= alike;
-        report.faults.push_back(
+        add_fault(
+            report,
             {.kind = "limb_missed", .place = describe(alike, missed[i]), .value = static_cast<double>(alike.count())});
     }
 }
@@ -498,12 +499,12 @@ void validate_panels(const WornGarment& garment, const PanelVertices& panels, co
     for (std::size_t p = 0; p < panels.size(); ++p) {
         if (!shifts[p] || !shifts[p]->is_displaced || is_at_place[parts[p]]) continue;
         const double moved = shifts[p]->moved;
-        report.faults.push_back({.kind = "displaced",
-                                 .place = "'" + garment.panels.panel_names[p] + "' lies " +
-                                          std::to_string(std::lround(100 * std::abs(moved))) + " cm " +
-                                          (moved > 0 ? "higher" : "lower") + " than it was placed, at the " +
-                                          place_on_body(bodies.worn_by, shifts[p]->middle),
-                                 .value = std::abs(moved)});
+        add_fault(report, {.kind = "displaced",
+                           .place = "'" + garment.panels.panel_names[p] + "' lies " +
+                                    std::to_string(std::lround(100 * std::abs(moved))) + " cm " +
+                                    (moved > 0 ? "higher" : "lower") + " than it was placed, at the " +
+                                    place_on_body(bodies.worn_by, shifts[p]->middle),
+                           .value = std::abs(moved)});
     }
 }
 
@@ -527,9 +528,9 @@ void validate_floor(const WornGarment& garment, const PanelVertices& panels, con
     }
     const auto vertices = static_cast<double>(garment.draped.size());
     if (static_cast<double>(fallen) > kShare * vertices) {
-        report.faults.push_back({.kind = "on_floor",
-                                 .place = "cloth lies on the floor that was placed above the knees",
-                                 .value = static_cast<double>(fallen) / vertices});
+        add_fault(report, {.kind = "on_floor",
+                           .place = "cloth lies on the floor that was placed above the knees",
+                           .value = static_cast<double>(fallen) / vertices});
     } else if (static_cast<double>(lying) > kShare * vertices) {
         report.notes.emplace_back("part of the garment lies on the floor: is it too long for this body?");
     }
@@ -596,7 +597,7 @@ void WearingCheck::validate(const Cloth& cloth, DressReport& report) const {
         if (does_not_fit(slip)) slipping.insert(parts[slip.panel]);
     }
     validate_panels(garment, panels, parts, slipping, bodies, report);
-    for (const Slip& slip : slips) report.faults.push_back(slip.fault);
+    for (const Slip& slip : slips) add_fault(report, slip.fault);
     validate_floor(garment, panels, parts, slipping, bodies, report);
 }
 

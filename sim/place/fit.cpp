@@ -27,8 +27,24 @@ std::vector<SectionLoop> enclosed_by(const GarmentLoop& garment, const std::vect
                                      const Plane& plane) {
     std::vector<SectionLoop> enclosed;
     std::ranges::copy_if(body, std::back_inserter(enclosed),
-                         [&](const SectionLoop& loop) { return goes_round(garment, plane, loop.centre); });
+                         [&](const SectionLoop& loop) { return goes_round(garment.points, plane, loop.centre); });
     return enclosed;
+}
+
+// Whether the garment's loop goes round these sections, and not through them. Cloth that passes through the body
+// encloses a part of it, of which the whole says nothing: trousers whose legs cut the hips are not too small for the
+// hips.
+bool goes_round_all(const GarmentLoop& garment, const std::vector<SectionLoop>& enclosed, const Plane& plane) {
+    constexpr double kCore = 0.8;   // of a section: coarse cloth cuts the bulges of a body that it lies on
+    constexpr double kShare = 0.9;  // of its points: a body's section need not be convex
+    for (const SectionLoop& loop : enclosed) {
+        const auto is_round = [&](const Vec3d& point) {
+            return goes_round(garment.points, plane, loop.centre + kCore * (point - loop.centre));
+        };
+        const auto held = std::ranges::count_if(loop.points, is_round);
+        if (static_cast<double>(held) < kShare * static_cast<double>(loop.points.size())) return false;
+    }
+    return true;
 }
 
 Eigen::AlignedBox2d box_of(const std::vector<SectionLoop>& loops) {
@@ -75,7 +91,8 @@ void add_tight_loops(const DrawMesh& garment, const LevelSections& body, const F
         TightLevel level{
             .garment_girth = loop.girth, .limit_girth = loop.limit_girth, .low = box.min(), .high = box.max()};
         put_round(level, enclosed, y, options);
-        if (level.garment_girth < (1 - options.tolerance) * level.contact_girth) levels.push_back(std::move(level));
+        const bool is_tight = level.garment_girth < (1 - options.tolerance) * level.contact_girth;
+        if (is_tight && goes_round_all(loop, enclosed, plane)) levels.push_back(std::move(level));
     }
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/body/section.h"
 #include "sim/mesh/draw_mesh.h"
 #include "sim/place/measured_body.h"
 
@@ -16,6 +17,7 @@ struct FitRow {
     std::string_view measure;               // "bust", "waist", "hip", "neck", "left_sleeve", ..., "right_thigh"
     std::optional<double> body_girth{};     // m; none: the body has no such part
     std::optional<double> garment_girth{};  // m, of the innermost loop there; none: the garment does not go round it
+    std::optional<Plane> plane{};           // of the body's girth
 
     // Garment less body, m; negative where the cloth must stretch. None if either is missing.
     std::optional<double> ease() const {
@@ -24,12 +26,12 @@ struct FitRow {
     }
 };
 
-// Rows, always these in this order: bust, waist and hip (level; where the trunk is widest, narrowest and widest; none
-// goes round the arms too, so that a cape has no bust), neck (square to it, where it is narrowest), left_sleeve and
-// right_sleeve (square to the upper arm, in its middle), left_thigh and right_thigh (square to the thigh, a quarter of
-// the way down to the knee; a skirt, which goes round both, has none). A garment that does not go round the bust alone
-// is measured where it does so next below, as tailors measure a chest under the armholes; one that begins below the
-// waist, as a skirt, at its upper edge, if that is above the hips. Pre: as for tight_levels().
-std::vector<FitRow> measure_fit(const DrawMesh& garment, const MeasuredBody& measured);
+// Rows, always these in this order: bust, waist, hip, neck, left_sleeve, right_sleeve, left_thigh, right_thigh, of the
+// body where body_girths.h measures them. None of the trunk goes round the arms too, so that a cape has no bust; a
+// skirt, which goes round both legs, has no thigh. A garment that does not go round the bust alone is measured where it
+// does so next below, as tailors measure a chest under the armholes, but not below the middle between waist and bust:
+// trousers have no bust. One that begins below the waist, as a skirt, is measured at its upper edge, if that is above
+// the hips. Pre: as for tight_levels().
+std::vector<FitRow> measure_fit(const DrawMesh& garment, const MeasuredBody& body);
 
 }  // namespace selvedge::sim

@@ -150,14 +150,14 @@ std::vector<GarmentLoop> cut_garment(const DrawMesh& garment, const Plane& plane
     return loops;
 }
 
-bool goes_round(const GarmentLoop& loop, const Plane& plane, const Vec3d& point) {
+bool goes_round(const std::vector<Vec3d>& loop, const Plane& plane, const Vec3d& point) {
     const Vec3d first = plane.normal.unitOrthogonal();
     const Vec3d second = plane.normal.cross(first);
     const auto seen = [&](const Vec3d& x) { return Vec2d(first.dot(x - point), second.dot(x - point)); };
     int winding = 0;
-    for (std::size_t i = 0; i < loop.points.size(); ++i) {
-        const Vec2d a = seen(loop.points[i]);
-        const Vec2d b = seen(loop.points[(i + 1) % loop.points.size()]);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec2d a = seen(loop[i]);
+        const Vec2d b = seen(loop[(i + 1) % loop.size()]);
         if ((a.y() <= 0) == (b.y() <= 0)) continue;
         const double side = cross2(a, b);
         if (a.y() <= 0 && side > 0) ++winding;

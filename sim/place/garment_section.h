@@ -21,8 +21,8 @@ struct GarmentLoop {
 std::vector<GarmentLoop> cut_garment(const DrawMesh& garment, const Plane& plane,
                                      const std::vector<double>& strain_limits = {});
 
-// Whether the loop of a cut by this plane encloses the point, which lies in the plane: its winding number is not 0.
+// Whether a loop in this plane encloses the point, which lies in the plane: its winding number is not 0.
 // Folded cloth may intersect itself, but not as far in as the centre of a body section. (Sunday 2001)
-bool goes_round(const GarmentLoop& loop, const Plane& plane, const Vec3d& point);
+bool goes_round(const std::vector<Vec3d>& loop, const Plane& plane, const Vec3d& point);
 
 }  // namespace selvedge::sim

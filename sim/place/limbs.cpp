@@ -74,22 +74,25 @@ void measure_radii(const Body& body, double stature, std::vector<LimbJoint>& joi
 
 // Legs.
 
-// Centre of the loop nearest to the body's middle on the given side at a level.
-std::optional<Vec3d> innermost(const Body& body, double y, double side) {
-    constexpr double kOffMiddle = 0.01;  // m, a loop round both legs is nearer
+// Centre of a leg at a level: of the loop nearest to the body's middle on the given side, among those that are no
+// sliver, as between thighs that touch, nor a fold of clothes.
+std::optional<Vec3d> leg_centre(const Body& body, double y, double side) {
+    constexpr double kOffMiddle = 0.01;      // m, a loop round both legs is nearer
+    constexpr double kLeastOfLargest = 0.3;  // of the area of the largest loop on that side
+    std::vector<SectionLoop> loops = section(body, {.point = Vec3d(0, y, 0)});
+    std::erase_if(loops, [&](const SectionLoop& loop) { return side * loop.centre.x() < kOffMiddle; });
+    double largest = 0;
+    for (const SectionLoop& loop : loops) largest = std::max(largest, loop.area);
     std::optional<Vec3d> found;
-    double least = std::numeric_limits<double>::infinity();
-    for (const SectionLoop& loop : section(body, {.point = Vec3d(0, y, 0)})) {
-        const double out = side * loop.centre.x();
-        if (out < kOffMiddle || out >= least) continue;
-        least = out;
-        found = loop.centre;
+    for (const SectionLoop& loop : loops) {
+        if (loop.area < kLeastOfLargest * largest) continue;
+        if (!found || side * loop.centre.x() < side * found->x()) found = loop.centre;
     }
     return found;
 }
 
 std::vector<LimbJoint> leg_of_sections(const Body& body, const HeightRange& height, double side) {
-    const auto at = [&](double share) { return innermost(body, height.low + share * stature_of(height), side); };
+    const auto at = [&](double share) { return leg_centre(body, height.low + share * stature_of(height), side); };
     const auto thigh = at(kThighHeight), knee = at(kKneeHeight), ankle = at(2 * kAnkleHeight);
     if (!knee || !ankle) return {};
     Vec3d hip = thigh.value_or(*knee);

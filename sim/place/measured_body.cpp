@@ -17,4 +17,9 @@ const BodyLimbs& MeasuredBody::limbs() const {
     return limbs_;
 }
 
+const LevelSections& MeasuredBody::sections() const {
+    std::call_once(has_sections_, [&] { sections_ = std::make_unique<const LevelSections>(body_); });
+    return *sections_;
+}
+
 }  // namespace selvedge::sim

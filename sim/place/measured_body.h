@@ -1,9 +1,11 @@
 #pragma once
-// A body with its landmarks, stature and limbs. Each is found once, when it is first asked for.
+// A body with its landmarks, stature, limbs and level sections. Each is found once, when it is first asked for.
+#include <memory>
 #include <mutex>
 
 #include "sim/body/body.h"
 #include "sim/body/landmarks.h"
+#include "sim/body/section.h"
 #include "sim/place/limbs.h"
 
 namespace selvedge::sim {
@@ -20,13 +22,15 @@ class MeasuredBody {
     const LandmarkHeights& landmarks() const;
     const Stature& stature() const;
     const BodyLimbs& limbs() const;
+    const LevelSections& sections() const;
 
  private:
     const Body& body_;
-    mutable std::once_flag has_landmarks_, has_stature_, has_limbs_;
+    mutable std::once_flag has_landmarks_, has_stature_, has_limbs_, has_sections_;
     mutable LandmarkHeights landmarks_;
     mutable Stature stature_;
     mutable BodyLimbs limbs_;
+    mutable std::unique_ptr<const LevelSections> sections_;
 };
 
 }  // namespace selvedge::sim

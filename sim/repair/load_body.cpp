@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "sim/body/parted_legs.h"
 #include "sim/body/pose.h"
 #include "sim/core/error.h"
 #include "sim/core/file_extension.h"
@@ -244,6 +245,16 @@ std::string describe_cuts(const EdgeCuts& cuts, double lift) {
     return cuts.dropped == 0 ? text : std::string(text) + ", and left out " + triangles_text(cuts.dropped) + " there";
 }
 
+constexpr double kNotableParting = 0.001;  // m: a tape does not see less
+
+// "thighs touch: their inner sides moved up to 5 mm apart, for the cloth between them"
+std::string describe_parting(double parted) {
+    char text[96];
+    std::snprintf(text, sizeof text,
+                  "thighs touch: their inner sides moved by up to %.0f mm, for the cloth between them", 1000 * parted);
+    return text;
+}
+
 void write_notes(LoadBodyReport& report, const Body& body) {
     std::vector<std::string>& notes = report.notes;
     const RepairReport& repair = report.repair;
@@ -320,8 +331,10 @@ BodyClips body_of(ImportedScene scene, const std::filesystem::path& path, const 
     if (!joined.skin.empty())
         for (const int origin : surface.origin) body.skin.push_back(joined.skin[std::size_t(origin)]);
     if (options.stands_on_floor) stand_on_floor(body);
+    const double parted = part_legs(body);
     if (!body.skin.empty()) bind_at_rest(body);
     write_notes(filled_report, body);
+    if (parted > kNotableParting) filled_report.notes.push_back(describe_parting(parted));
     motion.clips = std::move(scene.clips);
     return motion;
 }

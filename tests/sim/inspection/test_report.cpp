@@ -31,7 +31,10 @@ Keys keys_of(const Json& object) {
 DressReport full_report() {
     DressReport report;
     report.inputs = {{.role = "garment", .file = "tshirt.json", .sha256 = std::string(64, 'a')}};
-    report.fit = {{.measure = "waist", .body_girth = 0.7, .garment_girth = 0.9}};
+    report.fit = {{.measure = "waist",
+                   .body_girth = 0.7,
+                   .garment_girth = 0.9,
+                   .plane = Plane{.point = {0, 1.02, 0}, .normal = {0, 1, 0}}}};
     report.garment = "tshirt";
     report.body = "mannequin";
     report.settled = true;
@@ -75,7 +78,7 @@ TEST(Report, has_the_keys_that_were_promised_and_no_others) {
     EXPECT_EQ(keys_of(json.find("faults")->elements().at(0)),
               (Keys{"kind", "class", "place", "value", "unit", "cause"}));
     EXPECT_EQ(keys_of(json.find("fit")->elements().at(0)),
-              (Keys{"measure", "body_girth_m", "garment_girth_m", "ease_m"}));
+              (Keys{"measure", "body_girth_m", "garment_girth_m", "ease_m", "plane_point_m", "plane_normal"}));
     EXPECT_EQ(keys_of(*json.find("mesh")), (Keys{"base_triangles", "leaf_triangles", "leaf_vertices", "by_level",
                                                  "min_angle_deg", "splits", "rejoins", "transitions"}));
     EXPECT_EQ(keys_of(*json.find("seams")), (Keys{"count", "open", "worst_length_mismatch"}));
@@ -106,11 +109,30 @@ TEST(Report, gives_back_what_was_put_in) {
     EXPECT_EQ(view.at("faults").at(0).at("value").number(), 0.012);
     EXPECT_EQ(view.at("inputs").at(0).at("file").string(), "tshirt.json");
     EXPECT_NEAR(view.at("fit").at(0).at("ease_m").number(), 0.2, 1e-12);
+    EXPECT_EQ(view.at("fit").at(0).at("plane_point_m").numbers(), (std::vector<double>{0, 1.02, 0}));
     EXPECT_EQ(view.at("mesh").at("by_level").numbers(), (std::vector<double>{10, 20, 30, 40}));
     EXPECT_EQ(view.at("mesh").at("splits").number(), 5e9);
     EXPECT_EQ(view.at("contact").at("deepest_m").number(), 0.0004);
     EXPECT_EQ(view.at("stretch").at("warp_weft_max").number(), 0.03);
     EXPECT_EQ(view.at("timing").at("phases").at("sewing").number(), 2.0);
+}
+
+TEST(Report, notes_what_is_smaller_than_a_fault_of_its_kind) {
+    for (const auto& [kind, small, large] :
+         {std::tuple("self_crossing", 0.001, 0.003), {"not_settled", 0.009, 0.011}, {"wrong_layer_order", 2.0, 3.0}}) {
+        DressReport report;
+        add_fault(report, {.kind = kind, .place = "somewhere", .value = small});
+        EXPECT_TRUE(report.faults.empty()) << kind;
+        ASSERT_EQ(report.notes.size(), 1U) << kind;
+        EXPECT_EQ(outcome_of(report), Outcome::Dressed) << kind;
+        add_fault(report, {.kind = kind, .place = "somewhere", .value = large});
+        EXPECT_EQ(report.faults.size(), 1U) << kind;
+        EXPECT_EQ(outcome_of(report), Outcome::Defect) << kind;
+    }
+    DressReport report;
+    add_fault(report, {.kind = "broken_mesh", .place = "edge 3", .value = 0});
+    EXPECT_EQ(report.faults.size(), 1U) << "at any size";
+    EXPECT_NEAR(note_below("not_settled"), static_cast<double>(DrapeOptions{}.rest_speed), 1e-6);
 }
 
 TEST(Report, tells_a_garment_that_does_not_fit_from_a_defect_of_the_drape) {

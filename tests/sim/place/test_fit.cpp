@@ -81,6 +81,13 @@ Body leg(double x) {
     return shapes::box(Vec3d(x - 0.06, 0, -0.07), Vec3d(x + 0.06, 0.8, 0.07), 6);
 }
 
+TEST(Fit, a_loop_that_passes_through_the_body_tells_nothing_of_its_size) {
+    const DrawMesh round = round_garment({.girth = 0.8, .radius = 0.19, .low = 0.9, .high = 1.1});
+    EXPECT_FALSE(tight_levels(round, column()).empty());
+    const DrawMesh through = round_garment({.girth = 0.8, .radius = 0.12, .low = 0.9, .high = 1.1, .x = 0.08});
+    EXPECT_TRUE(tight_levels(through, column()).empty()) << "it encloses the middle, and cuts the side";
+}
+
 TEST(Fit, a_tube_drafted_larger_than_the_body_is_not_tight) {
     const DrawMesh garment = round_garment({.girth = 1 + kOffsetGirth + 0.001, .radius = 0.2, .low = 0.5});
     EXPECT_TRUE(tight_levels(garment, column()).empty());

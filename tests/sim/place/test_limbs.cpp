@@ -79,6 +79,21 @@ TEST(Limbs, without_an_arm_have_the_other_one) {
     EXPECT_FALSE(found[index_of(LimbKind::RightArm)]);
 }
 
+TEST(Limbs, take_no_sliver_between_the_thighs_for_a_leg) {
+    Body body = mannequin();
+    body.bones.clear();
+    body.skin.clear();
+    const Limb expected = find_limbs(body)[LimbKind::LeftLeg];
+    const double thigh = find_stature(body).floor + 0.4 * find_stature(body).height();
+    const Body sliver = shapes::box({0.011, thigh - 0.02, 0.03}, {0.014, thigh + 0.02, 0.05}, 1);
+    const int first = static_cast<int>(body.x.size());
+    body.x.insert(body.x.end(), sliver.x.begin(), sliver.x.end());
+    for (const auto& t : sliver.triangles) body.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    const Limb found = find_limbs(body)[LimbKind::LeftLeg];
+    ASSERT_EQ(found.joints.size(), expected.joints.size());
+    EXPECT_EQ(found.joints[0].centre, expected.joints[0].centre);
+}
+
 TEST(Limbs, name_places_on_the_body) {
     const BodyLimbs limbs = find_limbs(mannequin());
     EXPECT_EQ(place_on_body(limbs, joint_of(mannequin(), "left_foot") + Vec3d(0.04, 0.01, 0)), "left ankle");

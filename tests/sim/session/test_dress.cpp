@@ -164,6 +164,19 @@ TEST(Dress, a_tshirt_of_three_levels_sits_on_the_mannequin_without_a_fault) {
     EXPECT_LE(dressed.report.mesh.base_triangles, 900);
 }
 
+TEST(Dress, what_is_too_small_in_cotton_stretches_in_jersey) {
+    DressOptions options = up_to_level(1);
+    const Pattern hose = tube(0.41, 0.45, 0.6, 0.2);  // 82 cm round hips of 95
+    options.fabric = find_fabric("cotton_shirting");
+    const DressReport cotton = dress(hose, mannequin(), options).report;
+    EXPECT_EQ(outcome_of(cotton), Outcome::DoesNotFit) << list_faults(cotton);
+    options.fabric = find_fabric("jersey");
+    const DressReport jersey = dress(hose, mannequin(), options).report;
+    EXPECT_EQ(list_faults(jersey), "");
+    EXPECT_TRUE(jersey.settled);
+    EXPECT_GT(jersey.stretch.warp_weft_max, 0.12);
+}
+
 TEST(Dress, a_skirt_that_is_too_large_is_not_waited_for_until_it_lies_on_the_floor) {
     const DressReport report = dress(tube(0.6, 0.5, 0.5, 0.2), mannequin(), up_to_level(1)).report;
     EXPECT_EQ(report.stopped_because, "slips down");
