@@ -85,14 +85,19 @@ std::string sleeve_instead_of(std::size_t sleeve, const sim::Pattern& pattern,
     return {};
 }
 
-// Panels that no seam joins to the garment would fall off the body.
+// Panels that no seam joins to the garment would fall off the body. A part of several panels may be a garment of its
+// own; a single one beside such parts is none, however large.
 void lay_aside_loose(sim::Pattern& pattern, const std::vector<sim::PanelRole>& roles, std::vector<std::string>& notes) {
     constexpr double kSmall = 0.4;  // of the largest part's area: less is no garment of its own
     sim::DisjointSets sets(pattern.panels.size());
     const auto is_worn = [&](int p) { return pattern.panels[static_cast<std::size_t>(p)].is_worn; };
+    std::vector<bool> is_joined(pattern.panels.size(), false);  // by a seam, also with itself
     for (const sim::Seam& seam : pattern.seams) {
-        if (is_worn(seam.first.panel) && is_worn(seam.second.panel)) sets.join(seam.first.panel, seam.second.panel);
+        if (!is_worn(seam.first.panel) || !is_worn(seam.second.panel)) continue;
+        sets.join(seam.first.panel, seam.second.panel);
+        for (const int p : {seam.first.panel, seam.second.panel}) is_joined[static_cast<std::size_t>(p)] = true;
     }
+    const bool has_parts = std::ranges::count(is_joined, true) > 1;
     std::vector<double> area(pattern.panels.size(), 0);
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
         if (pattern.panels[p].is_worn)
@@ -103,7 +108,8 @@ void lay_aside_loose(sim::Pattern& pattern, const std::vector<sim::PanelRole>& r
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
         const double own = area[static_cast<std::size_t>(sets.find(static_cast<int>(p)))];
         const bool is_accessory = roles[p].part == sim::GarmentPart::Accessory && own < largest;
-        if (is_worn(static_cast<int>(p)) && (own < kSmall * largest || is_accessory)) loose.push_back(p);
+        const bool is_single = has_parts && !is_joined[p];
+        if (is_worn(static_cast<int>(p)) && (own < kSmall * largest || is_accessory || is_single)) loose.push_back(p);
     }
     for (const std::size_t p : loose) pattern.panels[p].is_worn = false;
     for (const std::size_t p : loose) {

@@ -265,9 +265,9 @@ void Stepper::pull_seams(float gap) {
         Vec4f& a = solver.points[pull.a];
         Vec4f& b = solver.points[pull.b];
         const Vec4f d = with_zero_w((b - a).head<3>());
-        const float length = d.norm();
-        if (length <= gap || a.w() + b.w() <= 0) continue;
-        const Vec4f c = d * ((length - gap) / length / (a.w() + b.w()));
+        const float length = d.norm(), allowed = pull.is_held ? 0 : gap;
+        if (length <= allowed || a.w() + b.w() <= 0) continue;
+        const Vec4f c = d * ((length - allowed) / length / (a.w() + b.w()));
         a += c * a.w();
         b -= c * b.w();
     }

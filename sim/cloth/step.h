@@ -18,6 +18,7 @@ class Collider;
 struct SeamPull {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
+    bool is_held = false;  // it is closed, whatever gap is allowed
 };
 
 // A kinematic vertex: it moves along a straight line in equal parts per sub-step and reaches its target at the end of

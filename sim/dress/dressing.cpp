@@ -140,7 +140,8 @@ void Dressing::begin_sewing(std::optional<WornGarments> worn) {
     SewingOptions options{.simulation = simulation_options(options_),
                           .constraints = constraints(),
                           .interrupt = interrupt_,
-                          .store = store_};
+                          .store = store_,
+                          .limbs = &measured().limbs()};
     GarmentSewing sewing(
         std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),
         [this](const GarmentMesh& next, const GarmentMesh& all) {
@@ -148,9 +149,18 @@ void Dressing::begin_sewing(std::optional<WornGarments> worn) {
         },
         std::move(worn));
     clear();
+    stuck_.clear();
     sewing_.emplace(std::move(sewing));
     std::ranges::copy(anchored_->notes, std::back_inserter(notes_));
+    take_sewing_notes();
+}
+
+void Dressing::take_sewing_notes() {
     std::ranges::move(sewing_->take_notes(), std::back_inserter(notes_));
+    for (std::string& stuck : sewing_->take_stuck()) {
+        notes_.push_back(stuck);
+        stuck_.push_back(std::move(stuck));
+    }
 }
 
 // What the pattern asks for, and what was added besides.
@@ -175,7 +185,7 @@ bool Dressing::sew_over() {
 }
 
 void Dressing::end_sewing() {
-    std::ranges::move(sewing_->take_notes(), std::back_inserter(notes_));
+    take_sewing_notes();
     SewingResult sewing = std::move(*sewing_).result();
     sewing_.reset();
     past_seconds_ = sewing.simulated_seconds;

@@ -75,6 +75,10 @@ class Dressing {
     // What the user should know, since the last call: panels that were moved, and why sewing starts again.
     std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
+    // Panels that stand in the body, where nothing near is clear of it, since sewing began: ClearedPanels::stuck.
+    // The notes tell them, too.
+    const std::vector<std::string>& stuck_panels() const { return stuck_; }
+
     const Body* body() const { return body_ ? body_->stands().get() : nullptr; }  // in the pose in which it is dressed
     const MeasuredBody& measured() const { return body_->measured(); }            // Pre: there is a body
     const Pattern& pattern() const { return pattern_; }
@@ -133,6 +137,7 @@ class Dressing {
 
  private:
     void begin_sewing(std::optional<WornGarments> worn);
+    void take_sewing_notes();
     bool sew_over();
     void end_sewing();
     void hang(Drape drape, double relax_time);
@@ -170,7 +175,7 @@ class Dressing {
     ClothConstraints own_constraints_;
     Visibility* visibility_ = nullptr;  // instead of what the options say
     double past_seconds_ = 0;           // s, simulated before the current drape
-    std::vector<std::string> notes_;
+    std::vector<std::string> notes_, stuck_;
 };
 
 // The options of the simulation of a garment that is dressed with these, and of its drape.

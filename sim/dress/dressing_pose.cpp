@@ -79,8 +79,12 @@ DrapeResult move_to_own_pose(Simulation& simulation, const Body& body, const Pos
     draping.relax_time = draping.coarse_time = draping.lowering_time = 0;
     DrapeRun settling(simulation, draping);
     if (given_up && settling.falls()) settling.give_up(simulation, *given_up);
-    while (settling.phase() != DrapePhase::Done && settling.advance(simulation, own))
+    while (settling.phase() != DrapePhase::Done && settling.advance(simulation, own)) {
         report(progress, "settling", settling.fraction());
+        if (given_up || !settling.falls() || settling.result().work <= most_work(simulation.cloth())) continue;
+        given_up = GiveUp::TooMuchWork;
+        settling.give_up(simulation, *given_up);
+    }
     DrapeResult result = settling.result();
     result.given_up = given_up;  // also if there was no time for it
     return result;

@@ -88,7 +88,9 @@ void GarmentSewing::take_worn(WornGarments worn) {
 GarmentMesh GarmentSewing::place_next(const BodyCollider& body) {
     MeshPart next = part_of(unsewn_, panels_of(garments_[next_], is_worn_.size()));
     const GarmentMesh worn = part_of(unsewn_, is_worn_).mesh;
-    std::ranges::move(make_sewable(next.mesh, body, worn), std::back_inserter(notes_));
+    ClearedPanels cleared = make_sewable(next.mesh, body, worn);
+    std::ranges::move(cleared.notes, std::back_inserter(notes_));
+    std::ranges::move(cleared.stuck, std::back_inserter(stuck_));
     for (std::size_t v = 0; v < next.vertices.size(); ++v)
         unsewn_.x[static_cast<std::size_t>(next.vertices[v])] = next.mesh.x[v];
     return std::move(next.mesh);
@@ -135,9 +137,10 @@ bool GarmentSewing::advance(const BodyCollider& body) {
         relax(body);
         return true;
     }
-    if (detour_ ? detour_->advance(*run_) : run_->advance(body)) return true;
+    const bool is_endless = has_too_much_work();
+    if (!is_endless && (detour_ ? detour_->advance(*run_) : run_->advance(body))) return true;
     if (sew_again(body)) return true;
-    take_better(body);
+    take_better(body, is_endless);
     detour_.reset();
     wear();
     if (is_last() || done_.bad_vertex) return false;
@@ -150,19 +153,27 @@ bool GarmentSewing::advance(const BodyCollider& body) {
 
 // Starts the run again, from where the panels were placed, if it closed seams through limbs.
 bool GarmentSewing::sew_again(const BodyCollider& body) {
-    if (detour_ || run_->has_bad_number()) return false;
-    detour_ = plan_thin_limbs(*run_, body, options_.interrupt, options_.store);
+    if (detour_ || run_->has_bad_number() || options_.limbs == nullptr) return false;
+    detour_ = plan_thin_limbs(*run_, body, *options_.limbs, options_.interrupt, options_.store);
     if (!detour_) return false;
     first_run_ = std::move(run_);
     start_run(first_run_->unsewn());
     return true;
 }
 
+// Where the cloth crumples round thin limbs, contact with itself takes ever more work: the run ends, which has another
+// to fall back on. Counted, not timed, so that it ends alike on every machine.
+bool GarmentSewing::has_too_much_work() const {
+    constexpr double kPerTriangle = 2500;  // 300 to 1,000 are usual
+    return first_run_ && run_->work() > kPerTriangle * static_cast<double>(run_->triangle_count());
+}
+
 // Thin limbs do not help where a seam cannot close anyway.
-void GarmentSewing::take_better(const BodyCollider& body) {
+void GarmentSewing::take_better(const BodyCollider& body, bool is_endless) {
     if (!first_run_) return;
     const bool is_worse =
-        run_->has_bad_number() || count_sewing_faults(*run_, body) > count_sewing_faults(*first_run_, body);
+        is_endless || run_->has_bad_number() ||
+        count_sewing_faults(*run_, body, *options_.limbs) > count_sewing_faults(*first_run_, body, *options_.limbs);
     if (is_worse) run_ = std::move(first_run_);
     first_run_.reset();
 }

@@ -47,6 +47,7 @@ class GarmentSewing {
     const Cloth& cloth() const { return relaxing_ ? relaxing_->cloth() : run_->cloth(); }  // of the garments so far
     std::span<const SeamLink> links() const;                                     // that are closing, of the cloth
     std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }  // panels that were moved
+    std::vector<std::string> take_stuck() { return std::exchange(stuck_, {}); }  // ClearedPanels::stuck
     SewingResult result() &&;                                                    // of all garments
 
  private:
@@ -56,7 +57,8 @@ class GarmentSewing {
     void start_next(const BodyCollider& body);
     void start_run(GarmentMesh unsewn);
     bool sew_again(const BodyCollider& body);
-    void take_better(const BodyCollider& body);
+    bool has_too_much_work() const;
+    void take_better(const BodyCollider& body, bool is_endless);
     void wear();
     void relax(const BodyCollider& body);
     bool is_last() const { return next_ == garments_.size(); }
@@ -75,7 +77,7 @@ class GarmentSewing {
     std::optional<Simulation> relaxing_;    // the garments so far, when it is done
     double relaxed_ = 0;                    // s
     SewingResult done_;                     // of the garments so far
-    std::vector<std::string> notes_;
+    std::vector<std::string> notes_, stuck_;
 };
 
 }  // namespace selvedge::sim

@@ -11,6 +11,7 @@
 #include "sim/mesh/sew.h"
 #include "sim/place/limb_pieces.h"
 #include "sim/place/limbs.h"
+#include "sim/place/openings.h"
 
 namespace selvedge::sim {
 namespace {
@@ -142,6 +143,54 @@ LimbDetour::Stage growing(std::vector<ThinLimb> limbs) {
     };
 }
 
+// The positions of a closed mesh's vertices: each the mean of those that were joined to it.
+std::vector<Vec3d> positions_of(const Cloth& cloth, const std::vector<int>& joined, std::size_t vertices) {
+    std::vector<Vec3d> sum(vertices, Vec3d::Zero());
+    std::vector<int> count(vertices, 0);
+    for (std::size_t v = 0; v < joined.size(); ++v) {
+        const auto at = static_cast<std::size_t>(joined[v]);
+        sum[at] += cloth.x[v].head<3>().cast<double>();
+        ++count[at];
+    }
+    for (std::size_t v = 0; v < vertices; ++v) sum[v] /= std::max(1, count[v]);
+    return sum;
+}
+
+// The arm whose sleeve an opening ends; none if it is no sleeve's.
+std::optional<LimbKind> arm_of(const Opening& opening, const GarmentMesh& placed, const BodyLimbs& limbs) {
+    std::vector<Vec3d> points;
+    for (const GarmentTriangle& t : placed.triangles) {
+        if (t.panel != opening.panels.front()) continue;
+        for (const int v : t.vertices) points.push_back(placed.x[static_cast<std::size_t>(v)]);
+    }
+    return arm_nearest_to(points, limbs, 0.5);
+}
+
+// The arms and legs that leave a garment through another opening than they would where its panels were placed.
+// `is_clear`: whether no cloth is in the body. If some is, a limb may leave the garment through it.
+LimbSet missed_limbs(const SewingRun& done, const BodyLimbs& limbs, bool is_clear) {
+    GarmentMesh closed = done.unsewn();
+    const std::vector<int> joined = merge_seams(closed);
+    const std::vector<Opening> openings = find_openings(closed);
+    const std::vector<Vec3d> now = positions_of(done.cloth(), joined, closed.x.size());
+    const LimbPassages meant = find_passages(closed, closed.x, openings, limbs, {.ends_at_cloth = true});
+    const LimbPassages found = find_passages(closed, now, openings, limbs, {.ends_at_cloth = is_clear});
+    const LimbSet known = meant.known & found.known;
+    LimbSet missed, in_sleeve;
+    for (std::size_t i = 0; i < openings.size(); ++i) {
+        LimbSet other = (meant.through[i] ^ found.through[i]) & known;
+        // Both sets are known up to their complement.
+        if (2 * other.count() > known.count()) other = known & ~other;
+        missed |= other;
+        // An arm in the end of its own sleeve is where it belongs, however the panels were placed.
+        const auto arm = arm_of(openings[i], closed, limbs);
+        if (arm && found.through[i].count() == 1 && found.through[i][index_of(*arm)]) in_sleeve.set(index_of(*arm));
+    }
+    missed &= ~in_sleeve;
+    missed.reset(index_of(LimbKind::Head));
+    return missed;
+}
+
 // Where cloth is in the body, and the middles of links that are open.
 std::vector<Vec3f> find_sewing_faults(const SewingRun& done, const SurfaceBvh& surface) {
     const auto depth = static_cast<float>(kFaceDip);
@@ -157,15 +206,16 @@ std::vector<Vec3f> find_sewing_faults(const SewingRun& done, const SurfaceBvh& s
     return points;
 }
 
-// Both arms, or both legs, or both, if a point lies at one of them.
-std::vector<LimbKind> limbs_at(const std::vector<Vec3f>& points, const BodyLimbs& limbs) {
+// Both arms, or both legs, or both, if one of them is missed, or a point lies at one.
+std::vector<LimbKind> limbs_at(const std::vector<Vec3f>& points, LimbSet missed, const BodyLimbs& limbs) {
     std::vector<LimbKind> kinds;
     for (const auto& pair : {kArms, kLegs}) {
         const auto is_at = [&](const Vec3f& p) {
             const auto nearest = nearest_on_limbs(limbs, p.cast<double>());
             return nearest && nearest->limb && std::ranges::find(pair, *nearest->limb) != pair.end();
         };
-        if (std::ranges::any_of(points, is_at)) kinds.insert(kinds.end(), pair.begin(), pair.end());
+        const bool is_missed = std::ranges::any_of(pair, [&](LimbKind kind) { return missed[index_of(kind)]; });
+        if (is_missed || std::ranges::any_of(points, is_at)) kinds.insert(kinds.end(), pair.begin(), pair.end());
     }
     return kinds;
 }
@@ -183,6 +233,7 @@ SewingRun LimbDetour::start(GarmentMesh unsewn, const std::vector<Fabric>& fabri
     float& spacing = options.simulation.contact.sample_spacing;
     spacing = std::min(spacing, plan_.sample_spacing);
     SewingRun run(std::move(unsewn), fabrics, options);
+    if (!plan_.first_links.empty()) run.close_first(plan_.first_links);
     if (!plan_.trunk_only.empty()) run.meet_trunk_only(plan_.trunk_only);
     return run;
 }
@@ -220,17 +271,21 @@ std::unique_ptr<LimbDetour> plan_raised_arms(const GarmentMesh& unsewn, const Ga
     return std::make_unique<LimbDetour>(
         LimbDetour::Plan{.limbs = collider_of(std::move(parts), interrupt, store),
                          .trunk_only = arms->is_below,
+                         .first_links = {},
                          .way_back = {stage(&RaisedArms::fall), stage(&RaisedArms::raise), stage(&RaisedArms::lower)}});
 }
 
-std::unique_ptr<LimbDetour> plan_thin_limbs(const SewingRun& done, const BodyCollider& body,
+std::unique_ptr<LimbDetour> plan_thin_limbs(const SewingRun& done, const BodyCollider& body, const BodyLimbs& limbs,
                                             const std::function<void()>& interrupt, const ContentStore* store) {
     const std::vector<Vec3f> faults = find_sewing_faults(done, body.surface());
-    if (faults.empty()) return nullptr;
-    const BodyLimbs limbs = find_limbs(body.body());
-    BodyInPieces parts = cut_off(body.body(), limbs, limbs_at(faults, limbs));
+    const LimbSet missed = missed_limbs(done, limbs, faults.empty());
+    if (faults.empty() && missed.none()) return nullptr;
+    BodyInPieces parts = cut_off(body.body(), limbs, limbs_at(faults, missed, limbs));
     if (parts.limbs.empty()) return nullptr;
     GarmentMesh closed = done.unsewn();
+    std::vector<LimbKind> kinds;
+    for (const LimbPiece& limb : parts.limbs) kinds.push_back(limb.kind);
+    std::vector<bool> first_links = links_along_limbs(closed, limbs, kinds);
     merge_seams(closed);
     std::vector<ThinLimb> thin;
     for (const LimbPiece& limb : parts.limbs)
@@ -239,12 +294,14 @@ std::unique_ptr<LimbDetour> plan_thin_limbs(const SewingRun& done, const BodyCol
     grow(thin, *collider, 0);
     return std::make_unique<LimbDetour>(LimbDetour::Plan{.limbs = std::move(collider),
                                                          .trunk_only = {},
+                                                         .first_links = std::move(first_links),
                                                          .sample_spacing = kSampleSpacing,
                                                          .way_back = {growing(std::move(thin))}});
 }
 
-std::size_t count_sewing_faults(const SewingRun& done, const BodyCollider& body) {
-    return find_sewing_faults(done, body.surface()).size();
+SewingFaults count_sewing_faults(const SewingRun& done, const BodyCollider& body, const BodyLimbs& limbs) {
+    const std::size_t places = find_sewing_faults(done, body.surface()).size();
+    return {.missed_limbs = missed_limbs(done, limbs, places == 0).count(), .places = places};
 }
 
 }  // namespace selvedge::sim

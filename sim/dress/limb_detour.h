@@ -8,7 +8,9 @@
 // - Thin limbs are for a garment that is sewn anew because seams closed through a limb. Panels that stand loosely
 //   before and behind a limb, or beside it, draw together in a way that may leave a part of it, such as an ankle or a
 //   hand, outside. So the arms and legs are thin, and lie where the sleeves and trouser legs are, until the seams are
-//   closed. After that they grow and move to where the body has them, and push the cloth along.
+//   closed: first those that make tubes of sleeves, cuffs and trouser legs round them, then all others. After that they
+//   grow and move to where the body has them, and push the cloth along.
+#include <compare>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -22,6 +24,7 @@
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/pattern.h"
+#include "sim/place/limbs.h"
 #include "sim/place/measured_body.h"
 
 namespace selvedge::sim {
@@ -38,6 +41,7 @@ class LimbDetour {
     struct Plan {
         std::unique_ptr<JointedCollider> limbs;  // as they are while the seams close
         std::vector<bool> trunk_only;            // SewingRun::meet_trunk_only, from the beginning; may be empty
+        std::vector<bool> first_links;           // SewingRun::close_first; may be empty
         float sample_spacing = std::numeric_limits<float>::infinity();  // m, of contact at most
         std::vector<Stage> way_back;                                    // after the seams have closed
     };
@@ -62,13 +66,21 @@ std::unique_ptr<LimbDetour> plan_raised_arms(const GarmentMesh& unsewn, const Ga
                                              const std::function<void()>& interrupt = {},
                                              const ContentStore* store = nullptr);
 
-// Null if all seams closed and none closed through a limb, or the limbs could not be cut off. Pre: the run is done, and
-// all its values are finite.
-std::unique_ptr<LimbDetour> plan_thin_limbs(const SewingRun& done, const BodyCollider& body,
+// Null if all seams closed, none closed through a limb, and each arm and leg leaves the garment through the opening
+// that it would leave through where the panels were placed; or if the limbs could not be cut off. Pre: the run is done,
+// and all its values are finite.
+std::unique_ptr<LimbDetour> plan_thin_limbs(const SewingRun& done, const BodyCollider& body, const BodyLimbs& limbs,
                                             const std::function<void()>& interrupt = {},
                                             const ContentStore* store = nullptr);
 
-// The number of places where the cloth of a run that is done passes through the body, or a link is open.
-std::size_t count_sewing_faults(const SewingRun& done, const BodyCollider& body);
+// What is wrong with a run that is done: the arms and legs that leave it through a wrong opening, and the places where
+// its cloth passes through the body, or a link is open. Fewer missed limbs are better, whatever the places.
+struct SewingFaults {
+    std::size_t missed_limbs = 0;
+    std::size_t places = 0;
+
+    auto operator<=>(const SewingFaults&) const = default;
+};
+SewingFaults count_sewing_faults(const SewingRun& done, const BodyCollider& body, const BodyLimbs& limbs);
 
 }  // namespace selvedge::sim

@@ -12,13 +12,13 @@
 namespace selvedge::sim {
 namespace {
 
-float gap_of(const Cloth& cloth, const SeamLink& link) {
+float gap_of(const Cloth& cloth, const auto& link) {
     return (cloth.x[static_cast<std::size_t>(link.a)] - cloth.x[static_cast<std::size_t>(link.b)]).norm();
 }
 
-float widest_gap(const Cloth& cloth, const std::vector<SeamLink>& links) {
+float widest_gap(const Cloth& cloth, const auto& links) {
     float widest = 0;
-    for (const SeamLink& link : links) widest = std::max(widest, gap_of(cloth, link));
+    for (const auto& link : links) widest = std::max(widest, gap_of(cloth, link));
     return widest;
 }
 
@@ -30,6 +30,8 @@ std::vector<SeamPull> pulls_of(const std::vector<SeamLink>& links) {
     }
     return pulls;
 }
+
+constexpr float kLongestTube = 0.5F;  // s of further pulling of the links that are closed first
 
 std::vector<OpenSeam> find_open_seams(const Cloth& cloth, const std::vector<SeamLink>& links, float sewn_gap) {
     std::map<int, float> widest;
@@ -50,9 +52,8 @@ SewingRun::SewingRun(GarmentMesh unsewn, const std::vector<Fabric>& fabrics, con
       links_(std::exchange(mesh_.links, {})),
       options_(options),
       simulation_(make_cloth(mesh_, fabrics, {.max_level = 0}), options.simulation),
-      pulls_(pulls_of(links_)),
-      start_gap_(widest_gap(cloth(), links_)),
-      limit_(start_gap_ / options.closing_speed + options.extra_pull_time) {
+      pulls_(pulls_of(links_)) {
+    begin_to_close(widest_gap(cloth(), links_));
     SimulationOptions with_floor = options.simulation;
     with_floor.contact.floor = std::min(with_floor.contact.floor, lowest_height(cloth()));
     simulation_.set_options(with_floor);
@@ -62,18 +63,54 @@ SewingRun::SewingRun(GarmentMesh unsewn, const std::vector<Fabric>& fabrics, con
     simulation_.cloth().solver->self_contact->sewn.assign(as_sewn.begin(), as_sewn.end());
 }
 
+void SewingRun::begin_to_close(float gap) {
+    begun_ = seconds_;
+    start_gap_ = gap;
+    limit_ = begun_ + start_gap_ / options_.closing_speed + options_.extra_pull_time;
+}
+
+void SewingRun::close_first(const std::vector<bool>& links) {
+    for (std::size_t i = 0; i < pulls_.size(); ++i) {
+        if (!links[i]) continue;
+        pulls_[i].is_held = true;
+        first_.push_back(pulls_[i]);
+        first_.back().is_held = false;
+    }
+    if (first_.empty()) return;
+    begin_to_close(widest_gap(cloth(), first_));
+    limit_ += kLongestTube - options_.extra_pull_time;
+}
+
 bool SewingRun::advance(const Collider& body) {
-    Schedule schedule = closing_seams(pulls_);
+    const bool closes_first = !first_.empty();
+    Schedule schedule = closing_seams(closes_first ? first_ : pulls_);
     seconds_ += simulation_.step_seconds(schedule);
-    schedule.seam_gap = std::max(0.0F, start_gap_ - options_.closing_speed * seconds_);
+    schedule.seam_gap = std::max(0.0F, start_gap_ - options_.closing_speed * (seconds_ - begun_));
     schedule.seam_gap_rate = schedule.seam_gap > 0 ? options_.closing_speed * cloth().substep : 0;
     // Cloth grows thick while the seams close, so that what crosses is taken apart while it is small.
-    if (start_gap_ > 0) schedule.thickness = 1 - schedule.seam_gap / start_gap_;
-    simulation_.step(body, schedule);
-    bad_vertex_ = find_bad_vertex(cloth());
+    if (closes_first) {
+        schedule.thickness = 0;
+    } else if (start_gap_ > 0) {
+        schedule.thickness = 1 - schedule.seam_gap / start_gap_;
+    }
+    step(body, schedule);
     if (bad_vertex_) return false;
-    if (schedule.seam_gap <= 0 && is_closed()) return false;
-    return seconds_ < limit_;
+    const float widest = closes_first ? widest_gap(cloth(), first_) : widest_gap(cloth(), links_);
+    const bool is_over = (schedule.seam_gap <= 0 && widest < options_.closed_gap) || !(seconds_ < limit_);
+    if (!closes_first) return !is_over;
+    if (is_over) {
+        first_.clear();
+        begin_to_close(widest_gap(cloth(), links_));
+    }
+    return true;
+}
+
+void SewingRun::step(const Collider& body, const Schedule& schedule) {
+    const SelfContactCounts& counts = cloth().solver->self_contact->contact.counts();
+    const long seen = counts.triangle_pairs;
+    simulation_.step(body, schedule);
+    work_ += static_cast<double>(mesh_.triangles.size()) + static_cast<double>(counts.triangle_pairs - seen);
+    bad_vertex_ = find_bad_vertex(cloth());
 }
 
 void SewingRun::forget_contacts() {
@@ -99,10 +136,9 @@ void SewingRun::hold(const Collider& body) {
 void SewingRun::step_held(const Collider& body, const Schedule& schedule) {
     const std::vector<Vec4f> before = cloth().x;
     const float seconds = simulation_.step_seconds(schedule);
-    simulation_.step(body, schedule);
+    step(body, schedule);
     seconds_ += seconds;
     rms_speed_ = selvedge::sim::rms_speed(cloth(), before, static_cast<double>(seconds));
-    bad_vertex_ = find_bad_vertex(cloth());
 }
 
 void SewingRun::meet_trunk_only(std::vector<bool> vertices) {

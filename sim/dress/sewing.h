@@ -15,6 +15,7 @@
 namespace selvedge::sim {
 
 class ContentStore;
+struct BodyLimbs;
 
 struct SewingOptions {
     float closing_speed = 0.6F;  // m/s, rate at which the allowed gap shrinks
@@ -26,6 +27,7 @@ struct SewingOptions {
     ClothConstraints constraints{};       // of the cloth, besides the seams
     std::function<void()> interrupt{};    // called during long preparations: see DistanceField
     const ContentStore* store = nullptr;  // for their results: see BodyCollider
+    const BodyLimbs* limbs = nullptr;     // of the body, which outlive the run; null: none get out of the way
 };
 
 struct OpenSeam {
@@ -50,6 +52,10 @@ class SewingRun {
     // false.
     bool advance(const Collider& body);
 
+    // These links (by index) are closed before the others begin to, as a tailor sews a sleeve before it is set in.
+    // Pre: advance() was not called.
+    void close_first(const std::vector<bool>& links);
+
     // After advance() has returned false: one step with the seams held closed, under this share of gravity or none.
     void fall(const Collider& body, float weight = 1);
     void hold(const Collider& body);
@@ -61,6 +67,9 @@ class SewingRun {
     void keep_far_contacts(float by);
     float rms_speed() const { return rms_speed_; }  // m/s, in the last step of the fall
     float seconds() const { return seconds_; }
+    // Of all steps: triangles, and pairs of them that contact of the cloth with itself looked at.
+    double work() const { return work_; }
+    std::size_t triangle_count() const { return mesh_.triangles.size(); }
     bool has_bad_number() const { return bad_vertex_.has_value(); }
 
     double fraction() const { return std::min(1.0F, seconds_ / limit_); }
@@ -72,6 +81,8 @@ class SewingRun {
     SewingResult result() &&;                                 // sews the mesh in place
 
  private:
+    void begin_to_close(float gap);
+    void step(const Collider& body, const Schedule& schedule);
     void step_held(const Collider& body, const Schedule& schedule);
 
     GarmentMesh mesh_;
@@ -79,10 +90,13 @@ class SewingRun {
     SewingOptions options_;
     Simulation simulation_;
     std::vector<SeamPull> pulls_;
-    float start_gap_ = 0;  // m
-    float limit_ = 0;      // s
-    float rms_speed_ = 0;  // m/s
+    std::vector<SeamPull> first_;  // that are closed before the others; empty from then on
+    float begun_ = 0;              // s, when the links that are closing began to
+    float start_gap_ = 0;          // m, of these
+    float limit_ = 0;              // s
+    float rms_speed_ = 0;          // m/s
     float seconds_ = 0;
+    double work_ = 0;
     std::optional<VertexId> bad_vertex_;
 };
 

@@ -243,22 +243,29 @@ bool is_given_up_as_too_small(const DrapeResult& draped, const DressReport& repo
     return draped.given_up == GiveUp::TooSmall && std::ranges::any_of(report.faults, does_not_fit);
 }
 
-void validate_rest(const DrapeResult& draped, DressReport& report) {
+void validate_rest(const Cloth& cloth, const Pattern& pattern, const DrapeResult& draped, DressReport& report) {
     if (draped.given_up == GiveUp::SlipsDown) {
         report.notes.emplace_back("its fall was ended early, because it slips down the body");
+    } else if (draped.given_up == GiveUp::ComesOff) {
+        report.notes.emplace_back("its fall was ended early, because it lies on the floor");
     } else if (is_given_up_as_too_small(draped, report)) {
         const long stretch = std::lround(100 * report.stretch.warp_weft_max);
         report.notes.push_back(
             "its fall was ended early, because it is too small for the body; it is stretched by up to " +
             std::to_string(stretch) + " %");
     } else if (!draped.settled) {
-        DressFault fault{"not_settled", "whole garment, rms speed in m/s", draped.fall_speed};
+        const bool is_known = draped.fastest && !draped.bad_vertex;
+        DressFault fault{"not_settled",
+                         is_known ? describe_place(cloth, pattern, *draped.fastest) : std::string(kWholeGarment),
+                         draped.fall_speed};
         // What was given up, or has no finite positions, tells nothing by being slow.
         if (draped.given_up || draped.bad_vertex) {
             report.faults.push_back(std::move(fault));
         } else {
             add_fault(report, std::move(fault));
         }
+        if (draped.given_up == GiveUp::TooMuchWork)
+            report.notes.emplace_back("its fall was ended early, because it took more work than a drape may");
     }
 }
 
@@ -334,7 +341,7 @@ void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& patte
         validate_layers(cloth, pattern, report);
         validate_stretch(cloth, body.body(), pattern, draped, limits, too_small, report);
     }
-    validate_rest(draped, report);
+    validate_rest(cloth, pattern, draped, report);
     validate_mesh(cloth, report);
 }
 

@@ -30,13 +30,14 @@ constexpr double kShortCrossing = 0.002;  // m
 // Fewer vertices than a triangle has are no area.
 constexpr double kFewVertices = 3;
 
-constexpr std::array<FaultKind, 13> kFaultKinds{{{"not_settled", "m/s", kAtRest},
+constexpr std::array<FaultKind, 14> kFaultKinds{{{"not_settled", "m/s", kAtRest},
                                                  {"open_seam", "m"},
                                                  {"inside_body", "m"},
                                                  {"through_body", "m"},
                                                  {"self_crossing", "m", kShortCrossing},
                                                  {"wrong_layer_order", "vertices", kFewVertices},
                                                  {"limb_missed", "limbs"},
+                                                 {"stuck_in_body", "panels"},
                                                  {"displaced", "m"},
                                                  {"on_floor", "share of the vertices"},
                                                  {"overstretched", "strain"},
@@ -221,7 +222,7 @@ std::string cause_of(const DressFault& fault) {
     char text[64];
     if (kind == "not_settled") {
         std::snprintf(text, sizeof text, "still moving by %.0f mm/s at the end of its time", 1000 * fault.value);
-        return text;
+        return fault.place == kWholeGarment ? text : text + (", most of all " + fault.place);
     }
     if (kind == "open_seam") return "seam open by " + length_text(fault.value) + ": " + fault.place;
     if (kind == "inside_body") return length_text(fault.value) + " inside the body: " + fault.place;
@@ -286,6 +287,7 @@ Json json_without_times(const DressReport& report) {
     json[report_key::kSettled] = report.settled;
     json[report_key::kStoppedBecause] = report.stopped_because;
     json[report_key::kSimulatedSeconds] = report.simulated_seconds;
+    json[report_key::kWork] = report.work;
     json[report_key::kFaults] = faults_json(report.faults);
     Json notes = Json::array();
     for (const std::string& note : report.notes) notes.push_back(note);

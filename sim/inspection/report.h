@@ -37,6 +37,7 @@ inline constexpr std::string_view kGarment = "garment";
 inline constexpr std::string_view kGarments = "garments";
 inline constexpr std::string_view kBody = "body";
 inline constexpr std::string_view kSettled = "settled";
+inline constexpr std::string_view kWork = "work";
 inline constexpr std::string_view kStoppedBecause = "stopped_because";
 inline constexpr std::string_view kSimulatedSeconds = "simulated_seconds";
 inline constexpr std::string_view kNotes = "notes";
@@ -101,8 +102,10 @@ inline constexpr std::string_view kPeakMemoryMb = "peak_memory_mb";
 }  // namespace report_key
 
 // A fault of a dressed garment, and where it is. Kinds: "not_settled", "open_seam", "inside_body", "through_body",
-// "self_crossing", "wrong_layer_order", "limb_missed", "displaced", "on_floor", "overstretched", "not_finite",
-// "broken_mesh", "does_not_fit".
+// "self_crossing", "wrong_layer_order", "limb_missed", "stuck_in_body", "displaced", "on_floor", "overstretched",
+// "not_finite", "broken_mesh", "does_not_fit".
+inline constexpr std::string_view kWholeGarment = "whole garment";  // a fault's place
+
 struct DressFault {
     std::string kind;
     std::string place;   // a seam, panel, opening or point that the user can find
@@ -202,8 +205,10 @@ struct DressReport {
     std::vector<std::string> garments;  // from the innermost to the outermost
     std::string body;
     bool settled = false;
-    std::string stopped_because;  // "settled", "too small", "slips down", "time limit" or "bad number"
+    std::string stopped_because;  // "settled", "too small", "slips down", "comes off", "work limit", "time limit" or
+                                  // "bad number"
     double simulated_seconds = 0;
+    double work = 0;  // of the drape, see DrapeResult
     std::vector<DressFault> faults;
     std::vector<std::string> notes;  // information for the user that is not a fault
     std::vector<FitRow> fit;         // empty if it was not measured

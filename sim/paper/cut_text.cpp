@@ -164,8 +164,34 @@ class CutText {
 
 }  // namespace
 
+namespace {
+
+// The instructions of a text, each from its "cut 2" on: FreeSewing writes all of a part on one label.
+std::vector<std::string_view> instructions_of(std::string_view text) {
+    const auto is_letter = [&](std::size_t i) {
+        return std::isalnum(static_cast<unsigned char>(text[i])) || static_cast<unsigned char>(text[i]) >= 0x80;
+    };
+    constexpr std::string_view kCut = "cut,";
+    std::vector<std::size_t> starts;
+    for (std::size_t at = text.find(kCut); at != std::string_view::npos; at = text.find(kCut, at + kCut.size())) {
+        const std::size_t number = at + kCut.size();
+        const bool has_number = number < text.size() && std::isdigit(static_cast<unsigned char>(text[number])) != 0;
+        if (has_number && (at == 0 || !is_letter(at - 1))) starts.push_back(at);
+    }
+    if (starts.empty()) starts.push_back(0);
+    starts.front() = 0;
+    std::vector<std::string_view> parts;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+        parts.push_back(text.substr(starts[i], i + 1 < starts.size() ? starts[i + 1] - starts[i] : text.npos));
+    return parts;
+}
+
+}  // namespace
+
 bool read_cut_text(std::string_view text, CutInstructions& cut) {
-    return CutText(text).read(cut);
+    bool is_read = false;
+    for (const std::string_view one : instructions_of(text)) is_read = CutText(one).read(cut) || is_read;
+    return is_read;
 }
 
 std::vector<std::string> words_of(std::string_view text) {

@@ -453,6 +453,9 @@ class PanelMaker {
         panel->name = free_name(panel->name.empty() ? "panel" : panel->name);
         if (is_shipped_fabric(part.cut.material)) {
             panel->fabric = part.cut.material;
+        } else if (part.cut.material == "ribbing") {
+            panel->fabric = "jersey";  // the shipped knit
+            out_.notes.push_back(panel->name + ": cut from ribbing, which is taken for jersey");
         } else if (is_other_material(part.cut.material)) {
             panel->is_worn = false;
             out_.notes.push_back(panel->name + ": cut from " + part.cut.material + ", not worn");

@@ -207,7 +207,10 @@ class Arranger {
                 point.position += (placed->second.position - point.position).dot(point.upward) * point.upward +
                                   level_between(p, *half) * point.upward;
         }
-        wrap_clear(p, point, arm_length, cone_of_sleeve(p));
+        // The cap of a raglan reaches over the shoulder to the neck: only the tube below it has room round the arm.
+        const bool is_raglan = cap_height(p) > kTallestCap;
+        wrap_clear(p, point, arm_length, cone_of_sleeve(p),
+                   is_raglan ? boxes_[p].max().y() - cap_height(p) : std::numeric_limits<double>::infinity());
         is_placed_[p] = true;
     }
 
@@ -309,14 +312,15 @@ class Arranger {
         return count > 0 ? sum / count - boxes_[p].sizes().y() : anchors_.waist;
     }
 
-    // A cuff goes on where its sleeve ends, round the same arm; of a long sleeve, at the wrist: it closes there, and
-    // would not go over the hand.
+    // A cuff goes on where its sleeve ends, round the same arm. It stays at the wrist if it would be over the hand
+    // otherwise, where it cannot close, but not within a sleeve that ends farther on: that one would fold over it.
     void place_cuff(std::size_t p) {
         if (out_.roles[p].part != GarmentPart::Cuff || !panel(p).is_worn || is_placed_[p]) return;
         for (const SewnEdge& sewn : sewn_[p]) {
             const auto sleeve = sleeve_points_.find(as_size(sewn.panel));
             if (sleeve == sleeve_points_.end()) continue;
             constexpr double kWrist = 0.035, kBelow = 0.01;  // m: least radius, and from the sleeve
+            constexpr double kWithin = 0.03;                 // m, of a cuff that may lie in its sleeve
             ArrangementPoint point = sleeve->second;
             const bool is_left = out_.roles[sleeve->first].flank != Flank::Right;
             const Limb& limb = (*limbs_)[is_left ? LimbKind::LeftArm : LimbKind::RightArm];
@@ -325,7 +329,7 @@ class Arranger {
             const double to_wrist = (point.position - limb.joints[2].centre).dot(point.upward) - height / 2;
             point.position += (kWrist - point.radius) * point.outward - to_hem * point.upward;
             point.radius = kWrist;
-            if (to_wrist < to_hem) {
+            if (to_wrist < to_hem && to_hem - to_wrist < kWithin) {
                 const Vec3d wrist = limb.joints[2].centre;
                 point.upward = (limb.joints[1].centre - wrist).normalized();
                 point.outward = (point.outward - point.outward.dot(point.upward) * point.upward).normalized();
@@ -413,10 +417,20 @@ class Arranger {
         is_placed_[p] = true;
     }
 
+    // The part of a panel below that y, m, where the panel is placed; its edges are straight there.
+    Panel up_to(std::size_t p, double top) const {
+        Panel part = pattern_.panels[p];
+        if (top >= boxes_[p].max().y()) return part;
+        for (Vec2d& v : part.vertices) v.y() = std::min(v.y(), top);
+        for (OutlineEdge& edge : part.edges) edge.kind = CurveKind::Line;
+        return part;
+    }
+
     // Wraps a tube round an arm. Where it meets shoulder, chest or arm it slides towards the hand, and stands open
     // wider, until it is clear.
+    // top: y of the panel, m, above which it need not be clear.
     void wrap_clear(std::size_t p, const ArrangementPoint& at, double arm_length,
-                    const std::optional<WrapCone>& cone = {}) {
+                    const std::optional<WrapCone>& cone = {}, double top = std::numeric_limits<double>::infinity()) {
         constexpr double kStep = 0.01, kMost = 0.45;       // m; of the arm's length
         constexpr std::array kOpen{1.04, 1.15, 1.3, 1.5};  // of a full turn, so that the edges do not meet
         const double least = at.radius;
@@ -436,7 +450,7 @@ class Arranger {
         for (const double open : kOpen) {
             for (double slid = 0; slid <= kMost * arm_length; slid += kStep) {
                 wrap(open, slid);
-                const float clearance = clearance_of(panel(p), collider());
+                const float clearance = clearance_of(up_to(p, top), collider());
                 if (clearance > kArrangedClear) return;
                 if (clearance > best) best = clearance, best_open = open, best_slid = slid;
             }

@@ -230,12 +230,28 @@ Vec3d point_along(const std::vector<Vec3d>& line, double length) {
 
 }  // namespace
 
+namespace {
+
+double length_of(const std::vector<Vec3d>& line) {
+    double length = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
+    return length;
+}
+
+// m along the limb, from its root to the wrist or the ankle.
+double length_to_wrist(const LimbPiece& limb, const BodyLimbs& limbs) {
+    const std::vector<LimbJoint>& joints = limbs[limb.kind].joints;
+    return nearest_on(joints, joints[kWrist].centre).length - nearest_on(joints, limb.piece.joint).length;
+}
+
+}  // namespace
+
 std::vector<Vec3d> way_out(const GarmentMesh& closed, const LimbPiece& limb, const BodyLimbs& limbs) {
     constexpr int kParts = 10;
     const Body cloth = surface_of(closed);
     const Vec3d& root = limb.piece.joint;
     const auto exit = nearest_exit(closed, SurfaceBvh(cloth), limb, limbs);
-    if (!exit) return {root, root + limb.along};
+    if (!exit) return {root, root + length_to_wrist(limb, limbs) * limb.along};
     std::vector<Vec3d> way{root};
     for (int i = 1; i < kParts; ++i) {
         const double share = static_cast<double>(i) / kParts;
@@ -250,12 +266,14 @@ std::vector<Vec3d> way_out(const GarmentMesh& closed, const LimbPiece& limb, con
 
 Body bend_limb(const LimbPiece& limb, const BodyLimbs& limbs, const std::vector<Vec3d>& way, double share) {
     const std::vector<LimbJoint>& joints = limbs[limb.kind].joints;
+    constexpr double kMostLonger = 1.5;
     const double root_at = nearest_on(joints, limb.piece.joint).length;
+    const double longer = std::clamp(length_of(way) / length_to_wrist(limb, limbs), 1.0, kMostLonger);
     Body bent = limb.piece.surface;
     for (Vec3d& x : bent.x) {
         const double beyond = std::clamp((x - limb.piece.joint).dot(limb.along) / limb.radius, 0.0, 1.0);
         const LinePoint centre = nearest_on(joints, x);
-        const Vec3d to = point_along(way, std::max(0.0, centre.length - root_at)) + share * (x - centre.x);
+        const Vec3d to = point_along(way, longer * std::max(0.0, centre.length - root_at)) + share * (x - centre.x);
         x += beyond * (to - x);
     }
     return bent;
@@ -302,6 +320,21 @@ std::vector<std::vector<Vec3d>> points_of_panels(const GarmentMesh& mesh) {
     return points;
 }
 
+// Of these limbs, the one to which more than that share of the points are nearest.
+std::optional<LimbKind> limb_nearest_to(const std::vector<Vec3d>& points, const BodyLimbs& limbs,
+                                        std::span<const LimbKind> kinds, double share) {
+    std::array<std::size_t, kLimbCount> nearest{};
+    for (const Vec3d& x : points) {
+        const auto position = nearest_on_limbs(limbs, x);
+        if (position && position->limb) ++nearest[index_of(*position->limb)];
+    }
+    const auto most = std::ranges::max_element(kinds, {}, [&](LimbKind kind) { return nearest[index_of(kind)]; });
+    if (most == kinds.end()) return std::nullopt;
+    if (static_cast<double>(nearest[index_of(*most)]) <= share * static_cast<double>(points.size()))
+        return std::nullopt;
+    return *most;
+}
+
 // Whether a point lies over the chest, where bodices have some and skirts have none: not on an arm that is as high.
 bool is_over_chest(const Vec3d& x, const BodyLimbs& limbs) {
     const auto position = nearest_on_limbs(limbs, x);
@@ -309,22 +342,75 @@ bool is_over_chest(const Vec3d& x, const BodyLimbs& limbs) {
     return is_at_torso && x.y() > limbs.torso[kChest].centre.y();
 }
 
+// Per panel, whether what it is sewn to goes over a shoulder or round an arm: a bodice without straps does not.
+std::vector<bool> reaches_shoulders(const GarmentMesh& unsewn, const Pattern& pattern, const BodyLimbs& limbs) {
+    constexpr double kBelow = 0.03;  // m, from the joint of the shoulder: the upper edge of a bodice lies lower
+    double shoulder = std::numeric_limits<double>::infinity();
+    for (const LimbKind kind : kArms) {
+        if (limbs[kind].is_found) shoulder = std::min(shoulder, limbs[kind].joints[kShoulder].centre.y() - kBelow);
+    }
+    DisjointSets parts(pattern.panels.size());
+    std::vector<int> panel_of(unsewn.x.size(), 0);
+    for (const GarmentTriangle& t : unsewn.triangles) {
+        for (const int v : t.vertices) panel_of[static_cast<std::size_t>(v)] = t.panel;
+    }
+    const auto panel_at = [&](int v) { return panel_of[static_cast<std::size_t>(v)]; };
+    for (const SeamLink& link : unsewn.links) parts.join(panel_at(link.a), panel_at(link.b));
+    std::vector<bool> part_reaches(pattern.panels.size(), false), reaches = part_reaches;
+    for (const GarmentTriangle& t : unsewn.triangles) {
+        for (const int v : t.vertices) {
+            if (unsewn.x[static_cast<std::size_t>(v)].y() > shoulder)
+                part_reaches[static_cast<std::size_t>(parts.find(t.panel))] = true;
+        }
+    }
+    for (std::size_t p = 0; p < reaches.size(); ++p)
+        reaches[p] = part_reaches[static_cast<std::size_t>(parts.find(static_cast<int>(p)))];
+    return reaches;
+}
+
 }  // namespace
 
 std::optional<LimbKind> arm_nearest_to(const std::vector<Vec3d>& points, const BodyLimbs& limbs, double share) {
-    std::array<std::size_t, kArms.size()> nearest{};
-    for (const Vec3d& x : points) {
-        const auto position = nearest_on_limbs(limbs, x);
-        for (std::size_t i = 0; i < kArms.size(); ++i) nearest[i] += position && position->limb == kArms[i] ? 1 : 0;
-    }
-    const auto most = static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin());
-    if (static_cast<double>(nearest[most]) <= share * static_cast<double>(points.size())) return std::nullopt;
-    return kArms[most];
+    return limb_nearest_to(points, limbs, kArms, share);
 }
 
 std::optional<LimbKind> arm_of_panel(std::string_view label, const std::vector<Vec3d>& points, const BodyLimbs& limbs) {
     constexpr double kMost = 0.8;
     return arm_nearest_to(points, limbs, label == "arm" ? 0 : kMost);
+}
+
+std::vector<bool> links_along_limbs(const GarmentMesh& unsewn, const BodyLimbs& limbs,
+                                    std::span<const LimbKind> kinds) {
+    constexpr double kMost = 0.5;         // of a panel's points, nearest to the limb that it is round
+    const double along = std::sqrt(0.5);  // least cosine between a seam and its limb: 45 degrees
+    std::vector<std::optional<LimbKind>> limb_of;
+    for (const std::vector<Vec3d>& points : points_of_panels(unsewn))
+        limb_of.push_back(points.empty() ? std::nullopt : limb_nearest_to(points, limbs, kinds, kMost));
+    std::vector<int> panel_of(unsewn.x.size(), 0);
+    for (const GarmentTriangle& t : unsewn.triangles) {
+        for (const int v : t.vertices) panel_of[static_cast<std::size_t>(v)] = t.panel;
+    }
+    const auto middle = [&](const SeamLink& link) {
+        return Vec3d((unsewn.x[static_cast<std::size_t>(link.a)] + unsewn.x[static_cast<std::size_t>(link.b)]) / 2);
+    };
+    std::vector<bool> is_along(unsewn.links.size(), false);
+    for (std::size_t from = 0; from < unsewn.links.size();) {
+        const SeamLink& first = unsewn.links[from];
+        std::size_t to = from;
+        while (to < unsewn.links.size() && unsewn.links[to].seam == first.seam) ++to;
+        const auto limb = limb_of[static_cast<std::size_t>(panel_of[static_cast<std::size_t>(first.a)])];
+        const auto other = limb_of[static_cast<std::size_t>(panel_of[static_cast<std::size_t>(first.b)])];
+        if (limb && limb == other) {
+            const std::vector<LimbJoint>& joints = limbs[*limb].joints;
+            const Vec3d limb_way = joints[kWrist].centre - joints[kShoulder].centre;
+            const Vec3d seam_way = middle(unsewn.links[to - 1]) - middle(first);
+            const bool runs_along = std::abs(seam_way.dot(limb_way)) > along * seam_way.norm() * limb_way.norm();
+            std::fill(is_along.begin() + static_cast<std::ptrdiff_t>(from),
+                      is_along.begin() + static_cast<std::ptrdiff_t>(to), runs_along);
+        }
+        from = to;
+    }
+    return is_along;
 }
 
 std::vector<bool> panels_without_arms(const GarmentMesh& unsewn, const Pattern& pattern, const BodyLimbs& limbs) {
@@ -337,11 +423,12 @@ std::vector<bool> panels_without_arms(const GarmentMesh& unsewn, const Pattern& 
         for (const auto& line : lines_along(limbs[kind])) mark_panels_on(line, surface, closed.triangles, is_in_way);
     }
     const std::vector<std::vector<Vec3d>> points = points_of_panels(unsewn);
+    const std::vector<bool> reaches = reaches_shoulders(unsewn, pattern, limbs);
     bool is_any = false;
     for (std::size_t p = 0; p < without.size(); ++p) {
         if (points[p].empty()) continue;
         const std::string& label = pattern.panels[p].label;
-        const auto is_bodice = [&](const Vec3d& x) { return is_over_chest(x, limbs); };
+        const auto is_bodice = [&](const Vec3d& x) { return reaches[p] && is_over_chest(x, limbs); };
         without[p] =
             label == "leg" || (!arm_of_panel(label, points[p], limbs) && std::ranges::none_of(points[p], is_bodice));
         is_any |= without[p] && is_in_way[p];

@@ -40,8 +40,10 @@ BodyInPieces cut_off(const Body& body, const BodyLimbs& limbs, std::span<const L
 // degrees.
 std::vector<Vec3d> way_out(const GarmentMesh& closed, const LimbPiece& limb, const BodyLimbs& limbs);
 
-// The limb with all but its root bent to lie along that way, and straight on beyond its end; and drawn in towards its
-// centre line to `share` of the distance from it. Vertices keep their order.
+// The limb with all but its root bent to lie along that way, and straight on beyond its end; as long that the wrist or
+// the ankle lies at the end of a way that is longer than the limb, as out of a sleeve that is too long, whose cuff
+// comes back with the hand; and drawn in towards its centre line to `share` of the distance from it. Vertices keep
+// their order.
 Body bend_limb(const LimbPiece& limb, const BodyLimbs& limbs, const std::vector<Vec3d>& way, double share);
 
 // The arm to which more than that share of the points are nearest.
@@ -51,9 +53,14 @@ std::optional<LimbKind> arm_nearest_to(const std::vector<Vec3d>& points, const B
 // most of them. A quarter of a wide skirt also has points that are nearest to an arm, but many others.
 std::optional<LimbKind> arm_of_panel(std::string_view label, const std::vector<Vec3d>& points, const BodyLimbs& limbs);
 
+// By index, whether a link belongs to a seam that makes a tube of the panels round one of these limbs: both its panels
+// are placed round that limb, and it runs along it.
+std::vector<bool> links_along_limbs(const GarmentMesh& unsewn, const BodyLimbs& limbs, std::span<const LimbKind> kinds);
+
 // Whether the panels ignore the arms while they are sewn, per panel. They are those through which an arm would pass if
 // all seams closed where they stand, as wide skirts whose front and back stand before and behind the hands; and with
-// them all others that are labelled "leg", or are placed neither over the chest nor round an arm. None if no arm passes
+// them all others that are labelled "leg", or are placed not round an arm, and not over the chest, unless nothing that
+// they are sewn to reaches up to the shoulders: a bodice without straps. None if no arm passes
 // through a panel. Panels without triangles in the mesh, as those that are worn already, do not.
 std::vector<bool> panels_without_arms(const GarmentMesh& unsewn, const Pattern& pattern, const BodyLimbs& limbs);
 

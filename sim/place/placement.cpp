@@ -95,9 +95,9 @@ std::optional<double> clearing_move(const PlacedPanel& panel, double least, cons
 }
 
 // The shortest move of a tube that clears it of the limb that it is round: outward, it would end beside it. None if it
-// is clear, or not near any clear place.
+// is clear, or not near any clear place: a longer move would leave the limb outside of a tube that stands open.
 std::optional<Vec3d> clearing_nudge(const PlacedPanel& panel, const BodyCollider& body) {
-    constexpr int kMostSteps = 6;
+    constexpr int kMostSteps = 2;
     for (int step = 1; step <= kMostSteps; ++step) {
         for (int i = 0; i < 27; ++i) {
             const Vec3d way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
@@ -355,8 +355,9 @@ Stature anchor_panels(Pattern& pattern, const MeasuredBody& from, const Measured
     return b;
 }
 
-std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn) {
-    std::vector<std::string> notes;
+ClearedPanels clear_panels(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn) {
+    ClearedPanels cleared;
+    std::vector<std::string>& notes = cleared.notes;
     const std::vector<PlacedPanel> panels = placed_panels(unsewn);
     const auto layer_of = [&](std::size_t p) { return unsewn.panel_layers.empty() ? 0 : unsewn.panel_layers[p]; };
     Triangles inside;
@@ -382,27 +383,27 @@ std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& b
             continue;
         }
         const std::optional<double> move = clearing_move(panels[i], outside, body);
-        if (!move) notes.push_back(name + " stands in the body, and nowhere near is clear of it");
+        if (!move) cleared.stuck.push_back(name + " stands in the body, and nowhere near is clear of it");
         if (!move || *move == 0) continue;
         move_panel(unsewn, i, panels[i].normal * *move);
         const long millimetres = std::lround(*move * 1000);
         notes.push_back(name + " moved " + std::to_string(millimetres) + " mm outward, clear of the body" +
                         (outside > 0 ? " and of what is worn under it" : ""));
     }
-    return notes;
+    return cleared;
 }
 
-std::vector<std::string> make_sewable(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn) {
-    std::vector<std::string> notes;
+ClearedPanels make_sewable(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn) {
     const double lift = seam_clearing_lift(unsewn, body);
     for (Vec3d& x : unsewn.x) x.y() += lift;
+    ClearedPanels cleared = clear_panels(unsewn, body, worn);
     if (lift != 0) {
         const std::string millimetres = std::to_string(std::lround(std::abs(lift) * 1000));
-        notes.push_back("all panels moved " + millimetres + (lift > 0 ? " mm up" : " mm down") +
-                        ", so that the seams can close round the body");
+        cleared.notes.insert(cleared.notes.begin(), "all panels moved " + millimetres +
+                                                        (lift > 0 ? " mm up" : " mm down") +
+                                                        ", so that the seams can close round the body");
     }
-    for (std::string& note : clear_panels(unsewn, body, worn)) notes.push_back(std::move(note));
-    return notes;
+    return cleared;
 }
 
 namespace {

@@ -21,18 +21,21 @@ class BodyCollider;
 Stature anchor_panels(Pattern& pattern, const MeasuredBody& from, const MeasuredBody& onto);
 
 // Moves each panel that intersects the body outward along its front normal until it is clear, by at most 40 cm; also
-// until it is outside of the cloth that is worn and of all panels of lower layers. Returns one note per moved or stuck
-// panel.
-std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn = {});
+// until it is outside of the cloth that is worn and of all panels of lower layers.
+struct ClearedPanels {
+    std::vector<std::string> notes;  // one per panel that was moved, or is a tube that meets its limb
+    std::vector<std::string> stuck;  // "panel 'collar' stands in the body, and nowhere near is clear of it"
+};
+ClearedPanels clear_panels(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn = {});
 
 // The vertical shift of the whole unsewn garment (m, negative: down) with which its seams can close. The body blocks a
 // shoulder seam that is too low or an underarm seam that is too high. The shift minimises how deep the straight lines
 // between linked vertices run through the body, and then lifts those off the body that graze it from above.
 double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body);
 
-// Applies seam_clearing_lift() and then clear_panels(). Returns notes on what was changed. `worn`: cloth under the
-// garment, where it is.
-std::vector<std::string> make_sewable(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn = {});
+// Applies seam_clearing_lift() and then clear_panels(). The notes tell both. `worn`: cloth under the garment, where it
+// is.
+ClearedPanels make_sewable(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn = {});
 
 // Arrangement points: positions around a body at which a panel can be placed, wrapped on a cylinder about the torso or
 // limb. They are computed from plane sections of the body and, where it has one, its skeleton (arms, legs).

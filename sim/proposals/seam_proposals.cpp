@@ -34,19 +34,35 @@ bool share_atoms(const Chain& a, const Chain& b) {
     return std::ranges::any_of(a.atoms, [&](int atom) { return std::ranges::find(b.atoms, atom) != b.atoms.end(); });
 }
 
+// How far the middle of an atom lies from the line between its ends, over its length.
+double bend_of(const OpenBoundary& boundary, int atom) {
+    const Vec2d middle = (boundary.point(atom, 0) + boundary.point(atom, 1)) / 2;
+    return (boundary.point(atom, 0.5) - middle).norm() / boundary.atom(atom).length;
+}
+
+// Whether a straight stretch goes on in a curve, as a shoulder in a wide neckline, or the other way round.
+bool begins_to_curve(const OpenBoundary& boundary, int atom, int next) {
+    constexpr double kStraight = 0.002, kCurved = 0.02;
+    const auto [less, more] = std::minmax({bend_of(boundary, atom), bend_of(boundary, next)});
+    return less < kStraight && more > kCurved;
+}
+
 // Places on a chain at which a seam may begin or end: where the outline turns a little, as from the back seam of an
-// upper sleeve to its cap; and notches of strips, as on a waistband with an overlap.
+// upper sleeve to its cap, or a torso's begins to curve; and notches of strips, as on a waistband with an overlap.
 std::vector<double> stops_of(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const Chain& chain) {
     constexpr double kTurn = 8 * std::numbers::pi / 180;  // rad
     constexpr std::size_t kMostTurns = 6;
     std::vector<double> stops{0, 1};
     if (chain.is_loop) return stops;
     const std::vector<double> shares = boundary.starts(chain);
+    const GarmentPart part = facts[as_size(boundary.atom(chain.atoms[0]).span.panel)].role.part;
     for (std::size_t k = 0; k + 1 < chain.atoms.size() && stops.size() < 2 + kMostTurns; ++k) {
         const OpenBoundary::Step step = boundary.next(chain.atoms[k]);
-        if (step.seams == 0 && std::abs(step.angle - std::numbers::pi) > kTurn) stops.push_back(shares[k + 1]);
+        if (step.seams > 0) continue;
+        const bool turns = std::abs(step.angle - std::numbers::pi) > kTurn;
+        const bool curves = part == GarmentPart::Torso && begins_to_curve(boundary, chain.atoms[k], chain.atoms[k + 1]);
+        if (turns || curves) stops.push_back(shares[k + 1]);
     }
-    const GarmentPart part = facts[as_size(boundary.atom(chain.atoms[0]).span.panel)].role.part;
     const bool is_strip = part == GarmentPart::Waistband || part == GarmentPart::Cuff || part == GarmentPart::Collar ||
                           part == GarmentPart::CollarStand;
     std::ranges::sort(stops);
@@ -72,11 +88,14 @@ std::vector<ChainView> views_of(const OpenBoundary& boundary, const std::vector<
         for (std::size_t i = 0; i < chain.atoms.size(); ++i) views.push_back({chain, static_cast<int>(i), 0, 1});
         return views;
     }
-    constexpr double kLeastPart = 0.25;  // of a chain
+    constexpr double kLeastPart = 0.25;      // of a chain
+    constexpr double kLeastShoulder = 0.04;  // m: a wide neckline may go on from a short shoulder without a corner
+    const bool is_torso = facts[as_size(boundary.atom(chain.atoms[0]).span.panel)].role.part == GarmentPart::Torso;
+    const double least = is_torso ? std::min(kLeastPart, kLeastShoulder / chain.length) : kLeastPart;
     const std::vector<double> stops = stops_of(boundary, facts, chain);
     for (std::size_t i = 0; i < stops.size(); ++i) {
         for (std::size_t j = i + 1; j < stops.size(); ++j) {
-            if (stops[j] - stops[i] > kLeastPart) views.push_back({chain, 0, stops[i], stops[j]});
+            if (stops[j] - stops[i] > least) views.push_back({chain, 0, stops[i], stops[j]});
         }
     }
     return views;
@@ -118,6 +137,7 @@ class Search {
         for (const Chain& chain : chains) views.push_back(views_of(boundary_, facts_, chain));
         std::vector<Candidate> candidates;
         for (std::size_t i = 0; i < chains.size(); ++i) {
+            if (auto best = best_within(views[i])) candidates.push_back(std::move(*best));
             for (std::size_t j = i + 1; j < chains.size(); ++j) {
                 if (share_atoms(chains[i], chains[j])) continue;
                 if (auto best = best_of(views[i], views[j])) candidates.push_back(std::move(*best));
@@ -128,6 +148,27 @@ class Search {
             return std::pair(comes_first, one.evidence.odds);
         });
         return candidates;
+    }
+
+    // The likeliest way to sew two whole edges of one chain, as the second shoulders at the ends of a cowl and the
+    // neckline behind it; none if none is likely at all.
+    std::optional<Candidate> best_within(const std::vector<ChainView>& views) const {
+        std::vector<ChainView> edges;
+        for (const ChainView& view : views) {
+            const int panel = boundary_.atom(view.chain.atoms[0]).span.panel;
+            const bool is_torso = facts_[as_size(panel)].role.part == GarmentPart::Torso;  // its stops are edges' ends
+            const bool is_part = !view.chain.is_loop && (view.from > 0 || view.to < 1);
+            if (is_torso && is_part && joints_of(boundary_, view).empty()) edges.push_back(view);
+        }
+        std::optional<Candidate> best;
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            for (std::size_t j = i + 1; j < edges.size(); ++j) {
+                if (edges[j].from < edges[i].to || edges[i].from == edges[j].from) continue;
+                auto found = best_of({edges[i]}, {edges[j]});
+                if (found && (!best || found->evidence.odds > best->evidence.odds)) best = std::move(found);
+            }
+        }
+        return best;
     }
 
     // The likeliest way to sew two chains; none if none is likely at all.

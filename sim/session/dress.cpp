@@ -51,6 +51,7 @@ void record_drape(DressReport& report, const DrapeResult& result) {
     report.settled = result.settled;
     report.stopped_because = result.stopped_because();
     report.simulated_seconds = result.simulated_seconds;
+    report.work = result.work;
     report.mesh.splits = result.splits;
     report.mesh.rejoins = result.rejoins;
     report.mesh.transitions = result.transitions;
@@ -75,12 +76,22 @@ void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phas
     }
 }
 
+// Whether so much of it lies on the floor that it is not worn.
+bool has_come_off(const WearingCheck& wearing, const Cloth& cloth) {
+    constexpr double kShare = 0.1;  // of the vertices
+    DressReport found;
+    wearing.validate(cloth, found);
+    return std::ranges::any_of(
+        found.faults, [](const DressFault& fault) { return fault.kind == "on_floor" && fault.value > kShare; });
+}
+
 // A garment that is not part of an outfit.
 bool is_single(const Dressing& dressing) {
     return garments_of(dressing.pattern()).size() == 1;
 }
 
-// Runs the fall to its end, or until the garment slips down the body or was too small for it at two tests. What is
+// Runs the fall to its end, or until the garment slips down the body, lies on the floor, was too small for it at two
+// tests, or took more work than a drape may. What is
 // `known_too_small` is given up at once, for it would only crumple; an outfit hangs first.
 // Pre: there is a check if it falls.
 void fall_or_give_up(Dressing& dressing, bool known_too_small, const std::optional<WearingCheck>& wearing,
@@ -94,6 +105,10 @@ void fall_or_give_up(Dressing& dressing, bool known_too_small, const std::option
         dressing.advance();
         report(progress, "draping", dressing.fraction());
         if (!dressing.falls()) continue;  // finer sub-steps at the end
+        if (dressing.result().work > most_work(*dressing.cloth())) {
+            dressing.give_up(GiveUp::TooMuchWork);
+            continue;
+        }
         const double now = dressing.simulated_seconds();
         const bool tests_slip = is_one && now >= next_slip_test;
         if (tests_slip) next_slip_test = now + kBetweenTests;
@@ -101,6 +116,8 @@ void fall_or_give_up(Dressing& dressing, bool known_too_small, const std::option
             dressing.give_up(GiveUp::TooSmall);
         } else if (tests_slip && wearing->slips(*dressing.cloth())) {
             dressing.give_up(GiveUp::SlipsDown);
+        } else if (tests_slip && has_come_off(*wearing, *dressing.cloth())) {
+            dressing.give_up(GiveUp::ComesOff);
         } else if (dressing.hangs_calmly() && now >= next_fit_test) {
             next_fit_test = now + kBetweenTests;
             const bool is_small = is_too_small(*dressing.cloth(), *dressing.body());
@@ -129,6 +146,7 @@ std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional
     const Cloth& cloth = *dressing.cloth();
     const std::optional<GiveUp> given_up = dressing.result().given_up;
     if (!given_up || dressing.result().bad_vertex) return std::nullopt;
+    if (given_up == GiveUp::ComesOff || given_up == GiveUp::TooMuchWork) return std::nullopt;
     if (given_up == GiveUp::SlipsDown && wearing->slips(cloth)) return std::nullopt;
     const bool shows_it = is_too_small(cloth, *dressing.body()) || (too_small && is_overstretched(cloth));
     if (given_up == GiveUp::TooSmall && shows_it) return too_small;
@@ -151,6 +169,10 @@ void inspect(DressedGarment& dressed, Dressing& dressing, const std::optional<We
     const Cloth& cloth = dressed.cloth();
     validate(cloth, collider, dressing.anchored(), dressing.open_seams(), result, dressed.report,
              {.may_cross_itself = !dressing.options().self_collision}, too_small);
+    for (const std::string& stuck : dressing.stuck_panels()) {
+        std::erase(dressed.report.notes, stuck);
+        dressed.report.faults.push_back({.kind = "stuck_in_body", .place = stuck, .value = 1});
+    }
     if (result.bad_vertex) return;
     wearing->validate(cloth, dressed.report);
     dressed.report.fit = measure_fit(dressed.mesh, measured);

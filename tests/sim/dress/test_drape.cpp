@@ -66,6 +66,23 @@ TEST(DrapeRun, a_cloth_at_rest_is_neither_adapted_nor_stepped) {
     EXPECT_EQ(run.result().rms_speed, 0);
 }
 
+// Work is counted: so many triangles in so many steps, and the pairs that contact of the cloth with itself looked at.
+TEST(DrapeRun, counts_its_work_and_knows_what_moves_most) {
+    SimulationOptions options;
+    options.adapt.max_level = 0;
+    Simulation simulation(cloth_above_the_ball(), options);
+    DrapeOptions draping = endless();
+    draping.max_seconds = 0.5;
+    draping.finish_time = 0;
+    DrapeRun run(simulation, draping);
+    while (run.advance(simulation, exact_ball())) continue;
+    const auto triangles = static_cast<double>(simulation.cloth().mesh.leaf_triangles().size());
+    const double steps = static_cast<double>(run.result().step_ms.size());
+    EXPECT_EQ(run.result().work, triangles * steps);
+    ASSERT_TRUE(run.result().fastest.has_value());
+    EXPECT_LT(run.result().work, most_work(simulation.cloth()));
+}
+
 TEST(DrapeRun, rests_only_where_that_is_asked_for) {
     Simulation simulation(cloth_above_the_ball());
     const Cloth& cloth = simulation.cloth();

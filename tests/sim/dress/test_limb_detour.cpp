@@ -14,6 +14,7 @@
 
 #include "sim/cloth/cloth_penetration.h"
 #include "sim/collide/body_collider.h"
+#include "sim/collide/collider.h"
 #include "sim/collide/penetration.h"
 #include "sim/dress/dressing.h"
 #include "sim/dress/garment_sewing.h"
@@ -128,8 +129,14 @@ std::size_t passing_edges(const GarmentMesh& sewn) {
     return found.passing.size();
 }
 
+const BodyLimbs& limbs_of_mannequin() {
+    static const BodyLimbs limbs = find_limbs(mannequin());
+    return limbs;
+}
+
 SewingOptions options() {
     SewingOptions options;
+    options.limbs = &limbs_of_mannequin();
     options.simulation.self_contact.emplace();
     return options;
 }
@@ -166,7 +173,7 @@ TEST(ThinLimbs, keep_an_ankle_in_a_trouser_leg_that_stands_beside_it) {
         const SewingResult result = std::move(sewing).result();
         EXPECT_EQ(passing_edges(result.sewn), 0U) << "at x " << leg.x;
         EXPECT_TRUE(result.open.empty());
-        const BodyLimbs limbs = find_limbs(mannequin());
+        const BodyLimbs& limbs = limbs_of_mannequin();
         const std::vector<Opening> openings = find_openings(result.sewn);
         const LimbPassages passages = find_passages(result.sewn, result.sewn.x, openings, limbs);
         ASSERT_EQ(openings.size(), 2U);
@@ -175,8 +182,43 @@ TEST(ThinLimbs, keep_an_ankle_in_a_trouser_leg_that_stands_beside_it) {
     }
 }
 
+TEST(SewingRun, closes_the_links_first_that_it_is_told_to) {
+    const GarmentMesh unsewn = assemble(make({.x = 0.1}));
+    SewingRun run(unsewn, fabrics(), options());
+    std::vector<bool> first(unsewn.links.size());
+    for (std::size_t i = 0; i < first.size(); ++i) first[i] = unsewn.links[i].seam == 0;
+    run.close_first(first);
+    const auto widest = [&](int seam) {
+        double widest = 0;
+        for (const SeamLink& link : run.links()) {
+            const auto a = static_cast<std::size_t>(link.a), b = static_cast<std::size_t>(link.b);
+            if (link.seam == seam) widest = std::max<double>(widest, (run.cloth().x[a] - run.cloth().x[b]).norm());
+        }
+        return widest;
+    };
+    const double open = widest(1);
+    while (widest(0) > static_cast<double>(run.closed_gap())) ASSERT_TRUE(run.advance(collider()));
+    EXPECT_GT(widest(1), open / 2);
+    while (run.advance(collider())) EXPECT_LT(widest(0), 0.02) << "it stays closed";
+    EXPECT_TRUE(run.is_closed());
+}
+
+// The tube closes behind the leg that it was placed round: no cloth is in the body, and no seam is open.
+TEST(ThinLimbs, are_needed_where_a_limb_is_outside_of_its_tube) {
+    Pattern pattern = make({.x = 0.1});
+    pattern.panels[0].translation.z() = 0.12;
+    pattern.panels[1].translation.z() = -0.9;
+    SewingRun run(assemble(pattern), fabrics(), options());
+    const SphereCollider nothing(Vec3f(9, 9, 9), 0.1F);
+    while (run.advance(nothing)) continue;
+    const SewingFaults faults = count_sewing_faults(run, collider(), limbs_of_mannequin());
+    EXPECT_EQ(faults.missed_limbs, 1U);
+    EXPECT_EQ(faults.places, 0U);
+    EXPECT_NE(plan_thin_limbs(run, collider(), limbs_of_mannequin()), nullptr);
+}
+
 TEST(ThinLimbs, are_not_needed_where_the_seams_close_round_a_limb) {
-    EXPECT_EQ(plan_thin_limbs(sewn_once(make({.x = 0.1})), collider()), nullptr);
+    EXPECT_EQ(plan_thin_limbs(sewn_once(make({.x = 0.1})), collider(), limbs_of_mannequin()), nullptr);
 }
 
 }  // namespace

@@ -69,5 +69,17 @@ TEST(CutText, of_the_main_fabric_goes_before_that_of_other_materials) {
     EXPECT_EQ(cut, (CutInstructions{2, {}, false, "fabric"}));
 }
 
+// A corset is cut twice from interfacing and twice from fabric, both on one label.
+TEST(CutText, reads_all_instructions_of_a_label) {
+    CutInstructions cut;
+    read_cut_text(
+        "annotations:cut,2,annotations:mirrored,annotations:from,annotations:interfacing, "
+        ",annotations:cut,4,annotations:mirrored,annotations:from,annotations:fabric,",
+        cut);
+    EXPECT_EQ(cut.material, "fabric");
+    EXPECT_EQ(cut.pieces, 4);
+    EXPECT_EQ(cut.are_mirrored, true);
+}
+
 }  // namespace
 }  // namespace selvedge::sim

@@ -243,6 +243,18 @@ TEST(ArrangePattern, turns_a_cuff_level_and_puts_it_round_the_arm_of_its_sleeve)
     EXPECT_NEAR((cuff.place(cuff.vertices[1]) - cuff.place(cuff.vertices[0])).norm(), 0, 0.16);
 }
 
+// Of a sleeve that ends beyond the wrist, the cuff lies beyond its hem: within the sleeve, it would be sewn inside out.
+TEST(ArrangePattern, puts_a_cuff_beyond_the_hem_of_a_sleeve_that_is_longer_than_the_arm) {
+    Pattern pattern = long_sleeved();
+    for (const std::size_t p : {2U, 3U}) {
+        for (const std::size_t v : {2U, 3U}) pattern.panels[p].vertices[v].y() = 0.7;
+    }
+    arrange_pattern(pattern, mannequin());
+    const Panel &sleeve = pattern.panels[2], &cuff = pattern.panels[4];
+    const double hem = sleeve.place(outline_point(sleeve, sleeve.edges[0], 0.5)).y();
+    EXPECT_LT(cuff.place(outline_point(cuff, cuff.edges[1], 0.5)).y(), hem + 0.01);
+}
+
 TEST(ArrangePattern, puts_a_waistband_of_a_bodice_at_its_hem_with_its_ends_where_the_seam_ends) {
     Pattern pattern = shirt();
     pattern.panels.push_back(unplaced_rectangle("waistband", 1.0, 0.08));

@@ -88,6 +88,23 @@ TEST(BendLimb, lays_a_thin_limb_along_a_way_but_leaves_its_root) {
     }
 }
 
+// The hem of trousers that are too long takes the foot along.
+TEST(BendLimb, stretches_a_limb_to_the_end_of_a_longer_way) {
+    const LimbPiece leg = left_leg();
+    const Vec3d ankle = end_of(mannequin_limbs(), LimbKind::LeftLeg);
+    const Vec3d end = leg.piece.joint + 1.2 * (ankle - leg.piece.joint);
+    const Body bent = bend_limb(leg, mannequin_limbs(), {leg.piece.joint, end}, 0.1);
+    const auto nearest_to = [](const Body& body, const Vec3d& x) {
+        double nearest = 1;
+        for (const Vec3d& v : body.x) nearest = std::min(nearest, (v - x).norm());
+        return nearest;
+    };
+    EXPECT_LT(nearest_to(bent, end), 0.03);
+    double longest = 0;
+    for (const Vec3d& v : bent.x) longest = std::max(longest, (v - end).dot(leg.along));
+    EXPECT_GT(longest, 0.05) << "the foot lies beyond it";
+}
+
 // Panels before and behind a leg, as far to its side as for a body with its feet apart.
 TEST(WayOut, runs_through_the_middle_of_a_trouser_leg_to_its_hem) {
     Pattern pattern = tube(0.3, 0.65, 0.02, 0.2);
@@ -117,7 +134,17 @@ TEST(WayOut, is_along_the_limb_where_no_cloth_is_round_it) {
     const LimbPiece leg = left_leg();
     const std::vector<Vec3d> way = way_out(closed, leg, mannequin_limbs());
     ASSERT_EQ(way.size(), 2U);
-    EXPECT_LT((way[1] - way[0] - leg.along).norm(), 1e-6);
+    EXPECT_LT(((way[1] - way[0]).normalized() - leg.along).norm(), 1e-6);
+}
+
+TEST(LinksAlongLimbs, are_those_of_a_trouser_leg_and_not_of_a_skirt) {
+    Pattern pattern = tube(0.3, 0.65, 0.02, 0.2);
+    for (Panel& panel : pattern.panels) panel.translation.x() = 0.1;
+    const GarmentMesh leg = assemble(pattern);
+    EXPECT_EQ(links_along_limbs(leg, mannequin_limbs(), kLegs), std::vector<bool>(leg.links.size(), true));
+    EXPECT_EQ(links_along_limbs(leg, mannequin_limbs(), kArms), std::vector<bool>(leg.links.size(), false));
+    const GarmentMesh skirt = assemble(tube(0.6, 0.65, 0.02, 0.2));
+    EXPECT_EQ(links_along_limbs(skirt, mannequin_limbs(), kLegs), std::vector<bool>(skirt.links.size(), false));
 }
 
 // A skirt of this width at its hem, front and back, from the waist down.
@@ -144,6 +171,15 @@ TEST(PanelsWithoutArms, are_not_those_that_cover_the_chest) {
     Pattern pattern = skirt(2.5);
     for (Panel& panel : pattern.panels) panel.translation.y() = 1.0;
     EXPECT_EQ(without_arms(pattern), (std::vector<bool>{false, false}));
+}
+
+// A bodice without straps lies below the arms, though it covers the chest: its upper edge must not close over them.
+TEST(PanelsWithoutArms, are_those_of_a_bodice_without_straps) {
+    const double shoulder = mannequin_limbs()[LimbKind::LeftArm].joints[0].centre.y();
+    Pattern pattern = tube(0.8, 0.3, shoulder - 0.36, 0.2);
+    EXPECT_EQ(without_arms(pattern), (std::vector<bool>{true, true}));
+    pattern = tube(0.8, 0.4, shoulder - 0.36, 0.2);
+    EXPECT_EQ(without_arms(pattern), (std::vector<bool>{false, false})) << "it reaches the shoulders";
 }
 
 TEST(PanelsWithoutArms, are_told_by_their_labels) {

@@ -137,7 +137,7 @@ TEST(ClearPanels, moves_a_panel_out_of_the_body_along_its_right_side_and_says_so
         pattern.panels = {rectangle("sunken", {.z = 0.07 * side, .is_back = is_back})};
         const GarmentMesh before = assemble(pattern);
         GarmentMesh after = before;
-        const std::vector<std::string> notes = clear_panels(after, collider);
+        const std::vector<std::string> notes = clear_panels(after, collider).notes;
         ASSERT_EQ(notes.size(), 1U);
         EXPECT_NE(notes[0].find("'sunken'"), std::string::npos) << notes[0];
         for (std::size_t v = 0; v < after.x.size(); ++v) {
@@ -151,6 +151,18 @@ TEST(ClearPanels, moves_a_panel_out_of_the_body_along_its_right_side_and_says_so
     }
 }
 
+TEST(ClearPanels, names_a_panel_that_no_move_takes_out_of_the_body) {
+    const Body body = shapes::box(Vec3d(-0.6, 0, -0.6), Vec3d(0.6, 1.7, 0.6), 6);
+    const BodyCollider collider(body, kCoarse);
+    Pattern pattern;
+    pattern.panels = {rectangle("sunken", {.z = 0})};
+    GarmentMesh mesh = assemble(pattern);
+    const ClearedPanels cleared = clear_panels(mesh, collider);
+    EXPECT_TRUE(cleared.notes.empty());
+    ASSERT_EQ(cleared.stuck.size(), 1U);
+    EXPECT_EQ(cleared.stuck[0], "panel 'sunken' stands in the body, and nowhere near is clear of it");
+}
+
 TEST(ClearPanels, moves_only_the_panel_that_stands_in_the_body) {
     const Body body = column(1.7);
     const BodyCollider collider(body, kCoarse);
@@ -158,7 +170,7 @@ TEST(ClearPanels, moves_only_the_panel_that_stands_in_the_body) {
     pattern.panels[1].translation.z() = -0.05;
     const GarmentMesh before = assemble(pattern);
     GarmentMesh after = before;
-    EXPECT_EQ(clear_panels(after, collider).size(), 1U);
+    EXPECT_EQ(clear_panels(after, collider).notes.size(), 1U);
     for (const GarmentTriangle& t : after.triangles) {
         for (const int v : t.vertices) {
             EXPECT_EQ(after.x[std::size_t(v)] == before.x[std::size_t(v)], t.panel == 0);
@@ -171,12 +183,12 @@ TEST(ClearPanels, moves_a_panel_outside_of_the_cloth_that_is_worn_and_says_so) {
     const BodyCollider collider(body, kCoarse);
     const GarmentMesh worn = assemble(tube(0.5, 0.4, 0.9, 0.25));
     GarmentMesh after = assemble(tube(0.6, 0.2, 1.0, 0.2));
-    const std::vector<std::string> notes = clear_panels(after, collider, worn);
+    const std::vector<std::string> notes = clear_panels(after, collider, worn).notes;
     ASSERT_EQ(notes.size(), 2U);
     EXPECT_NE(notes[0].find("of what is worn under it"), std::string::npos) << notes[0];
     for (const Vec3d& x : after.x) EXPECT_NEAR(std::abs(x.z()), 0.26, 1e-6);
     const GarmentMesh again = after;
-    EXPECT_TRUE(clear_panels(after, collider, worn).empty());
+    EXPECT_TRUE(clear_panels(after, collider, worn).notes.empty());
     EXPECT_EQ(after.x, again.x);
 }
 
@@ -188,7 +200,7 @@ TEST(ClearPanels, moves_a_panel_outside_of_those_of_lower_layers) {
     pattern.panels[0].layer = 7;
     pattern.panels[2].layer = 1;
     GarmentMesh mesh = assemble(pattern);
-    EXPECT_EQ(clear_panels(mesh, collider).size(), 2U);
+    EXPECT_EQ(clear_panels(mesh, collider).notes.size(), 2U);
     for (const GarmentTriangle& t : mesh.triangles) {
         const double expected = t.panel == 0 ? 0.22 : t.panel == 1 ? 0.20 : 0.21;
         for (const int v : t.vertices) EXPECT_NEAR(mesh.x[std::size_t(v)].z(), expected, 1e-6);
@@ -207,7 +219,7 @@ TEST(ClearPanels, finds_the_farthest_place_of_the_cloth_that_is_worn) {
     for (const Vec3d& x : worn.x) {
         if (std::abs(x.x()) < 0.3 && x.y() >= 1.0 && x.y() <= 1.2) farthest = std::max(farthest, std::abs(x.z()));
     }
-    EXPECT_EQ(clear_panels(after, collider, worn).size(), 2U);
+    EXPECT_EQ(clear_panels(after, collider, worn).notes.size(), 2U);
     for (const Vec3d& x : after.x) {
         EXPECT_GT(std::abs(x.z()), farthest - 0.005);
         EXPECT_LE(std::abs(x.z()), farthest + 0.01 + 1e-9);
@@ -219,7 +231,7 @@ TEST(ClearPanels, leaves_clear_panels_alone_and_says_nothing) {
     const BodyCollider collider(body, kCoarse);
     const GarmentMesh before = assemble(tube(0.5, 0.4, 0.9, 0.2));
     GarmentMesh after = before;
-    EXPECT_TRUE(clear_panels(after, collider).empty());
+    EXPECT_TRUE(clear_panels(after, collider).notes.empty());
     EXPECT_EQ(after.x, before.x);
 }
 

@@ -1,6 +1,7 @@
 // Seams of paper patterns, as drafts of real garments have them: halves and whole panels, darts, bands, hoods.
 #include <gtest/gtest.h>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -225,6 +226,29 @@ TEST(Drafts, with_a_hood_have_no_binding_at_the_neck_and_a_strip_between_the_sid
     EXPECT_TRUE(are_panels_sewn(pairs, "hoodSide", "hoodCenter"));
     EXPECT_TRUE(are_panels_sewn(pairs, "hoodSide_mirrored", "hoodCenter"));
     EXPECT_FALSE(are_panels_sewn(pairs, "hoodSide", "hoodSide_mirrored"));
+}
+
+// A cowl: the front's neckline rises from a short shoulder with a turn of 20 degrees, which is no corner.
+TEST(Drafts, with_a_cowl_have_the_shoulders_sewn_though_the_neckline_goes_on_from_them) {
+    Pattern pattern = body_block();
+    for (Panel& panel : {std::ref(pattern.panels[0]), std::ref(pattern.panels[1])}) {
+        panel.vertices[3] = {0.2, 0.6};
+        panel.vertices[4] = {0.15, 0.615};
+        panel.vertices[5] = {-0.15, 0.615};
+        panel.vertices[6] = {-0.2, 0.6};
+        for (const std::size_t edge : {2U, 6U})
+            panel.edges[edge] = {.start = panel.edges[edge].start, .end = panel.edges[edge].end};
+        bend(panel, 2, -0.03);
+        bend(panel, 6, -0.03);
+    }
+    bend(pattern.panels[0], 4, 0.02);
+    const Pairs pairs = sewn(pattern);
+    EXPECT_TRUE(are_sewn(pairs, {"front", 3}, {"back", 5}));
+    EXPECT_TRUE(are_sewn(pairs, {"front", 5}, {"back", 3}));
+    EXPECT_TRUE(are_panels_sewn(pairs, "front", "sleeve"));
+    for (const int armhole : {2, 6}) {
+        for (const int other : {2, 6}) EXPECT_FALSE(are_sewn(pairs, {"front", armhole}, {"back", other}));
+    }
 }
 
 TEST(Drafts, have_no_stretch_that_is_too_short_to_be_meshed) {

@@ -186,6 +186,28 @@ TEST(Dress, a_skirt_that_is_too_large_is_not_waited_for_until_it_lies_on_the_flo
     EXPECT_NE(report.faults[0].place.find("too large above the hips by"), std::string::npos) << report.faults[0].place;
 }
 
+TEST(Dress, what_has_come_off_and_lies_on_the_floor_is_not_waited_for) {
+    Pattern pattern;
+    pattern.panels = {rectangle("sheet", {.width = 0.6, .height = 0.6, .y = 0.7, .z = 0.6})};
+    const DressReport report = dress(pattern, mannequin(), up_to_level(0)).report;
+    EXPECT_EQ(report.stopped_because, "comes off");
+    EXPECT_LT(report.simulated_seconds, 6);
+    EXPECT_TRUE(std::ranges::any_of(report.faults, [](const DressFault& fault) { return fault.kind == "on_floor"; }));
+}
+
+TEST(Dress, a_panel_that_stands_in_the_body_with_nothing_clear_nearby_is_a_fault) {
+    const Body wall = shapes::box(Vec3d(-0.6, 0, -0.6), Vec3d(0.6, 1.7, 0.6), 6);
+    Pattern pattern;
+    pattern.panels = {rectangle("sunken", {.width = 0.3, .height = 0.3, .y = 0.7})};
+    DressOptions options = up_to_level(0);
+    options.max_seconds = 0.1;
+    const DressReport report = dress(pattern, wall, options).report;
+    const auto fault = std::ranges::find(report.faults, "stuck_in_body", &DressFault::kind);
+    ASSERT_NE(fault, report.faults.end());
+    EXPECT_EQ(fault->place, "panel 'sunken' stands in the body, and nowhere near is clear of it");
+    EXPECT_EQ(std::ranges::find(report.notes, fault->place), report.notes.end()) << "it is told once";
+}
+
 TEST(Dress, a_skirt_that_slips_is_not_waited_for_in_the_body_s_own_pose_either) {
     const Body body = posed(mannequin(), find_pose("T", mannequin()));
     const DressReport report = dress(tube(0.6, 0.5, 0.5, 0.2), body, up_to_level(0)).report;
