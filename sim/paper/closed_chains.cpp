@@ -48,6 +48,9 @@ class Nodes {
             return std::pair(std::lround(std::clamp(p.x() / cell, -kFar, kFar)),
                              std::lround(std::clamp(p.y() / cell, -kFar, kFar)));
         };
+        constexpr double kShare = 0.3;  // of the shorter line: the ends of one never meet
+        std::vector<double> reach;
+        for (const PointLine& line : lines) reach.push_back(std::min(gap, kShare * length_of_line(line)));
         for (std::size_t end = 0; end < 2 * lines.size(); ++end) {
             const Vec2d p = place(lines, end);
             const auto [x, y] = cell_of(p);
@@ -57,7 +60,7 @@ class Nodes {
                     if (found == cells.end()) continue;
                     for (const int other : found->second) {
                         const double apart = (place(lines, as_size(other)) - p).norm();
-                        if (apart > gap) continue;
+                        if (apart > std::min(reach[end / 2], reach[as_size(other) / 2])) continue;
                         sets_.join(other, static_cast<int>(end));
                         widest_gap_ = std::max(widest_gap_, apart);
                     }
@@ -66,6 +69,8 @@ class Nodes {
             cells[{x, y}].push_back(static_cast<int>(end));
         }
     }
+
+    void join_ends_of(std::size_t line) { sets_.join(static_cast<int>(2 * line), static_cast<int>(2 * line + 1)); }
 
     int of_start(std::size_t line) { return sets_.find(static_cast<int>(2 * line)); }
     int of_end(std::size_t line) { return sets_.find(static_cast<int>(2 * line + 1)); }
@@ -87,8 +92,11 @@ class LineGraph {
     LineGraph(const std::vector<PointLine>& lines, double gap) : lines_(lines), gap_(gap), nodes_(lines, gap) {
         is_used_.assign(lines.size(), false);
         for (std::size_t i = 0; i < lines.size(); ++i) {
+            if (lines[i].size() > 3 && (lines[i].front() - lines[i].back()).norm() <= gap) nodes_.join_ends_of(i);
+        }
+        for (std::size_t i = 0; i < lines.size(); ++i) {
             ends_.emplace_back(nodes_.of_start(i), nodes_.of_end(i));
-            is_used_[i] = length_of_line(lines[i]) > gap;
+            is_used_[i] = length_of_line(lines[i]) > 0;
         }
         drop_repeated();
         prune();

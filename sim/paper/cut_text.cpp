@@ -59,6 +59,11 @@ class CutText {
         const std::optional<std::size_t> at = find(CutWord::Cut);
         const std::optional<int> count = at ? count_beside(*at) : std::nullopt;
         const bool is_on_fold = find(CutWord::Fold).has_value();
+        if (is_on_fold && is_negated()) return false;
+        if (!at && is_fold_phrase()) {
+            if (!cut.is_on_fold) cut.is_on_fold = true;
+            return true;
+        }
         // "Cut on fold" says nothing of the number; "cut here" nothing at all.
         if (!count && !(at && is_on_fold)) return false;
         if (!count) {
@@ -95,6 +100,33 @@ class CutText {
             if (is(i, word)) return i;
         }
         return std::nullopt;
+    }
+
+    // "Do not cut on fold".
+    bool is_negated() const {
+        return std::ranges::any_of(words_, [](const std::string& word) {
+            return has_word("not don dont never nicht kein ne pas no niet geen", word);
+        });
+    }
+
+    // "Place on fold", "C.F. fold", "1 x im Bruch", "sur la pliure": words that only say where the fold lies. A lone
+    // "fold" may be a line along which the part is folded.
+    bool is_fold_phrase() const {
+        constexpr std::string_view where =
+            "place on the at im am auf an sur la le au à en al op de het aan den tegen center centre front back cf cb "
+            "c f b "
+            "vordere hintere mitte vm hm milieu devant dos medio centro lomo";
+        constexpr std::string_view whole = "onfold stoffbruch stofvouw";  // say it alone
+        bool has_fold = false, is_placed = false;
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            const std::string& word = words_[i];
+            const bool is_fold = is(i, CutWord::Fold);
+            has_fold = has_fold || is_fold;
+            is_placed = is_placed || has_word(where, word) || has_word(whole, word);
+            const bool is_count = std::isdigit(static_cast<unsigned char>(word.front())) != 0 || word == "x1";
+            if (!is_fold && !is_count && !has_word(where, word) && !is(i, CutWord::Times)) return false;
+        }
+        return has_fold && is_placed;
     }
 
     bool has_colon() const { return text_.find(':') != std::string_view::npos; }

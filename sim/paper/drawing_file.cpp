@@ -35,6 +35,10 @@ Drawing parse_drawing(std::string_view text, const std::string& file) {
     }
     if (looks_like_dxf(text)) return read_dxf(text, file);
     if (looks_like_svg(text)) return read_svg(text, file);
+    if (text.starts_with("AC10")) throw InputError(file, "", "a DWG: save it as DXF (ASCII)");
+    if (text.starts_with("\x1F\x8B")) throw InputError(file, "", "a compressed file: unpack it");
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        throw InputError(file, "", "text in UTF-16: save it as UTF-8");
     throw InputError(file, "", "neither SVG, DXF nor a draft of FreeSewing");
 }
 

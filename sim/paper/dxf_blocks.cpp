@@ -19,9 +19,9 @@ class BlockPlacer {
         for (std::size_t b = 0; b < blocks.size(); ++b) by_name_[blocks[b].name].push_back(b);
     }
 
-    std::vector<DxfPiece> place(const std::vector<DxfInsert>& inserts) {
+    std::vector<DxfPiece> place(const std::vector<DxfInsert>& inserts, bool has_loose) {
         for (const DxfInsert& insert : inserts) collect(insert, Eigen::Affine2d::Identity(), 0);
-        const bool is_any_placed = !maps_.empty();
+        const bool is_any_placed = has_loose || !maps_.empty();
         std::vector<DxfPiece> pieces;
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
             const auto found = maps_.find(b);
@@ -68,6 +68,9 @@ class BlockPlacer {
     void collect(const DxfInsert& insert, const Eigen::Affine2d& above, int depth) {
         check_depth(depth, insert);
         const auto found = block_of(insert, placed_[insert.block]++);
+        if (!found && missing_.insert(insert.block).second)
+            notes_.push_back("line " + std::to_string(insert.line) + ": block '" + insert.block +
+                             "' is not in the file");
         if (!found) return;
         if (insert.is_hidden) {
             hidden_.insert(*found);
@@ -152,6 +155,7 @@ class BlockPlacer {
     std::map<std::size_t, std::vector<Eigen::Affine2d>> maps_;  // where blocks stand in the drawing
     std::set<std::size_t> is_part_;
     std::set<std::size_t> hidden_;
+    std::set<std::string> missing_;
     int steps_ = 0;
     int scaled_ = 0;
 };
@@ -159,9 +163,9 @@ class BlockPlacer {
 }  // namespace
 
 std::vector<DxfPiece> placed_pieces(const std::vector<DxfPiece>& blocks, const std::vector<DxfInsert>& inserts,
-                                    const std::string& file, std::vector<std::string>& notes) {
+                                    bool has_loose, const std::string& file, std::vector<std::string>& notes) {
     BlockPlacer placer(blocks, file, notes);
-    std::vector<DxfPiece> pieces = placer.place(inserts);
+    std::vector<DxfPiece> pieces = placer.place(inserts, has_loose);
     if (placer.scaled() > 0)
         notes.push_back("blocks are placed at a scale of their own (" + std::to_string(placer.scaled()) + "): applied");
     return pieces;

@@ -50,7 +50,10 @@ class DxfReader {
         if (!version_.empty()) drawing_.format += " (" + std::string(version_) + ")";
         if (hidden_ > 0)
             drawing_.notes.push_back(count_text(static_cast<std::size_t>(hidden_), "hidden element") + " left out");
-        std::vector<DxfPiece> pieces = placed_pieces(blocks_, loose_.inserts, file_, drawing_.notes);
+        constexpr std::size_t kOutline = 3;  // lines that may make one
+        const bool has_loose = loose_.lines.size() >= kOutline ||
+                               std::ranges::any_of(loose_.lines, [](const DxfLine& line) { return line.is_closed; });
+        std::vector<DxfPiece> pieces = placed_pieces(blocks_, loose_.inserts, has_loose, file_, drawing_.notes);
         for (const DxfPiece& piece : pieces) {
             for (const DxfLayerText& text : piece.texts) read_file_text(text.text);
         }
@@ -113,14 +116,24 @@ class DxfReader {
                 if (entities.size() > kMostEntities * 20) throw InputError(file_, "", "more than 2 million entities");
             }
         }
-        finish();  // a file that was cut off still has its last section
+        if (!section.empty())
+            throw InputError(file_, "line " + std::to_string(groups_.back().line),
+                             "the file ends within its section " + std::string(section) + ": it was cut off");
     }
 
     void read_variable(std::string_view name, const DxfGroup& value) {
         if (name == "$ACADVER") version_ = value.value;
         if (name != "$INSUNITS") return;
-        constexpr std::array<std::pair<int, double>, 5> units{
-            {{1, 0.0254}, {2, 0.3048}, {4, 0.001}, {5, 0.01}, {6, 1}}};
+        constexpr std::array<std::pair<int, double>, 10> units{{{1, 0.0254},
+                                                                {2, 0.3048},
+                                                                {4, 0.001},
+                                                                {5, 0.01},
+                                                                {6, 1},
+                                                                {8, 2.54e-8},
+                                                                {9, 2.54e-5},
+                                                                {10, 0.9144},
+                                                                {13, 1e-6},
+                                                                {14, 0.1}}};
         for (const auto& [code, metres] : units) {
             if (dxf_number(value.value) == code) drawing_.metres_per_unit = metres;
         }
@@ -128,11 +141,12 @@ class DxfReader {
 
     // Layers that are frozen, or off: their colour is negative.
     void read_layers(const std::vector<DxfEntity>& tables) {
+        hidden_layers_.insert("defpoints");  // which AutoCAD never plots
         for (const DxfEntity& entity : tables) {
             if (entity.type != "LAYER") continue;
             const int flags = static_cast<int>(std::clamp(entity.number(70).value_or(0), 0.0, 1e6));
             const bool is_hidden = (flags & 1) != 0 || entity.number(62).value_or(1) < 0;
-            if (is_hidden) hidden_layers_.insert(dxf_string(entity.text(2).value_or("")));
+            if (is_hidden) hidden_layers_.insert(lower_case(dxf_string(entity.text(2).value_or(""))));
         }
     }
 
@@ -170,10 +184,11 @@ class DxfReader {
     void settle_unit(const std::vector<DxfPiece>& pieces) {
         constexpr double kTooSmall = 0.12, kMillimetre = 0.001, kCentimetre = 0.01;  // m
         if (!is_metric_) return;
-        const bool is_stated = drawing_.metres_per_unit == kCentimetre || drawing_.metres_per_unit == 1.0;
-        if (!is_stated) drawing_.metres_per_unit = kMillimetre;
+        constexpr double kTooLarge = 3;  // m
         double largest = 0;
         for (const DxfPiece& piece : pieces) largest = std::max(largest, largest_side(piece));
+        const bool is_stated = drawing_.metres_per_unit == kCentimetre || drawing_.metres_per_unit == 1.0;
+        if (!is_stated || largest * *drawing_.metres_per_unit > kTooLarge) drawing_.metres_per_unit = kMillimetre;
         const bool is_small = largest > 0 && largest * kMillimetre < kTooSmall && largest * kCentimetre > 2 * kTooSmall;
         if (drawing_.metres_per_unit != kMillimetre || !is_small) return;
         drawing_.metres_per_unit = kCentimetre;
@@ -348,6 +363,7 @@ class DxfReader {
         if (has_records) take_records(piece.records, part);
         if (has_records && !piece.records.is_placement_broken) part.placement = piece.records.placement;
         drawing_.parts.push_back(std::move(part));
+        block_names_.push_back(piece.name);
     }
 
     // Of a piece whose sewing line is closed.
@@ -552,6 +568,12 @@ class DxfReader {
         for (std::size_t p = 0; p < splits.size(); ++p) {
             if (splits[p]) std::tie(drawing_.parts[p].name, drawing_.parts[p].size) = *splits[p];
         }
+        // "Piece Name: FRONT" in the blocks FRONT_S and FRONT_M.
+        if (block_names_.size() != drawing_.parts.size()) return;
+        const auto of_blocks = split_sizes(block_names_);
+        for (std::size_t p = 0; p < of_blocks.size(); ++p) {
+            if (of_blocks[p] && drawing_.parts[p].size.empty()) drawing_.parts[p].size = of_blocks[p]->second;
+        }
     }
 
     // Names that differ, so that reports can tell the pieces apart; one size has each name once.
@@ -572,6 +594,7 @@ class DxfReader {
     std::vector<DxfPiece> blocks_;
     DxfPiece loose_;                        // what lies in no block
     DxfJoints joints_;                      // not told yet
+    std::vector<std::string> block_names_;  // per part that is a block
     bool is_metric_ = false;                // the file says "METRIC"
     std::optional<InputError> first_open_;  // of the first block whose outline is open
     std::vector<std::string> seam_texts_, sewing_texts_;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <unsupported/Eigen/Splines>
 
 #include "sim/core/error.h"
+#include "sim/core/lower_case.h"
 #include "sim/paper/dxf_layers.h"
 
 namespace selvedge::sim {
@@ -158,12 +160,14 @@ DxfLine DxfEntityReader::line_of(const DxfEntity& entity) const {
 }
 
 bool DxfEntityReader::is_hidden(const DxfEntity& entity) const {
-    return entity.number(60).value_or(0) == 1 || hidden_layers_.contains(layer_of(entity));
+    return entity.number(60).value_or(0) == 1 || hidden_layers_.contains(lower_case(layer_of(entity)));
 }
 
 void DxfEntityReader::add(DxfPiece& piece, DxfLine line, const DxfEntity& entity) {
-    // An object seen from below has its x axis to the left.  (DXF Reference, "Object Coordinate Systems")
-    if (entity.number(230).value_or(1) < 0) {
+    // A flat object seen from below has its x axis to the left; lines, splines and ellipses have the drawing's.  (DXF
+    // Reference, "Object Coordinate Systems")
+    const bool is_flat = entity.type.ends_with("POLYLINE") || entity.type == "ARC" || entity.type == "CIRCLE";
+    if (is_flat && entity.number(230).value_or(1) < 0) {
         for (Vec2d& p : line.points) p.x() = -p.x();
     }
     vertices_ += line.points.size();
@@ -182,6 +186,7 @@ void DxfEntityReader::read_comments(const DxfEntity& entity, DxfPiece& piece) {
 std::size_t DxfEntityReader::read(const std::vector<DxfEntity>& all, std::size_t index, DxfPiece& piece) {
     const DxfEntity& entity = all[index];
     read_comments(entity, piece);
+    if (entity.number(67).value_or(0) == 1) return 0;  // on a sheet of paper space, not in the drawing
     if (is_hidden(entity)) {
         ++hidden_;
         if (entity.type == "INSERT") {
@@ -222,9 +227,15 @@ std::size_t DxfEntityReader::read_polyline(const std::vector<DxfEntity>& all, st
     std::vector<std::pair<Vec2d, double>> vertices;
     std::size_t taken = 0;
     for (std::size_t i = index + 1; i < all.size() && all[i].type == "VERTEX"; ++i) {
-        vertices.emplace_back(point(all[i], 10), std::clamp(all[i].number(42).value_or(0), -1e3, 1e3));
+        constexpr unsigned kControlVertex = 16;
+        const auto flags = static_cast<unsigned>(std::clamp(all[i].number(70).value_or(0), 0.0, 1e6));
+        const bool is_control = (flags & kControlVertex) != 0;
+        vertices.emplace_back(point(all[i], 10), is_control ? std::numeric_limits<double>::quiet_NaN()
+                                                            : std::clamp(all[i].number(42).value_or(0), -1e3, 1e3));
         ++taken;
     }
+    // In a spline fit, the vertices that only steer it.
+    std::erase_if(vertices, [](const auto& vertex) { return std::isnan(vertex.second); });
     if (index + taken + 1 < all.size() && all[index + taken + 1].type == "SEQEND") ++taken;
     for (std::size_t i = index + 1; i <= index + taken; ++i) read_comments(all[i], piece);
     DxfLine line = line_of(all[index]);
@@ -235,12 +246,15 @@ std::size_t DxfEntityReader::read_polyline(const std::vector<DxfEntity>& all, st
 
 void DxfEntityReader::read_lwpolyline(const DxfEntity& entity, DxfPiece& piece) {
     std::vector<std::pair<Vec2d, double>> vertices;
+    std::size_t heights = 0;
     for (const DxfGroup& group : entity.groups) {
         if (group.code == 10) vertices.emplace_back(Vec2d(coordinate(entity, group.value), 0), 0);
         if (vertices.empty()) continue;
         if (group.code == 20) vertices.back().first.y() = coordinate(entity, group.value);
         if (group.code == 42) vertices.back().second = std::clamp(dxf_number(group.value).value_or(0), -1e3, 1e3);
+        heights += group.code == 20 ? 1 : 0;
     }
+    if (heights != vertices.size()) fail(entity, "a vertex has no y");
     DxfLine line = line_of(entity);
     draw_vertices(vertices, closes(entity), line);
     add(piece, std::move(line), entity);
@@ -269,7 +283,8 @@ void DxfEntityReader::read_arc(const DxfEntity& entity, DxfPiece& piece) {
 void DxfEntityReader::read_ellipse(const DxfEntity& entity, DxfPiece& piece) {
     const Vec2d centre = point(entity, 10), along = point(entity, 11);
     const double ratio = std::clamp(entity.number(40).value_or(1), -1.0, 1.0);
-    const Vec2d across = ratio * Vec2d(-along.y(), along.x());
+    const double side = entity.number(230).value_or(1) < 0 ? -1 : 1;  // from which it is seen
+    const Vec2d across = side * ratio * Vec2d(-along.y(), along.x());
     const double whole = 2 * std::numbers::pi;
     const double from = std::fmod(entity.number(41).value_or(0), whole);
     double to = std::clamp(entity.number(42).value_or(whole), -2 * whole, 2 * whole);
@@ -307,6 +322,11 @@ void DxfEntityReader::read_spline(const DxfEntity& entity, DxfPiece& piece) {
     if (control.size() <= degree || knots.size() != control.size() + degree + 1 || !std::ranges::is_sorted(knots))
         fail(entity, "its knots do not fit its control points");
     const double from = knots[degree], to = knots[control.size()];
+    if (degree == 1) {
+        line.points = control;
+        line.is_closed = control.size() > 3 && control.front() == control.back();
+        return add(piece, std::move(line), entity);
+    }
     const std::size_t steps = std::min<std::size_t>(16 * control.size(), 20000);
     for (std::size_t i = 0; i <= steps; ++i) {
         const double t = from + (to - from) * static_cast<double>(i) / static_cast<double>(steps);
@@ -325,6 +345,7 @@ void DxfEntityReader::read_text(const DxfEntity& entity, DxfPiece& piece) {
     text.text += dxf_string(entity.text(1).value_or(""));
     if (entity.type == "MTEXT") text.text = plain_text(text.text);
     if (entity.text(10) && entity.text(20)) text.at = point(entity, 10);
+    if (entity.type != "MTEXT" && entity.number(230).value_or(1) < 0) text.at.x() = -text.at.x();
     piece.texts.push_back(std::move(text));
 }
 

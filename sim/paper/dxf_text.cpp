@@ -57,6 +57,7 @@ bool is_utf8(std::string_view text) {
 }  // namespace
 
 bool looks_like_dxf(std::string_view text) {
+    if (text.starts_with("AutoCAD Binary DXF")) return true;
     // Comments (999) may come before the first section.
     std::string_view rest = text.substr(0, 65536);
     for (int i = 0; i < 200 && !rest.empty(); ++i) {
@@ -65,7 +66,7 @@ bool looks_like_dxf(std::string_view text) {
         if (code == "0") return value == "SECTION";
         if (code != "999") return false;
     }
-    return text.starts_with("AutoCAD Binary DXF");
+    return false;
 }
 
 std::vector<DxfGroup> parse_dxf(std::string_view text, const std::string& file) {

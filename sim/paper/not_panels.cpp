@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -43,13 +44,26 @@ bool is_legend_word(const Words& words) {
 bool is_ornament_word(const Words& words) {
     const bool is_test_square = has_one_of(words, {"test"}) && has_one_of(words, {"square"});
     return is_test_square || is_legend_word(words) ||
-           has_one_of(words,
-                      {"logo", "logos", "watermark", "lettering", "scalebar", "testsquare", "scalebox", "titleblock"});
+           has_one_of(words, {"logo", "logos", "watermark", "lettering", "scalebar", "ruler", "lineal", "maßstab",
+                              "massstab", "testsquare", "scalebox", "titleblock"});
 }
 
 bool is_test_word(const Words& words) {
-    return has_one_of(words, {"test", "testsquare", "square", "scale", "quadrat", "testquadrat", "kontrollquadrat",
-                              "print", "check", "carré", "carre", "cuadrado", "vierkant", "calibration"});
+    constexpr std::array<std::string_view, 12> known{"test",  "square", "scale",       "quadrat",
+                                                     "print", "check",  "carré",       "cuadrado",
+                                                     "carre", "cuadro", "calibration", "vierkant"};
+    return std::ranges::any_of(words, [&](const std::string& word) {
+        return std::ranges::any_of(known, [&](std::string_view one) { return word.find(one) != std::string::npos; });
+    });
+}
+
+// A text that is nothing but lengths: "10 cm", "4\" / 10 cm".
+bool is_only_lengths(const std::string& text) {
+    return std::ranges::all_of(words_of(text), [](const std::string& word) {
+        const bool is_unit = word == "cm" || word == "mm" || word == "in" || word == "inch" || word == "inches" ||
+                             word == "x" || word == "zoll";
+        return is_unit || std::isdigit(static_cast<unsigned char>(word.front())) != 0;
+    });
 }
 
 struct Paper {
@@ -72,7 +86,8 @@ constexpr std::array kPapers = std::to_array<Paper>({{0.841, 1.189},
 
 class NotPanelFinder {
  public:
-    NotPanelFinder(const PlainDrawing& drawing, std::vector<PlainArea>& areas) : drawing_(drawing), areas_(areas) {}
+    NotPanelFinder(const PlainDrawing& drawing, std::vector<PlainArea>& areas)
+        : drawing_(drawing), areas_(areas), is_tile_(areas.size(), false) {}
 
     NotPanels find() {
         find_test_squares();
@@ -168,26 +183,25 @@ class NotPanelFinder {
         for (const DrawnText& text : drawing_.texts) {
             if (!reach.contains(text.at)) continue;
             said += text.text + " ";
-            is_named = is_named || is_test_word(words_of(lower_case(text.text)));
+            is_named = is_named || is_test_word(words_of(lower_case(text.text))) ||
+                       (!lengths_in(text.text).empty() && is_only_lengths(text.text));
         }
-        const std::vector<double> lengths = lengths_in(said);
         constexpr double kTrue = 0.02, kExact = 0.003;
         constexpr double kSmallest = 0.009, kLargest = 0.21;  // m, of test squares
-        for (const double length : lengths) {
+        const double stated = drawing_.metres_per_unit.value_or(0);
+        // Of "4 in / 10 cm" the one that the file's own unit makes true, or nearly.
+        std::optional<double> said_length;
+        const auto off = [&](double length) { return stated > 0 ? std::abs(std::log(length / side / stated)) : 0; };
+        for (const double length : lengths_in(said)) {
             if (length < kSmallest || length > kLargest) continue;
-            const double stated = drawing_.metres_per_unit.value_or(0), proved = length / side;
-            const bool is_true = stated > 0 && std::abs(stated - proved) < kTrue * proved;
-            if (!is_true && !is_named && stated > 0) continue;
-            // "4 in" beside a square of 10 cm: the one that the file's own unit makes true.
-            if (!is_true && std::ranges::any_of(lengths, [&](double other) {
-                    return stated > 0 && std::abs(stated - other / side) < kTrue * stated;
-                }))
-                continue;
-            if (std::abs(stated - proved) > kExact * proved) tell_scale(a, length, side, stated);
-            leave_out_whole(a);
-            out_.notes.push_back(name_of(a) + ": a test square, left out");
-            return;
+            if (!said_length || off(length) < off(*said_length)) said_length = length;
         }
+        if (!said_length) return;
+        const bool is_true = stated > 0 && off(*said_length) < kTrue;
+        if (!is_true && !is_named && stated > 0) return;
+        if (!(stated > 0) || off(*said_length) > kExact) tell_scale(a, *said_length, side, stated);
+        leave_out_whole(a);
+        out_.notes.push_back(name_of(a) + ": a test square, left out");
     }
 
     void tell_scale(std::size_t a, double length, double side, double stated) {
@@ -237,12 +251,55 @@ class NotPanelFinder {
 
     bool leave_out_one_frame() {
         for (std::size_t a = 0; a < areas_.size(); ++a) {
-            if (!is_kept(a) || areas_[a].parent || !is_upright_rectangle(areas_[a], shape(areas_[a]))) continue;
-            if (!is_frame(a)) continue;
+            if (!is_kept(a) || areas_[a].parent || !fills_its_box(areas_[a])) continue;
+            if (!(is_upright_rectangle(areas_[a], shape(areas_[a])) ? is_frame(a) || is_tile(a) : is_background(a)))
+                continue;
+            is_tile_[a] = is_upright_rectangle(areas_[a], shape(areas_[a]));
             leave_out_frame(a, "a page frame");
             return true;
         }
         return false;
+    }
+
+    // One of several rectangles of one size, which together hold all else: the sheets of a tiled print.
+    bool is_tile(std::size_t a) const {
+        constexpr int kLeast = 6;
+        constexpr double kSame = 2e-3;
+        int tiles = 0;
+        bool has_other = false;
+        Eigen::AlignedBox2d all, others;
+        for (std::size_t b = 0; b < areas_.size(); ++b) {
+            if (areas_[b].is_left_out && !is_tile_[b]) continue;
+            const Vec2d off = areas_[b].box.sizes() - areas_[a].box.sizes();
+            const bool is_one = is_upright_rectangle(areas_[b], shape(areas_[b])) &&
+                                off.norm() < kSame * areas_[a].box.diagonal().norm();
+            tiles += is_one ? 1 : 0;
+            has_other = has_other || !is_one;
+            (is_one ? all : others).extend(areas_[b].box);
+        }
+        return tiles >= kLeast && has_other && all.contains(others);
+    }
+
+    // Whether a shape that is no rectangle, as a frame with round corners, holds all else, and parts that fill much of
+    // it.
+    bool is_background(std::size_t a) const {
+        constexpr double kFilled = 0.2;  // of its area
+        if (shape(areas_[a]).path.kind == LineKind::Cut || shape(areas_[a]).path.kind == LineKind::Sew) return false;
+        double filled = 0;
+        int parts = 0;
+        for (std::size_t b = 0; b < areas_.size(); ++b) {
+            if (b == a || !is_kept(b)) continue;
+            if (!areas_[b].parent) {
+                if (areas_[b].area > 0.1 * areas_[a].area) return false;  // a part beside it
+                continue;
+            }
+            if (areas_[b].parent != a) continue;
+            if (shape(areas_[b]).path.kind == LineKind::Sew) return false;
+            if (is_inset(areas_[b], areas_[a])) return has_parts_in(b);
+            filled += areas_[b].area;
+            parts += areas_[b].area > 0.03 * areas_[a].area ? 1 : 0;
+        }
+        return (parts > 1 || is_page_word(own_words(a))) && filled > kFilled * areas_[a].area;
     }
 
     // Whether a rectangle that lies in no other is a page frame.
@@ -362,6 +419,7 @@ class NotPanelFinder {
     const PlainDrawing& drawing_;
     std::vector<PlainArea>& areas_;
     NotPanels out_;
+    std::vector<bool> is_tile_;  // rectangles that were left out as frames
     int small_ = 0;
 };
 

@@ -42,13 +42,13 @@ PlainArea area_of_shape(const DrawnPath& path, std::size_t shape) {
 
 // The same outline, drawn again.
 bool repeats(const PlainArea& area, const PlainArea& other) {
-    constexpr double kSame = 1e-4;  // of its size
+    constexpr double kSame = 5e-4;  // of its size: a curve, and the lines of which another program made it
     const double near = kSame * other.box.diagonal().norm();
     if ((area.box.min() - other.box.min()).norm() > near || (area.box.max() - other.box.max()).norm() > near ||
-        std::abs(area.area - other.area) > kSame * other.area)
+        std::abs(area.area - other.area) > 4 * kSame * other.area)
         return false;
     return std::ranges::all_of(area.points,
-                               [&](const Vec2d& p) { return distance_to_outline(p, other.points) <= 10 * near; });
+                               [&](const Vec2d& p) { return distance_to_outline(p, other.points) <= 2 * near; });
 }
 
 }  // namespace
@@ -79,8 +79,9 @@ std::vector<PlainArea> find_areas(const std::vector<PlainShape>& shapes, const s
     return areas;
 }
 
-bool is_inset(const PlainArea& inner, const PlainArea& outer) {
-    constexpr double kSpread = 0.35;
+namespace {
+
+bool is_inset_within(const PlainArea& inner, const PlainArea& outer, double spread) {
     double sum = 0;
     std::vector<double> distances;
     for (const Vec2d& p : inner.points) {
@@ -91,7 +92,24 @@ bool is_inset(const PlainArea& inner, const PlainArea& outer) {
     std::ranges::sort(distances);
     const double low = distances[distances.size() / 10], high = distances[distances.size() * 9 / 10];
     const double size = std::sqrt(outer.area);
-    return mean > 0 && high - low < kSpread * mean && mean < 0.15 * size && inner.area > 0.5 * outer.area;
+    return mean > 0 && high - low < spread * mean && mean < 0.15 * size && inner.area > 0.5 * outer.area;
+}
+
+}  // namespace
+
+bool is_inset(const PlainArea& inner, const PlainArea& outer) {
+    constexpr double kSpread = 0.35;  // of the mean distance
+    return is_inset_within(inner, outer, kSpread);
+}
+
+bool is_even_inset(const PlainArea& inner, const PlainArea& outer) {
+    constexpr double kSpread = 0.1;  // of the mean distance
+    return is_inset_within(inner, outer, kSpread);
+}
+
+bool fills_its_box(const PlainArea& area) {
+    constexpr double kMost = 0.75;  // an ellipse fills 0.785
+    return area.area > kMost * area.box.sizes().prod();
 }
 
 bool is_upright_rectangle(const PlainArea& area, const PlainShape& shape) {

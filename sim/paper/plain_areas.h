@@ -23,6 +23,12 @@ std::vector<PlainArea> find_areas(const std::vector<PlainShape>& shapes, const s
 // Whether one area runs inside another at a nearly constant distance: the sewing line in the cut line.
 bool is_inset(const PlainArea& inner, const PlainArea& outer);
 
+// As is_inset(), with the same distance everywhere: lines that a program drew beside each other. Sizes are uneven.
+bool is_even_inset(const PlainArea& inner, const PlainArea& outer);
+
+// Whether an area fills most of its box, as a frame with round corners, or with a notch for its title, does.
+bool fills_its_box(const PlainArea& area);
+
 // Whether straight edges, each along an axis, enclose a rectangle; within a hundredth of its size.
 bool is_upright_rectangle(const PlainArea& area, const PlainShape& shape);
 

@@ -29,15 +29,26 @@ bool says(const std::string& text, std::string_view part) {
 
 bool is_generated(const std::string& id) {
     if (id.empty()) return true;
-    for (const std::string_view prefix :
-         {"path", "rect", "polygon", "polyline", "circle", "ellipse", "SVGID", "use", "g", "layer", "Layer_", "line"}) {
+    for (const std::string_view prefix : {"path", "rect", "polygon", "polyline", "circle", "ellipse", "SVGID", "XMLID_",
+                                          "Artboard", "use", "g", "layer", "Layer_", "line"}) {
         if (!id.starts_with(prefix)) continue;
         const std::string rest = id.substr(prefix.size());
-        if (std::ranges::all_of(
-                rest, [](char c) { return std::isdigit(static_cast<unsigned char>(c)) || c == '-' || c == '_'; }))
+        if (std::ranges::all_of(rest, [](char c) {
+                return std::isdigit(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == ' ';
+            }))
             return true;
     }
     return false;
+}
+
+// Whether a text in a part can be its name: no size, number, measure or instruction.
+bool is_name(const std::string& text) {
+    CutInstructions cut;
+    const bool has_letters = std::ranges::any_of(words_of(text), [](const std::string& word) {
+        return word.size() > 2 && !std::isdigit(static_cast<unsigned char>(word.front()));
+    });
+    return has_letters && !size_of_name(text) && !says(text, "=") && !text.starts_with('#') &&
+           !read_cut_text(text, cut);
 }
 
 // The words that the file has for a shape: its own, and those of its groups.
@@ -89,6 +100,8 @@ class PlainReader {
         }
         if (closed == 0 && drawing_.parts.empty()) refuse_open();
         add_open_shapes();
+        tell_outside();
+        tell_lines_inside();
         add_texts();
         for (const DrawnMark& mark : plain_.marks) {
             for (DrawnPart* part : parts_at(mark.at)) part->marks.push_back(mark);
@@ -250,9 +263,12 @@ class PlainReader {
             if (areas_[b].is_left_out || parent_of_same_size(b) != a) continue;
             DrawnPath path = plain_.shapes[areas_[b].shape].path;
             if (!has_sewing_line && (path.kind == LineKind::Sew || is_inset(areas_[b], areas_[a]))) {
+                insets_ += path.kind == LineKind::Sew ? 0 : 1;
                 path.kind = LineKind::Sew;
                 has_sewing_line = true;
             } else if (path.kind != LineKind::Help && path.kind != LineKind::Cutout) {
+                constexpr double kLarge = 0.05;  // of the part's area
+                large_lines_ += areas_[b].area > kLarge * areas_[a].area ? 1 : 0;
                 path.kind = LineKind::Internal;
             }
             part.paths.push_back(std::move(path));
@@ -262,6 +278,16 @@ class PlainReader {
         if (outer != LineKind::Cut && outer != LineKind::Sew) outer = LineKind::Unknown;
         part_of_area_.push_back(a);
         drawing_.parts.push_back(std::move(part));
+    }
+
+    void tell_lines_inside() {
+        if (insets_ > 0)
+            drawing_.notes.push_back(
+                count_text(insets_, "part") +
+                " drawn as two outlines at an even distance: the inner is taken for the sewing line");
+        if (large_lines_ > 0)
+            drawing_.notes.push_back(count_text(large_lines_, "closed outline") +
+                                     " within a part: taken for lines in it, not for parts");
     }
 
     std::size_t first_part() const { return drawing_.parts.size() - part_of_area_.size(); }
@@ -284,12 +310,32 @@ class PlainReader {
             std::vector<DrawnPart*> parts = parts_at((from + to) / 2);
             if (parts.empty()) parts = parts_at(from);
             if (parts.empty()) parts = parts_at(to);
+            if (parts.empty() && !is_mark_kind(shape.path.kind)) note_outside(shape);
             if (parts.empty() && nearly_closes(shape.path)) {
                 drawing_.notes.push_back(shape.path.place + ": " +
                                          open_by(gap_of(shape.path), drawing_.metres_per_unit) + ", left out");
             }
             for (DrawnPart* part : parts) add_open(shape, unit, *part);
         }
+    }
+
+    // Of lines that lie in no part, the longest: it may be of a part that is not closed.
+    void note_outside(const PlainShape& shape) {
+        Eigen::AlignedBox2d box;
+        for (const Vec2d& v : shape.path.vertices) box.extend(v);
+        ++outside_;
+        if (box.diagonal().norm() <= longest_outside_) return;
+        longest_outside_ = box.diagonal().norm();
+        place_outside_ = shape.path.place;
+    }
+
+    void tell_outside() {
+        constexpr double kShare = 0.3;  // of the largest part's size
+        double largest = 0;
+        for (const std::size_t a : part_of_area_) largest = std::max(largest, areas_[a].box.diagonal().norm());
+        if (outside_ == 0 || longest_outside_ < kShare * largest) return;
+        drawing_.notes.push_back(count_text(outside_, "open line") +
+                                 " in no part, left out: is an outline not closed? The longest is " + place_outside_);
     }
 
     static void add_open(const PlainShape& shape, double unit, DrawnPart& part) {
@@ -326,7 +372,10 @@ class PlainReader {
                 names.push_back(group->label);
                 names.push_back(group->id);
             }
-            for (const DrawnText& text : part.texts) names.push_back(text.text);
+            for (const DrawnPath& path : part.paths) names.push_back(path.name);
+            for (const DrawnText& text : part.texts) {
+                if (is_name(text.text)) names.push_back(text.text);
+            }
             const auto name = std::ranges::find_if(names, [&](const std::string& one) {
                 return !is_generated(one) && (part.size.empty() || size_of_name(one) != part.size);
             });
@@ -350,7 +399,12 @@ class PlainReader {
     PlainDrawing plain_;
     const std::string& file_;
     Drawing& drawing_;
-    double gap_ = 0;  // file units
+    double gap_ = 0;              // file units
+    std::size_t outside_ = 0;     // open lines that lie in no part
+    double longest_outside_ = 0;  // file units
+    std::string place_outside_;
+    std::size_t insets_ = 0;       // parts whose inner line was taken for the sewing line by its distance alone
+    std::size_t large_lines_ = 0;  // closed lines in a part that are large
     std::vector<PlainArea> areas_;
     SizeNests nests_;
     std::vector<std::size_t> part_of_area_;  // per part of this drawing: its outermost area

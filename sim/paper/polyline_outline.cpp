@@ -42,6 +42,32 @@ void add_run(DrawnPath& path, std::span<const Vec2d> points, double tolerance) {
     }
 }
 
+// Adds the ends of straight edges that run smoothly into curves: segments that are much longer than those beside them.
+// A curve through both would bulge on the long one. Pre: the corners are sorted; so they stay.
+void add_ends_of_straight_edges(const std::vector<Vec2d>& points, bool is_closed, std::vector<int>& corners) {
+    constexpr double kMuchLonger = 4;  // a flattened curve has no such neighbours
+    constexpr double kLeast = 0.02;    // of the whole line
+    const int count = static_cast<int>(points.size());
+    const int segments = is_closed ? count : count - 1;
+    const auto length = [&](int i) {
+        const int at = (i + count) % count;
+        return (points[as_size((at + 1) % count)] - points[as_size(at)]).norm();
+    };
+    double whole = 0;
+    for (int i = 0; i < segments; ++i) whole += length(i);
+    std::vector<int> ends;
+    for (int i = 0; i < segments; ++i) {
+        const int next = (i + 1) % count;
+        const bool begins = std::ranges::binary_search(corners, i), stops = std::ranges::binary_search(corners, next);
+        if ((begins && stops) || length(i) < kLeast * whole) continue;
+        const double before = begins ? 0 : length(i - 1), after = stops ? 0 : length(i + 1);
+        if (length(i) > kMuchLonger * std::max(before, after)) ends.insert(ends.end(), {i, next});
+    }
+    corners.insert(corners.end(), ends.begin(), ends.end());
+    std::ranges::sort(corners);
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+}
+
 }  // namespace
 
 std::vector<int> find_corners(const std::vector<Vec2d>& points, bool is_closed) {
@@ -87,6 +113,7 @@ DrawnPath outline_of_points(std::vector<Vec2d> points, bool is_closed, const Pol
     std::ranges::sort(corners);
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     if (corners.empty()) corners = find_corners(different, is_closed);
+    if (different.size() > 3) add_ends_of_straight_edges(different, is_closed, corners);
     if (corners.empty()) corners = {0, count / 2};  // a smooth loop begins anywhere
     if (corners.size() == 1 && is_closed) corners.push_back((corners[0] + count / 2) % count);
     std::ranges::sort(corners);

@@ -88,14 +88,24 @@ std::optional<std::string> size_of_name(std::string_view name) {
     std::string_view rest = without_blanks(small);
     const bool is_told = take_size_word(rest);
     if (is_told) take_size_word(rest);  // "Size EU 38"
-    if (rest.empty() || rest.size() > 12) return std::nullopt;
+    constexpr std::size_t kLongest = 16;
+    if (rest.empty() || rest.size() > kLongest) return std::nullopt;
+    // "34/36" and "S-M" are one size; of "EU 38 / UK 10" the first is its name.
+    std::string size;
     std::string_view words = rest;
     while (!words.empty()) {
         const std::size_t stop = std::min(words.find_first_of("/-"), words.size());
-        if (!is_size_word(words.substr(0, stop), is_told)) return std::nullopt;
+        std::string_view word = without_blanks(words.substr(0, stop));
+        const bool is_of_region = take_size_word(word);
+        if (!is_size_word(word, is_told || is_of_region)) return std::nullopt;
+        if (size.empty()) {
+            size = word;
+        } else if (!is_of_region) {
+            size += words.data()[-1];
+            size += word;
+        }
         words.remove_prefix(std::min(stop + 1, words.size()));
     }
-    std::string size(rest);
     std::ranges::transform(size, size.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     return size;
 }
@@ -110,8 +120,12 @@ std::optional<std::pair<std::string, std::string>> split_size(std::string_view n
             stem.remove_suffix(word.size());
     }
     while (!stem.empty() && is_blank(stem.back())) stem.remove_suffix(1);
-    if (!size || stem.empty()) return std::nullopt;
-    return std::pair(std::string(stem), *size);
+    if (size && !stem.empty()) return std::pair(std::string(stem), *size);
+    const std::size_t first = name.find_first_of(" _-");
+    const std::optional<std::string> before = size_of_name(name.substr(0, first));
+    const std::string_view behind = name.substr(first + 1);
+    if (!before || behind.empty() || size_of_name(behind)) return std::nullopt;
+    return std::pair(std::string(behind), *before);
 }
 
 std::string size_of_shape(const PlainShape& shape) {

@@ -10,14 +10,15 @@
 
 namespace selvedge::sim {
 
-// "M" of "Size M", "SIZE NAME: m" and "m"; "38" of "Gr. 38"; "34/36" and "2XL" as they are. A bare number is a size
-// from 24 to 66, and from 80 to 194 by twos, as children's are; behind a word for size any number is. None: no size.
+// "M" of "Size M", "SIZE NAME: m" and "m"; "38" of "Gr. 38"; "34/36" and "2XL" as they are; "38" of "EU 38 / UK 10". A
+// bare number is a size from 24 to 66, and from 80 to 194 by twos, as children's are; behind a word for size any number
+// is. None: no size.
 std::optional<std::string> size_of_name(std::string_view name);
 
 // The size in a shape's own name, or in that of its nearest group that has one; empty: none has.
 std::string size_of_shape(const PlainShape& shape);
 
-// "Front" and "M" of "Front_M", "Front-M" and "Front M"; none: the name does not end so.
+// "Front" and "M" of "Front_M", "Front-M", "Front M" and "M_Front"; none: the name neither ends nor begins so.
 std::optional<std::pair<std::string, std::string>> split_size(std::string_view name);
 
 // Of names that end in sizes, how they divide; none for the others, and for all of them unless two names at least have

@@ -37,11 +37,22 @@ class NestFinder {
         return true;
     }
 
+    // The shape's own name, or that of its nearest group, whichever divides.
+    static std::string name_with_size(const PlainShape& shape) {
+        if (split_size(shape.path.name)) return shape.path.name;
+        for (auto group = shape.groups.rbegin(); group != shape.groups.rend(); ++group) {
+            for (const std::string& name : {group->label, group->id}) {
+                if (split_size(name)) return name;
+            }
+        }
+        return {};
+    }
+
     // "Front_S" and "Front_M".
     bool take_ends_of_names() {
         std::vector<std::string> names;
         for (std::size_t a = 0; a < areas_.size(); ++a)
-            names.push_back(areas_[a].is_left_out ? std::string() : shape(a).path.name);
+            names.push_back(areas_[a].is_left_out ? std::string() : name_with_size(shape(a)));
         const auto splits = split_sizes(names);
         for (std::size_t a = 0; a < areas_.size(); ++a) nests_.sizes[a] = splits[a] ? splits[a]->second : std::string();
         return std::ranges::any_of(nests_.sizes, [](const std::string& size) { return !size.empty(); });
@@ -117,7 +128,7 @@ class NestFinder {
     bool is_nest(const std::vector<std::size_t>& cluster) const {
         for (std::size_t k = 0; k + 1 < cluster.size(); ++k) {
             const bool is_same_style = shape(cluster[k]).style == shape(cluster[k + 1]).style;
-            if (is_same_style && is_pair_of_lines(cluster[k], cluster[k + 1])) return false;
+            if (is_same_style && is_even_inset(areas_[cluster[k]], areas_[cluster[k + 1]])) return false;
         }
         return true;
     }

@@ -300,7 +300,7 @@ Drawing read_plain(const SvgDocument& document, const std::string& file) {
         PlainShape& one = plain.shapes.emplace_back(PlainShape{.path = shape.path, .classes = shape.classes});
         std::ranges::transform(shape.groups, std::back_inserter(one.groups), plain_group);
         one.style = shape.look.stroke + "|" + shape.look.dashes;
-        one.is_filled_only = shape.look.stroke == "none" && shape.look.fill != "none";
+        one.is_filled_only = !shape.look.has_stroke() && shape.look.has_fill();
     }
     for (const SvgText& text : document.texts) plain.texts.push_back(text.text);
     if (!document.unit.page.isEmpty()) {
@@ -325,7 +325,12 @@ Drawing read_svg(std::string_view text, const std::string& file) {
     if (document.is_freesewing) drawing = FreesewingReader(document).read();
     if (drawing.parts.empty() && OwnReader::is_own(document)) drawing = OwnReader(document, file).read();
     if (drawing.parts.empty()) drawing = read_plain(document, file);
-    if (drawing.parts.empty()) throw InputError(file, "", "no closed path: nothing that could be a panel");
+    if (drawing.parts.empty()) {
+        throw InputError(
+            file, "",
+            "no closed path: nothing that could be a panel" +
+                (document.hidden > 0 ? "; " + std::to_string(document.hidden) + " elements are hidden" : ""));
+    }
     return drawing;
 }
 

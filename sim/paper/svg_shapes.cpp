@@ -87,7 +87,12 @@ class Walker {
         Place place;
         place.viewport = out_.unit.viewport;
         place.look = styles_.look_of(root, place.look);
+        place.map = transform_of(root, place.look);
         walk_children(root, place);
+        if (styles_.left_out() > 0)
+            out_.notes.push_back(count_text(static_cast<std::size_t>(styles_.left_out()), "selector") +
+                                 " of its style sheets not understood: what they hide may be read");
+        out_.hidden = hidden_;
         if (hidden_ > 0) out_.notes.push_back(count_text(hidden_, "hidden element") + " left out");
         return std::move(out_);
     }
@@ -182,6 +187,7 @@ class Walker {
         group.id = decoded_id(attribute(node, "id"));
         group.label = attribute(node, "inkscape:label");
         if (group.label.empty()) group.label = attribute(node, "data-name");
+        if (group.label.empty()) group.label = node.child("title").text().get();
         group.is_layer = attribute(node, "inkscape:groupmode") == "layer";
         group.data = own_data(node);
         return group;
@@ -296,7 +302,7 @@ class Walker {
     // FreeSewing's classes and the lines of Selvedge say what they are, seen or not.
     bool is_seen(const pugi::xml_node& node, const SvgLook& look) const {
         if (out_.is_freesewing || !own_data(node).empty()) return look.is_visible;
-        return look.is_visible && (look.fill != "none" || look.stroke != "none");
+        return look.is_visible && look.is_painted();
     }
 
     void read_shape(const pugi::xml_node& node, std::string_view name, const Place& place) {
@@ -325,7 +331,12 @@ class Walker {
                     fail(node, "a coordinate is not a number, or too large");
             }
             path.name = decoded_id(attribute(node, "id"));
-            if (const std::string_view label = attribute(node, "inkscape:label"); !label.empty()) path.name = label;
+            for (const std::string_view label : {attribute(node, "inkscape:label"), attribute(node, "data-name"),
+                                                 std::string_view(node.child("title").text().get())}) {
+                if (label.empty()) continue;
+                path.name = label;
+                break;
+            }
             path.place = "<" + std::string(name) + "> " +
                          (path.name.empty() ? "in line " + std::to_string(line_number(node)) : "'" + path.name + "'");
             SvgShape shape{.path = std::move(path), .groups = place.groups};

@@ -53,6 +53,7 @@ struct SvgDocument {
     std::string body;                                       // of selvedge:seams; empty: the file states none
     SvgUnit unit;
     bool is_freesewing = false;
+    std::size_t hidden = 0;  // elements that were left out
     std::vector<std::string> notes;
 };
 

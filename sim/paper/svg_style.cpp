@@ -93,6 +93,16 @@ bool is_zero(const std::string& value) {
     return end != value.c_str() && number <= 0;
 }
 
+// "transparent", "rgba(0, 0, 0, 0)", "#10203000".
+bool is_clear_color(const std::string& color) {
+    constexpr std::size_t kWithAlpha = 9;
+    if (color == "transparent") return true;
+    if (color.starts_with('#')) return color.size() == kWithAlpha && color.ends_with("00");
+    const std::size_t last = color.find_last_of(",/");
+    const bool has_alpha = std::ranges::count(color, ',') == 3 || color.find('/') != std::string::npos;
+    return color.find('(') != std::string::npos && has_alpha && is_zero(color.substr(last + 1));
+}
+
 std::string_view local_part(std::string_view name) {
     const std::size_t colon = name.find(':');
     return colon == std::string_view::npos ? name : name.substr(colon + 1);
@@ -118,7 +128,10 @@ void SvgStyles::add_rules(std::string_view css) {
         css = css.substr(std::min(close + 1, css.size()));
         if (head.starts_with('@')) {
             const std::string media = lower_case(head);
-            if (media.starts_with("@media") && media.find("print") == std::string::npos) add_rules(body);
+            const bool is_for_print = media.find("print") != std::string::npos &&
+                                      media.find("screen") == std::string::npos &&
+                                      media.find("all") == std::string::npos;
+            if (media.starts_with("@media") && !is_for_print) add_rules(body);
             continue;
         }
         Rule rule;
@@ -127,7 +140,12 @@ void SvgStyles::add_rules(std::string_view css) {
         });
         while (!head.empty() && rules_.size() < kMostRules) {
             Rule one = rule;
-            if (read_selector(stripped(take_until(head, ',')), one)) rules_.push_back(std::move(one));
+            if (read_selector(stripped(take_until(head, ',')), one)) {
+                rules_.push_back(std::move(one));
+            } else if (rule.properties.contains("display") || rule.properties.contains("visibility") ||
+                       rule.properties.contains("opacity")) {
+                ++left_out_;
+            }
         }
     }
 }
@@ -190,8 +208,9 @@ bool SvgStyles::matches(const std::vector<Compound>& selector, const pugi::xml_n
 }
 
 SvgLook SvgStyles::look_of(const pugi::xml_node& node, const SvgLook& parent) const {
-    constexpr std::array<const char*, 8> kNames{"display", "visibility",   "opacity",        "fill",
-                                                "stroke",  "fill-opacity", "stroke-opacity", "stroke-dasharray"};
+    constexpr std::array<const char*, 9> kNames{"display",        "visibility",       "opacity",
+                                                "fill",           "stroke",           "fill-opacity",
+                                                "stroke-opacity", "stroke-dasharray", "stroke-width"};
     Properties style;
     for (const char* name : kNames) {
         if (const pugi::xml_attribute value = node.attribute(name)) style[name] = stripped(value.value());
@@ -225,11 +244,12 @@ SvgLook SvgStyles::look_of(const pugi::xml_node& node, const SvgLook& parent) co
     if (const std::string* value = given("fill")) look.fill = *value;
     if (const std::string* value = given("stroke")) look.stroke = *value;
     if (const std::string* value = given("stroke-dasharray")) look.dashes = *value;
-    if (const std::string* value = given("fill-opacity"); value && is_zero(*value)) look.fill = "none";
-    if (const std::string* value = given("stroke-opacity"); value && is_zero(*value)) look.stroke = "none";
+    if (const std::string* value = given("fill-opacity")) look.is_fill_clear = is_zero(*value);
+    if (const std::string* value = given("stroke-opacity")) look.is_stroke_clear = is_zero(*value);
+    if (const std::string* value = given("stroke-width"); value && is_zero(*value)) look.is_stroke_clear = true;
     if (const std::string* value = given("transform"); value && *value != "none") look.transform = *value;
     for (std::string* color : {&look.fill, &look.stroke}) {
-        if (*color == "transparent") *color = "none";
+        if (is_clear_color(*color)) *color = "none";
     }
     return look;
 }

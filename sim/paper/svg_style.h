@@ -17,6 +17,12 @@ struct SvgLook {
     std::string fill = "black";
     std::string stroke = "none";
     std::string dashes = "none";
+    bool is_fill_clear = false, is_stroke_clear = false;  // their opacity or width is 0
+
+    bool is_painted() const { return has_fill() || has_stroke(); }
+    bool has_fill() const { return fill != "none" && !is_fill_clear; }
+    bool has_stroke() const { return stroke != "none" && !is_stroke_clear; }
+
     std::string transform = {};  // of the style, which goes before the attribute
 };
 
@@ -27,6 +33,9 @@ class SvgStyles {
     void add_sheet(std::string_view css);
 
     SvgLook look_of(const pugi::xml_node& node, const SvgLook& parent) const;
+
+    // Selectors of rules that could hide something, and have parts that are not understood.
+    int left_out() const { return left_out_; }
 
  private:
     using Properties = std::map<std::string, std::string, std::less<>>;
@@ -50,6 +59,7 @@ class SvgStyles {
     static bool matches(const std::vector<Compound>& selector, const pugi::xml_node& node);
     void add_rules(std::string_view css);
 
+    int left_out_ = 0;
     std::vector<Rule> rules_;  // in the order in which they count: the last wins
 };
 

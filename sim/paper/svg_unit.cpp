@@ -3,12 +3,36 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "sim/core/lower_case.h"
 #include "sim/paper/svg_path.h"
 
 namespace selvedge::sim {
 namespace {
 
 constexpr double kMetresPerInch = 0.0254;
+
+// "1300 MM" and "1300,5mm", as other programs write a size, as SVG has it.
+std::string plain_size(std::string_view text) {
+    std::string size;
+    for (const char c : text) {
+        if (c == ' ' || c == '\t') continue;
+        size += c == ',' ? '.' : c;
+    }
+    return lower_case(size);
+}
+
+// Of the root: its attribute, else its style.
+std::string size_of_root(const pugi::xml_node& root, const std::string& name) {
+    if (const pugi::xml_attribute given = root.attribute(name.c_str())) return plain_size(given.value());
+    const std::string style = lower_case(root.attribute("style").value());
+    for (std::size_t at = style.find(name); at != std::string::npos; at = style.find(name, at + 1)) {
+        const bool is_whole = at == 0 || style[at - 1] == ';' || style[at - 1] == ' ';
+        const std::size_t colon = style.find(':', at);
+        if (!is_whole || colon == std::string::npos || colon > at + name.size() + 1) continue;
+        return plain_size(std::string_view(style).substr(colon + 1, style.find(';', colon) - colon - 1));
+    }
+    return {};
+}
 
 // 0: not a length of the world.
 double metres_of(std::string_view unit) {
@@ -17,7 +41,7 @@ double metres_of(std::string_view unit) {
     if (unit == "in") return kMetresPerInch;
     if (unit == "pt") return kMetresPerInch / 72;
     if (unit == "pc") return kMetresPerInch / 6;
-    if (unit == "Q") return 0.00025;
+    if (unit == "Q" || unit == "q") return 0.00025;
     return 0;
 }
 
@@ -68,8 +92,8 @@ SvgUnit svg_unit(const pugi::xml_document& document, const pugi::xml_node& root,
     if (is_adobe) unit.pixels_per_inch = 72;
     const std::vector<double> box = parse_numbers(root.attribute("viewBox").value());
     const bool has_box = box.size() == 4 && box[2] > 0 && box[3] > 0;
-    const std::optional<SvgLength> sizes[] = {parse_length(root.attribute("width").value()),
-                                              parse_length(root.attribute("height").value())};
+    const std::string texts[] = {size_of_root(root, "width"), size_of_root(root, "height")};
+    const std::optional<SvgLength> sizes[] = {parse_length(texts[0]), parse_length(texts[1])};
     double physical = 0, pixels = 0;  // metres, and pixels, per unit
     bool says_pixels = false;
     for (const int axis : {0, 1}) {

@@ -1,4 +1,7 @@
 // DXF as programs write it that draw outlines in pieces, place blocks, hide layers, and grade sizes.
+#include <array>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "sim/paper/dxf_drawing.h"
@@ -200,6 +203,63 @@ TEST(ForeignDxf, takes_the_sample_size_of_several) {
 TEST(ForeignDxf, names_a_piece_by_its_category_where_its_name_says_nothing) {
     const std::string piece = block("X12", label("Piece Name: X12") + label("CATEGORY: BACK") + in_pieces("1"));
     EXPECT_EQ(dxf_panels(file_of(piece, kMetric)).pattern.panels.at(0).name, "X12 BACK");
+}
+
+TEST(ForeignDxf, keeps_straight_edges_that_run_smoothly_into_curves) {
+    // A pocket of 200 x 200 with corners of radius 20, each a quarter of a circle of six chords.
+    std::vector<Vec2d> pocket;
+    const std::array<Vec2d, 4> middles{Vec2d(180, 20), Vec2d(180, 180), Vec2d(20, 180), Vec2d(20, 20)};
+    for (std::size_t c = 0; c < middles.size(); ++c) {
+        for (int i = 0; i <= 6; ++i) {
+            const double angle = (-90 + 90 * static_cast<double>(c) + 15 * i) * kDegree;
+            pocket.push_back(middles[c] + 20 * Vec2d(std::cos(angle), std::sin(angle)));
+        }
+    }
+    const Vec2d size = size_of_first(dxf_panels(file_of(block("POCKET", chain_on("1", pocket, true)), kMetric)));
+    EXPECT_NEAR(size.x(), 0.2, 1e-4);
+    EXPECT_NEAR(size.y(), 0.2, 1e-4);
+    // A side that is straight from the hem to the hip, and curved from there to the waist.
+    std::vector<Vec2d> skirt{{0, 0}, {240, 0}, {240, 400}};
+    for (int i = 1; i <= 12; ++i)
+        skirt.emplace_back(240 - 40 * (1 - std::cos(i * kDegree * 7.5)), 400 + 200 * std::sin(i * kDegree * 7.5));
+    skirt.emplace_back(0, 600);
+    EXPECT_NEAR(size_of_first(dxf_panels(file_of(block("SIDE", chain_on("1", skirt, true)), kMetric))).x(), 0.24, 1e-4);
+}
+
+TEST(ForeignDxf, joins_lines_that_are_shorter_than_the_gap) {
+    std::string loose;
+    constexpr int kCount = 1500;  // of 1 mm and less, round a circle of 200 mm
+    const auto at_angle = [](int i) {
+        const double angle = 360.0 * i / kCount * kDegree;
+        return Vec2d(200 * std::cos(angle), 200 * std::sin(angle));
+    };
+    for (int i = 0; i < kCount; ++i) loose += stroke_on("0", at_angle(i), at_angle((i + 1) % kCount));
+    const PanelsOfDrawing made = dxf_panels(file_of("", kMetric + loose));
+    ASSERT_EQ(made.pattern.panels.size(), 1U);
+    EXPECT_NEAR(size_of_first(made).x(), 0.4, 1e-4);
+}
+
+TEST(ForeignDxf, refuses_a_file_that_was_cut_off) {
+    const std::string whole = file_of(block("FRONT", in_pieces("1")), kMetric);
+    const std::string part = whole.substr(0, whole.find("ENTITIES") + 9);
+    EXPECT_NE(problem_of(part, [](const std::string& content) { return read_dxf(content, "a.dxf"); })
+                  .find("the file ends within its section ENTITIES: it was cut off"),
+              std::string::npos);
+}
+
+TEST(ForeignDxf, sees_flat_objects_from_below_and_no_sheets) {
+    const std::string below = group(230, "-1");
+    const auto square = [](const std::string& more) {
+        std::string text = group(0, "LWPOLYLINE") + group(8, "0") + group(90, "4") + group(70, "1") + more;
+        for (const Vec2d& p : {Vec2d(0, 0), Vec2d(300, 0), Vec2d(300, 500), Vec2d(0, 400)}) text += at(10, p);
+        return text;
+    };
+    // Beside each other, not upon each other, once the flat one is turned over.
+    const std::string drawing = square("") + square(below) + square(group(67, "1"));
+    EXPECT_EQ(read_dxf(file_of("", kMetric + drawing), "").parts.size(), 2U);
+    const std::string lines = stroke_on("0", {0, 0}, {300, 0}) + below + stroke_on("0", {300, 0}, {300, 400}) +
+                              stroke_on("0", {300, 400}, {0, 0});
+    EXPECT_EQ(read_dxf(file_of("", kMetric + lines), "").parts.size(), 1U);
 }
 
 TEST(ForeignDxf, reads_damaged_files_or_refuses_them) {

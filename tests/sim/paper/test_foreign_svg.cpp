@@ -110,7 +110,9 @@ TEST(ForeignSvg, leaves_out_what_is_hidden) {
           "<g visibility='hidden'>" + old + "</g>", "<g opacity='0'>" + old + "</g>",
           "<style>.off{display:none}</style><g class='on off'>" + old + "</g>",
           "<style>#x path{visibility:hidden !important}</style><g id='x'>" + old + "</g>",
-          "<style>/* a */ @media screen { g > path { opacity: 0.0 } }</style><g>" + old + "</g>",
+          "<style>/* a */ @media screen,print { g > path { opacity: 0.0 } }</style><g>" + old + "</g>",
+          "<g stroke-opacity='0'>" + old + "</g>", "<g stroke-width='0'>" + old + "</g>",
+          std::string("<path d='M0,0H500V600H0Z' fill='rgba(0,0,0,0)'/>"),
           std::string("<path d='M0,0H500V600H0Z' fill='none'/>")}) {
         const PanelsOfDrawing made = svg_panels(in_mm(hidden + kSkirt));
         expect_skirt(made, hidden);
@@ -129,7 +131,9 @@ TEST(ForeignSvg, takes_no_page_frame_for_a_panel) {
           std::string("<path d='M5,5H1295V695H5Z' fill='none' stroke='red'/>"),
           std::string("<rect x='10' y='10' width='1280' height='680' fill='none' stroke='black'/>"
                       "<rect x='15' y='15' width='1270' height='670' fill='none' stroke='black'/>"),
-          std::string("<rect id='frame' x='10' y='20' width='1200' height='650' fill='none' stroke='black'/>")}) {
+          std::string("<rect id='frame' x='10' y='20' width='1200' height='650' fill='none' stroke='black'/>"),
+          std::string("<rect x='10' y='10' width='1280' height='680' rx='30' fill='none' stroke='black'/>"),
+          std::string("<path d='M5,5H1295V600H1180V695H5Z' fill='none' stroke='red'/>")}) {
         const PanelsOfDrawing made = svg_panels(in_mm(frame + kSkirt));
         expect_skirt(made, frame);
         EXPECT_TRUE(has_note(made, "a page frame, left out")) << frame;
@@ -174,6 +178,26 @@ TEST(ForeignSvg, takes_the_scale_from_a_labelled_test_square) {
     made = svg_panels(page("<g transform='scale(7)'>" + kSkirt + square + "<text x='595' y='40'>2 in</text></g>", ""));
     ASSERT_EQ(made.pattern.panels.size(), 2U);
     EXPECT_NEAR(outline_box(made.pattern.panels[0]).sizes().x(), 0.52 * 50.8 / 50, 1e-3);
+}
+
+TEST(ForeignSvg, takes_the_length_that_the_unit_makes_true) {
+    const std::string square = "<rect x='570' y='20' width='100' height='100' fill='none' stroke='black'/>";
+    expect_skirt(svg_panels(in_mm(kSkirt + square + "<text x='575' y='40'>4\" / 10 cm</text>")), "two lengths");
+    const std::string small = "<g transform='scale(0.8)'>" + kSkirt + square + "<text x='575' y='40'>10 cm</text></g>";
+    expect_skirt(svg_panels(in_mm(small)), "a text of nothing but a length");
+}
+
+TEST(ForeignSvg, tells_of_an_outline_that_is_not_closed) {
+    const PanelsOfDrawing made = svg_panels(
+        in_mm(path("Front", kFront) + path("Back", "M640,620C800,645 1000,645 1160,620L1072,60C980,70 820,70 728,60")));
+    EXPECT_EQ(made.pattern.panels.size(), 1U);
+    EXPECT_TRUE(has_note(made, "1 open line in no part, left out: is an outline not closed?"));
+}
+
+TEST(ForeignSvg, reads_a_size_however_it_is_written) {
+    for (const char* size : {"width='1300 mm' height='700 mm'", "width='1300MM' height='700MM'",
+                             "width='1300,0mm' height='700,0mm'", "style='width: 1300mm; height:700mm'"})
+        expect_skirt(svg_panels(page(kSkirt, std::string(size) + " viewBox='0 0 1300 700'")), size);
 }
 
 TEST(Lengths, of_a_text_are_those_with_a_unit) {
@@ -238,6 +262,9 @@ TEST(SizeNames, are_told_from_other_names) {
     EXPECT_EQ(size_of_name("2XL"), "2XL");
     EXPECT_EQ(size_of_name("34/36"), "34/36");
     EXPECT_EQ(size_of_name("US 8"), "8");
+    EXPECT_EQ(size_of_name("EU 38 / UK 10"), "38");
+    EXPECT_EQ(split_size("M_Front"), std::pair(std::string("Front"), std::string("M")));
+    EXPECT_EQ(split_size("Skirt front"), std::nullopt);
     for (const char* other : {"", "8", "Front", "slip", "layer1", "100 %", "Size", "M1", "deck"})
         EXPECT_EQ(size_of_name(other), std::nullopt) << other;
     std::vector<std::string> sizes{"XL", "M", "XXS", "S", "L"};
@@ -251,6 +278,15 @@ TEST(ForeignSvg, unfolds_what_its_text_says_is_cut_on_the_fold) {
     ASSERT_EQ(made.pattern.panels.size(), 1U);
     EXPECT_NEAR(outline_box(made.pattern.panels[0]).sizes().x(), 0.49, 1e-4);
     EXPECT_TRUE(has_note(made, "cut on the fold by its text: unfolded over the straight edge of 57.5 cm"));
+    for (const char* words :
+         {"Place on fold", "Stoffbruch", "1 x im Bruch", "sur la pliure", "op de vouw", "C.F. FOLD"}) {
+        made = svg_panels(in_mm(path("Front", half) + "<text x='80' y='520'>" + words + "</text>"));
+        EXPECT_NEAR(outline_box(made.pattern.panels.at(0)).sizes().x(), 0.49, 1e-4) << words;
+    }
+    for (const char* words : {"Do not cut on fold", "fold", "fold line"}) {
+        made = svg_panels(in_mm(path("Front", half) + "<text x='180' y='520'>" + words + "</text>"));
+        EXPECT_NEAR(outline_box(made.pattern.panels.at(0)).sizes().x(), 0.245, 1e-4) << words;
+    }
     // Either end of a waistband may be the fold; a text beside one tells.
     const std::string band = path("Band", "M0,0H400V300H0Z");
     made = svg_panels(in_mm(band + "<text x='200' y='150'>cut 1 on fold</text>"));
