@@ -110,6 +110,7 @@ enum class WordKind {
     Heading,   // "weft:"
     Dot,       // alone: the weft follows
     Ellipsis,  // before and after what repeats
+    Remark,    // "Threadcount given over a half sett with full count at the pivots."
 };
 
 struct Word {
@@ -184,6 +185,9 @@ class WordSplitter {
             const std::size_t dots = std::min(rest_.find_first_not_of('.'), rest_.size());
             return take(dots, dots == 1 ? WordKind::Dot : WordKind::Ellipsis);
         }
+        constexpr std::string_view kRemark = "threadcount given";
+        if (lower(std::string(rest_.substr(0, kRemark.size()))) == kRemark)
+            return take(std::min(rest_.find_first_of(".\r\n"), rest_.size() - 1) + 1, WordKind::Remark);
         const std::size_t end = end_of_word();
         const std::string_view word = rest_.substr(0, end);
         if (word.find('=') != word.npos) {
@@ -298,6 +302,8 @@ struct Sections {
     std::vector<Word> weave;
     bool has_weave = false;
     Palette colours;
+    bool is_half_sett = false;     // stripes without slashes are mirrored too
+    bool has_half_pivots = false;  // pivots count half their threads
 };
 
 class SectionSplitter {
@@ -322,6 +328,8 @@ class SectionSplitter {
                 return begin(word, sections_.has_weft, sections_.weft);
             case WordKind::Ellipsis:
                 return end_repeat(word);
+            case WordKind::Remark:
+                return take_remark(lower(word.text));
             case WordKind::Stripe:
                 break;
         }
@@ -346,6 +354,12 @@ class SectionSplitter {
             fail(word, "only weft: and weave: end in a colon, and before the stripes threadcount: and warp:");
     }
 
+    void take_remark(const std::string& remark) {
+        const auto says = [&](const char* words) { return remark.find(words) != remark.npos; };
+        sections_.is_half_sett |= says("half sett") || says("half-sett");
+        sections_.has_half_pivots |= says("half count") || says("half-count");
+    }
+
     // The second of two in a row starts the weft: "...B24 W4... ...K24 G24..."
     void end_repeat(const Word& word) {
         if (section_->empty()) return;
@@ -363,14 +377,17 @@ struct Repeat {
     bool is_mirrored = false;
 };
 
-Repeat expand(const std::vector<Word>& words, const Palette& colours, const std::string& whose) {
+Repeat expand(const std::vector<Word>& words, const Sections& sections, const std::string& whose) {
     if (words.empty()) {
         throw InputError("threadcount", "", "no stripes" + whose + ": write, for example, B/24 W4 B24 R/2");
     }
     std::vector<ReadStripe> read;
     read.reserve(words.size());
-    for (const Word& word : words) read.push_back(parse_stripe(word, colours));
+    for (const Word& word : words) read.push_back(parse_stripe(word, sections.colours));
+    const bool has_slash = std::ranges::any_of(read, &ReadStripe::is_pivot);
+    if (sections.is_half_sett && !has_slash) read.front().is_pivot = read.back().is_pivot = true;
     check_pivots(read, words);
+    for (ReadStripe& stripe : read) stripe.stripe.threads *= sections.has_half_pivots && stripe.is_pivot ? 2 : 1;
     Repeat repeat;
     repeat.is_mirrored = read.front().is_pivot;
     int threads = 0;
@@ -406,11 +423,11 @@ std::optional<Weave> parse_weave(std::string_view name) {
 Sett parse_threadcount(std::string_view text, const Palette& palette) {
     const Sections sections = SectionSplitter(palette).split(text);
     Sett sett;
-    Repeat warp = expand(sections.warp, sections.colours, "");
+    Repeat warp = expand(sections.warp, sections, "");
     sett.stripes = std::move(warp.stripes);
     sett.is_mirrored = warp.is_mirrored;
     if (sections.has_weft) {
-        Repeat weft = expand(sections.weft, sections.colours, " of the weft");
+        Repeat weft = expand(sections.weft, sections, " of the weft");
         sett.weft_stripes = std::move(weft.stripes);
         sett.is_weft_mirrored = weft.is_mirrored;
     }

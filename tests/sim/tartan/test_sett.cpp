@@ -105,6 +105,17 @@ TEST(Threadcount, may_stand_under_its_heading_with_the_usual_colours) {
         EXPECT_EQ(parse_threadcount(std::string(heading) + " B/24 W4 B24 R2 K24 G24 W/2."), expected) << heading;
 }
 
+// What the Register says below its threadcounts.
+TEST(Threadcount, may_be_followed_by_how_its_pivots_count) {
+    const Sett expected = parse_threadcount("B/24 W4 R/2");
+    const std::string full = "\nThreadcount given over a half sett with full count at the pivots.\n";
+    EXPECT_EQ(parse_threadcount("Threadcount: B/24 W4 R/2" + full + "Pallet: "), expected);
+    EXPECT_EQ(parse_threadcount("B24 W4 R2" + full), expected) << "without slashes";
+    EXPECT_EQ(parse_threadcount("B/12 W4 R/1\nThreadcount given over a half sett with half count at the pivots."),
+              expected);
+    EXPECT_EQ(parse_threadcount("B24 W4 R2\nThreadcount given over the full sett."), parse_threadcount("B24 W4 R2"));
+}
+
 // As the Scottish Tartans Authority writes a weft of its own.
 TEST(Threadcount, may_have_its_weft_after_a_dot) {
     const Sett expected = parse_threadcount("B24 W4 B24 R2 weft: K24 G24 W2");
