@@ -151,37 +151,38 @@ double head_radius(const Surface& surface, const SurfacePiece& piece, double fro
     return box.isEmpty() ? 0 : (box.sizes().x() + box.sizes().z()) / 4;
 }
 
-// Where a fan closes a hole: in the middle of its rim, and farther in where the surface runs inward to the hole, as at
-// an armpit or a crotch that a scan did not see. A cap that goes on as the surface does at its rim, as a paraboloid, is
-// half as deep as the tangents reach in its middle.
+// Where a fan closes a hole: in the middle of its rim, or in a hollow, as at an armpit or a crotch that a scan did not
+// see, farther in: where the surface would go on to if it ran straight from its rim to the middle.
 Vec3d fan_tip(const Surface& surface, const SurfacePiece& piece, const std::vector<int>& hole) {
     constexpr double kLeastGirth = 0.2;  // m: of less, the middle is near enough
-    constexpr double kSteepest = 1;      // slope: a scan's rim is ragged
+    constexpr double kHollow = 0.3;      // cosine, from which on the way goes against the surface's normals
     const Rim rim = rim_of(surface.x, hole);
-    if (rim.girth < kLeastGirth) return rim.loop.centre;
+    const Vec3d& centre = rim.loop.centre;
+    if (rim.girth < kLeastGirth) return centre;
     const double side = signed_volume6(surface.x, surface.triangles, piece) < 0 ? -1 : 1;
     std::map<std::pair<int, int>, bool> is_rim;
     for (std::size_t i = 0; i < hole.size(); ++i) is_rim[{hole[i], hole[(i + 1) % hole.size()]}] = true;
-    double rise = 0, run = 0;
+    Vec3d way = Vec3d::Zero(), outward = Vec3d::Zero();
+    double length = 0;
     for (const int t : piece.triangles) {
         const std::array<int, 3>& triangle = surface.triangles[std::size_t(t)];
         for (std::size_t k = 0; k < 3; ++k) {
             if (!is_rim.contains({triangle[k], triangle[(k + 1) % 3]})) continue;
             const Vec3d& from = surface.x[std::size_t(triangle[k])];
             const Vec3d edge = surface.x[std::size_t(triangle[(k + 1) % 3])] - from;
-            const Vec3d away = surface.x[std::size_t(triangle[(k + 2) % 3])] - from;
-            if (!(edge.norm() > 0)) continue;
-            const Vec3d along = edge.normalized();
-            const Vec3d into_hole = along.dot(away) * along - away;  // across the edge, as long as the triangle is high
-            if (!(into_hole.norm() > 0)) continue;
-            const double up = edge.norm() * side * rim.plane.normal.dot(into_hole.normalized());
-            rise += up;
-            run += std::sqrt(std::max(0.0, edge.squaredNorm() - up * up));
+            const Vec3d normal = side * edge.cross(surface.x[std::size_t(triangle[(k + 2) % 3])] - from);
+            if (!(normal.norm() > 0)) continue;
+            const Vec3d into_hole = side * edge.cross(normal).normalized();
+            const Vec3d middle = from + edge / 2;
+            way += edge.norm() * (middle + (centre - middle).norm() * into_hole - centre);
+            outward += edge.norm() * normal.normalized();
+            length += edge.norm();
         }
     }
-    const double slope = run > 0 ? std::clamp(rise / run, -kSteepest, 0.0) : 0;
-    const double across = std::sqrt(rim.loop.area / std::numbers::pi);
-    return rim.loop.centre + slope * across / 2 * side * rim.plane.normal;
+    // Soles go on downward, out of their hole, though the feet over them face upward.
+    const bool is_hollow =
+        way.dot(outward) < -kHollow * way.norm() * outward.norm() && side * way.dot(rim.plane.normal) < 0;
+    return is_hollow && length > 0 ? Vec3d(centre + way / length) : centre;
 }
 
 // Closes the hole at a crown with rings that go on as an egg of the head's size.

@@ -256,6 +256,7 @@ TEST_F(FindPerson, finds_the_person_on_a_scanners_platform) {
     EXPECT_TRUE(noted("left out 6 pieces of 288 triangles together: they are apart from the person"));
     EXPECT_EQ(report_.repair.capped_crowns, 1);
     EXPECT_NEAR(height_range(body).high, 1.605, 0.02);
+    EXPECT_NEAR(body.lift, -0.008, 0.001) << "the soles are flat";
 }
 
 }  // namespace
