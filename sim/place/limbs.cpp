@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "sim/body/joint_names.h"
 #include "sim/core/assert.h"
 
 namespace selvedge::sim {
@@ -271,6 +272,30 @@ void take_bones(const Body& body, BodyLimbs& limbs) {
     }
 }
 
+struct NamedLimb {
+    LimbKind kind;
+    std::array<Joint, 3> joints;
+};
+constexpr std::array<NamedLimb, 4> kNamedLimbs{
+    {{LimbKind::LeftArm, {Joint::LeftUpperArm, Joint::LeftLowerArm, Joint::LeftHand}},
+     {LimbKind::RightArm, {Joint::RightUpperArm, Joint::RightLowerArm, Joint::RightHand}},
+     {LimbKind::LeftLeg, {Joint::LeftUpperLeg, Joint::LeftLowerLeg, Joint::LeftFoot}},
+     {LimbKind::RightLeg, {Joint::RightUpperLeg, Joint::RightLowerLeg, Joint::RightFoot}}}};
+
+// Limbs that the surface does not show, as those of a body of separate parts, by the joints that its skeleton names.
+void take_named_joints(const Body& body, BodyLimbs& limbs) {
+    const JointBones bones = find_joints(body.bones);
+    for (const auto& [kind, joints] : kNamedLimbs) {
+        std::vector<LimbJoint>& limb = limbs.limbs[index_of(kind)].joints;
+        const bool is_named = std::ranges::all_of(joints, [&](Joint joint) { return bones.has(joint); });
+        if (!limb.empty() || !is_named) continue;
+        for (const Joint joint : joints) limb.push_back({body.bones[static_cast<std::size_t>(bones[joint])].joint, 0});
+        if (kind != LimbKind::LeftArm && kind != LimbKind::RightArm) continue;
+        const Vec3d along = (limb[2].centre - limb[1].centre).normalized();
+        limb.push_back({limb[2].centre + kHand * stature_of(limbs.height) * along, 0});
+    }
+}
+
 void find_torso(const Body& body, const Stature& stature, BodyLimbs& limbs) {
     const TorsoHeights heights = torso_heights(body, stature);
     for (const double y : {heights.hip, heights.waist, heights.chest, heights.neck}) {
@@ -319,6 +344,7 @@ BodyLimbs find_limbs(const Body& body, const Stature& stature) {
         find_arms(body, found);
         found.limbs[index_of(LimbKind::LeftLeg)].joints = leg_of_sections(body, found.height, 1);
         found.limbs[index_of(LimbKind::RightLeg)].joints = leg_of_sections(body, found.height, -1);
+        take_named_joints(body, found);
     }
     for (const LimbKind leg : {LimbKind::LeftLeg, LimbKind::RightLeg}) {
         std::vector<LimbJoint>& joints = found.limbs[index_of(leg)].joints;

@@ -118,7 +118,7 @@ bool is_crown(const Surface& surface, const RepairOptions& options, const std::v
     for (const int v : hole)
         if (surface.x[std::size_t(v)].y() < *options.head_from) return false;
     const Rim rim = rim_of(surface.x, hole);
-    if (rim.girth < kLeastCrown || rim.girth > kLargestHead || rim.plane.normal.y() < kUpward) return false;
+    if (rim.girth < kLeastCrown || rim.girth > kLargestHead || std::abs(rim.plane.normal.y()) < kUpward) return false;
     return 4 * std::numbers::pi * rim.loop.area > kRound * rim.girth * rim.girth;
 }
 
@@ -151,10 +151,45 @@ double head_radius(const Surface& surface, const SurfacePiece& piece, double fro
     return box.isEmpty() ? 0 : (box.sizes().x() + box.sizes().z()) / 4;
 }
 
+// Where a fan closes a hole: in the middle of its rim, or in a hollow, as at an armpit or a crotch that a scan did not
+// see, farther in: where the surface would go on to if it ran straight from its rim to the middle.
+Vec3d fan_tip(const Surface& surface, const SurfacePiece& piece, const std::vector<int>& hole) {
+    constexpr double kLeastGirth = 0.2;  // m: of less, the middle is near enough
+    constexpr double kHollow = 0.3;      // cosine, from which on the way goes against the surface's normals
+    const Rim rim = rim_of(surface.x, hole);
+    const Vec3d& centre = rim.loop.centre;
+    if (rim.girth < kLeastGirth) return centre;
+    const double side = signed_volume6(surface.x, surface.triangles, piece) < 0 ? -1 : 1;
+    std::map<std::pair<int, int>, bool> is_rim;
+    for (std::size_t i = 0; i < hole.size(); ++i) is_rim[{hole[i], hole[(i + 1) % hole.size()]}] = true;
+    Vec3d way = Vec3d::Zero(), outward = Vec3d::Zero();
+    double length = 0;
+    for (const int t : piece.triangles) {
+        const std::array<int, 3>& triangle = surface.triangles[std::size_t(t)];
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!is_rim.contains({triangle[k], triangle[(k + 1) % 3]})) continue;
+            const Vec3d& from = surface.x[std::size_t(triangle[k])];
+            const Vec3d edge = surface.x[std::size_t(triangle[(k + 1) % 3])] - from;
+            const Vec3d normal = side * edge.cross(surface.x[std::size_t(triangle[(k + 2) % 3])] - from);
+            if (!(normal.norm() > 0)) continue;
+            const Vec3d into_hole = side * edge.cross(normal).normalized();
+            const Vec3d middle = from + edge / 2;
+            way += edge.norm() * (middle + (centre - middle).norm() * into_hole - centre);
+            outward += edge.norm() * normal.normalized();
+            length += edge.norm();
+        }
+    }
+    // Soles go on downward, out of their hole, though the feet over them face upward.
+    const bool is_hollow =
+        way.dot(outward) < -kHollow * way.norm() * outward.norm() && side * way.dot(rim.plane.normal) < 0;
+    return is_hollow && length > 0 ? Vec3d(centre + way / length) : centre;
+}
+
 // Closes the hole at a crown with rings that go on as an egg of the head's size.
 void add_dome(Surface& surface, SurfacePiece& piece, const std::vector<int>& hole, double head) {
     constexpr int kRings = 6;
-    const Rim rim = rim_of(surface.x, hole);
+    Rim rim = rim_of(surface.x, hole);
+    if (rim.plane.normal.y() < 0) rim.plane.normal = -rim.plane.normal;  // of a surface that is inside out
     const double across = std::sqrt(rim.loop.area / std::numbers::pi);
     // Of men's heads, half the height from chin to crown is 116 mm, a quarter of breadth and length together 88 mm
     // (Gordon et al. 2014, Natick/TR-15/007).
@@ -190,7 +225,7 @@ void cap_holes(Surface& surface, const RepairOptions& options, SurfacePiece& pie
             add_dome(surface, piece, hole, head_radius(surface, piece, *options.head_from));
             ++report.capped_crowns;
         } else {
-            add_fan(surface, piece, hole, middle(surface.x, hole));
+            add_fan(surface, piece, hole, fan_tip(surface, piece, hole));
         }
         ++report.capped_holes;
     }

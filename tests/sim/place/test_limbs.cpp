@@ -132,6 +132,35 @@ TEST(Limbs, have_lines_that_stay_within_the_body) {
     if (!data) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set: without bodies whose arms are bent";
 }
 
+// As characters of games are: a shell of closed parts over a skeleton with the names of another program.
+TEST(Limbs, of_separate_parts_are_at_the_joints_that_the_skeleton_names) {
+    Body parts = mannequin();
+    const auto bone = [&](const char* name) -> Bone& { return *std::ranges::find(parts.bones, name, &Bone::name); };
+    for (const auto& [name, other] :
+         {std::pair("left_upper_arm", "mixamorig:LeftArm"), std::pair("left_lower_arm", "mixamorig:LeftForeArm"),
+          std::pair("left_hand", "mixamorig:LeftHand"), std::pair("right_upper_arm", "mixamorig:RightArm"),
+          std::pair("right_lower_arm", "mixamorig:RightForeArm"), std::pair("right_hand", "mixamorig:RightHand"),
+          std::pair("left_foot", "mixamorig:LeftFoot"), std::pair("hips", "mixamorig:Hips"),
+          std::pair("left_upper_leg", "mixamorig:LeftUpLeg")})
+        bone(name).name = other;
+    // Without the triangles across the elbows, the forearms are parts of their own.
+    const double elbow = bone("mixamorig:LeftForeArm").joint.x();
+    std::erase_if(parts.triangles, [&](const std::array<int, 3>& triangle) {
+        const auto [low, high] = std::minmax({std::abs(parts.x[static_cast<std::size_t>(triangle[0])].x()),
+                                              std::abs(parts.x[static_cast<std::size_t>(triangle[1])].x()),
+                                              std::abs(parts.x[static_cast<std::size_t>(triangle[2])].x())});
+        return low <= elbow && elbow < high;
+    });
+    const BodyLimbs whole = find_limbs(mannequin()), found = find_limbs(parts);
+    for (const LimbKind arm : {LimbKind::LeftArm, LimbKind::RightArm}) {
+        ASSERT_TRUE(found[arm].is_found) << name_of(arm);
+        for (std::size_t i = 0; i < 4; ++i)
+            EXPECT_LT((found[arm].joints[i].centre - whole[arm].joints[i].centre).norm(), 0.01) << name_of(arm) << i;
+    }
+    EXPECT_TRUE(found.found().all());
+    EXPECT_FALSE(find_limbs(without_bones(parts))[LimbKind::LeftArm].is_found) << "the surface does not show it";
+}
+
 TEST(Limbs, of_scanned_and_modelled_bodies_are_all_found) {
     const char* data = std::getenv("SELVEDGE_TEST_DATA");
     if (!data) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set";

@@ -56,14 +56,14 @@ Body crownless(double share) {
 
 class FindPerson : public testing::Test {
  protected:
-    Body load(const Body& body, LoadBodyOptions options = {}) {
+    Body load(const Body& body, LoadBodyOptions options = {}, bool must_be_person = true) {
         {
             std::ofstream file(folder_ / "body.obj");
             file.precision(9);
             for (const Vec3d& p : body.x) file << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
             for (const auto& [a, b, c] : body.triangles) file << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
         }
-        options.must_be_person = true;
+        options.must_be_person = must_be_person;
         return load_body(folder_ / "body.obj", options, &report_);
     }
     std::string problem_of(const Body& body) {
@@ -141,10 +141,35 @@ TEST_F(FindPerson, closes_a_crown_that_a_scan_did_not_see_with_the_top_of_a_head
         EXPECT_TRUE(noted("closed the top of the head")) << share;
         EXPECT_EQ(report_.repair.capped_crowns, 1) << share;
     }
+    Body inside_out = crownless(0.95);
+    for (auto& triangle : inside_out.triangles) std::swap(triangle[0], triangle[1]);
+    EXPECT_NEAR(height_range(load(inside_out)).high, stature(), 0.02);
     const Body platform = shapes::box({-0.5, -0.06, -0.5}, {0.5, -0.005, 0.5}, 8);
     EXPECT_NEAR(height_range(load(z_up(shapes::together(crownless(0.95), platform), 1000))).high, stature(), 0.02);
     const Body half = without(woman(), [](const Vec3d& p) { return p.z() > 0.02; });
     EXPECT_NE(problem_of(half).find("it is open: a hole of"), std::string::npos);
+}
+
+// A notch of 4 cm in the side of a post, seen by no scanner: it stays one.
+TEST_F(FindPerson, closes_a_hole_in_a_hollow_inward) {
+    for (const bool is_turned : {false, true}) {
+        Body post = shapes::box({-0.2, 0, -0.15}, {0.2, 0.6, 0.15}, 40);
+        for (Vec3d& p : post.x) {
+            const double from_notch = Vec2d(p.y() - 0.3, p.z()).norm();
+            if (p.x() > 0.199 && from_notch < 0.1) p.x() -= 0.4 * (0.1 - from_notch);
+        }
+        const double notched = shapes::volume(post);
+        Body open = without(post, [](const Vec3d& p) {
+            return p.x() < 0.185 && p.x() > 0.1 && Vec2d(p.y() - 0.3, p.z()).norm() < 0.1;
+        });
+        ASSERT_LT(open.triangles.size(), post.triangles.size());
+        if (is_turned)
+            for (auto& triangle : open.triangles) std::swap(triangle[0], triangle[1]);
+        const Body closed = load(open, {}, false);
+        EXPECT_TRUE(shapes::is_closed(closed));
+        EXPECT_NEAR(shapes::volume(closed), notched, 7e-5) << "flat, 1e-4 more";
+        EXPECT_LT(closed.x.back().x(), 0.178) << "0.185 at the rim, 0.16 at the bottom";
+    }
 }
 
 TEST_F(FindPerson, measures_a_ragged_hole_as_a_tape_does) {
@@ -231,6 +256,7 @@ TEST_F(FindPerson, finds_the_person_on_a_scanners_platform) {
     EXPECT_TRUE(noted("left out 6 pieces of 288 triangles together: they are apart from the person"));
     EXPECT_EQ(report_.repair.capped_crowns, 1);
     EXPECT_NEAR(height_range(body).high, 1.605, 0.02);
+    EXPECT_NEAR(body.lift, -0.008, 0.001) << "the soles are flat";
 }
 
 }  // namespace
