@@ -30,7 +30,7 @@ constexpr double kShortCrossing = 0.002;  // m
 // Fewer vertices than a triangle has are no area.
 constexpr double kFewVertices = 3;
 
-// Less than one gore of a skirt of eight, a twelfth to spare: what is smaller is a fold of the hem.
+// Less than one gore of a skirt of eight: what is shorter is a fold of the hem.
 constexpr double kRolledShare = 0.1;
 
 constexpr std::array<FaultKind, 14> kFaultKinds{{{"not_settled", "m/s", kAtRest},
