@@ -30,7 +30,10 @@ constexpr double kShortCrossing = 0.002;  // m
 // Fewer vertices than a triangle has are no area.
 constexpr double kFewVertices = 3;
 
-constexpr std::array<FaultKind, 14> kFaultKinds{{{"not_settled", "m/s", kAtRest},
+// Less than one gore of a skirt of eight: what is shorter is a fold of the hem.
+constexpr double kRolledShare = 0.1;
+
+constexpr std::array<FaultKind, 15> kFaultKinds{{{"not_settled", "m/s", kAtRest},
                                                  {"open_seam", "m"},
                                                  {"inside_body", "m"},
                                                  {"through_body", "m"},
@@ -40,6 +43,7 @@ constexpr std::array<FaultKind, 14> kFaultKinds{{{"not_settled", "m/s", kAtRest}
                                                  {"stuck_in_body", "panels"},
                                                  {"displaced", "m"},
                                                  {"on_floor", "share of the vertices"},
+                                                 {"rolled_edge", "share of the edge", kRolledShare},
                                                  {"overstretched", "strain"},
                                                  {"not_finite", ""},
                                                  {"broken_mesh", ""},

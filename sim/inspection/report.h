@@ -102,8 +102,8 @@ inline constexpr std::string_view kPeakMemoryMb = "peak_memory_mb";
 }  // namespace report_key
 
 // A fault of a dressed garment, and where it is. Kinds: "not_settled", "open_seam", "inside_body", "through_body",
-// "self_crossing", "wrong_layer_order", "limb_missed", "stuck_in_body", "displaced", "on_floor", "overstretched",
-// "not_finite", "broken_mesh", "does_not_fit".
+// "self_crossing", "wrong_layer_order", "limb_missed", "stuck_in_body", "displaced", "on_floor", "rolled_edge",
+// "overstretched", "not_finite", "broken_mesh", "does_not_fit".
 inline constexpr std::string_view kWholeGarment = "whole garment";  // a fault's place
 
 struct DressFault {
@@ -122,8 +122,8 @@ std::string_view name_of(FaultClass fault_class);  // "defect" or "does_not_fit"
 
 struct DressReport;
 
-// Adds it to the faults; to the notes, as the sentence of its cause, if it is smaller than what counts as a fault of its
-// kind (note_below()).
+// Adds it to the faults; to the notes, as the sentence of its cause, if it is smaller than what counts as a fault of
+// its kind (note_below()).
 void add_fault(DressReport& report, DressFault fault);
 
 // The size below which what is wrong is noted and is no fault, in the unit of the kind; 0: it is a fault at any size.

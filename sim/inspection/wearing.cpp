@@ -19,6 +19,7 @@
 #include "sim/core/disjoint_sets.h"
 #include "sim/core/math.h"
 #include "sim/inspection/hoop_support.h"
+#include "sim/inspection/rolled_edges.h"
 #include "sim/mesh/sew.h"
 #include "sim/place/limb_pieces.h"
 #include "sim/place/limbs.h"
@@ -536,6 +537,57 @@ void validate_floor(const WornGarment& garment, const PanelVertices& panels, con
     }
 }
 
+// How far along a limb's joints the point is nearest to them, m from the first; on, straight, beyond the last.
+double length_along(const Limb& limb, const Vec3d& x) {
+    const std::vector<LimbJoint>& joints = limb.joints;
+    double length = 0, nearest = 0, least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
+        const Vec3d along = joints[i + 1].centre - joints[i].centre;
+        if (!(along.norm() > 0)) continue;
+        const bool is_last = i + 2 == joints.size();
+        const double free_share = along.dot(x - joints[i].centre) / along.squaredNorm();
+        const double share = std::clamp(free_share, 0.0, is_last ? std::numeric_limits<double>::infinity() : 1.0);
+        const double distance = (joints[i].centre + share * along - x).norm();
+        if (distance < least) {
+            least = distance;
+            nearest = length + share * along.norm();
+        }
+        length += along.norm();
+    }
+    return nearest;
+}
+
+// How far each vertex lies up its arm from the end of it, m, along the arm's line; or its height.
+std::vector<double> inward_of(const std::vector<Vec3d>& x, const Limb* arm) {
+    std::vector<double> inward;
+    inward.reserve(x.size());
+    for (const Vec3d& point : x) inward.push_back(arm ? -length_along(*arm, point) : point.y());
+    return inward;
+}
+
+// Of hems and cuffs: edges of the trunk's and the legs' lower ends, and of sleeves. Upper edges, as collars, may turn
+// over; they have no cloth that was placed above them.
+void validate_edges(const WornGarment& garment, const PanelVertices& panels, const MeantOpenings& meant,
+                    const BodyPair& bodies, DressReport& report) {
+    for (const Opening& edge : meant.openings) {
+        const auto panel = static_cast<std::size_t>(edge.panels.front());
+        const auto arm = arm_of(panels[panel], garment.panels.x, bodies.meant_for);
+        const auto of = [&](const BodyLimbs& body) { return arm ? &body[*arm] : nullptr; };
+        if (arm && (!bodies.meant_for[*arm].is_found || !bodies.worn_by[*arm].is_found)) continue;
+        const RolledEdge rolled =
+            measure_rolled_edge(garment.closed, edge, inward_of(garment.closed.x, of(bodies.meant_for)),
+                                inward_of(garment.closed_draped, of(bodies.worn_by)));
+        if (rolled.share == 0) continue;
+        add_fault(report,
+                  {.kind = "rolled_edge",
+                   .place = "the " + std::string(arm ? "cuff" : "hem") + " of '" + garment.panels.panel_names[panel] +
+                            "' is rolled up or folded over by " + in_centimetres(rolled.by) + " over " +
+                            std::to_string(std::lround(100 * rolled.share)) + " % of its length, at the " +
+                            place_on_body(bodies.worn_by, garment.closed_draped[rolled.vertex]),
+                   .value = rolled.share});
+    }
+}
+
 void note_missing_limbs(const BodyLimbs& body, DressReport& report) {
     if (body.found().all()) return;
     report.notes.push_back("could not find " + list_limbs(~body.found()) + " of the body: not checked what covers it");
@@ -599,6 +651,9 @@ void WearingCheck::validate(const Cloth& cloth, DressReport& report) const {
     validate_panels(garment, panels, parts, slipping, bodies, report);
     for (const Slip& slip : slips) add_fault(report, slip.fault);
     validate_floor(garment, panels, parts, slipping, bodies, report);
+    // What does not fit is crumpled.
+    const auto fits_not = [](const DressFault& fault) { return class_of(fault) == FaultClass::DoesNotFit; };
+    if (std::ranges::none_of(report.faults, fits_not)) validate_edges(garment, panels, known_->meant, bodies, report);
 }
 
 }  // namespace selvedge::sim

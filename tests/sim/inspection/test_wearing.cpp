@@ -293,6 +293,49 @@ TEST(Wearing, expects_the_same_arm_in_a_sleeve_whatever_the_pose) {
     EXPECT_EQ(list(report_on(sleeve(), turned, mannequin_in_t_pose())), "");
 }
 
+// Folds what lies below a height up.
+Move folded_up_from(double y, const std::function<bool(const Vec3d&)>& is_folded) {
+    return [=](const Vec3d& x) { return x.y() < y && is_folded(x) ? Vec3d(x.x(), 2 * y - x.y(), x.z()) : x; };
+}
+
+double rolled_share(const DressReport& report) {
+    const auto found = std::ranges::find(report.faults, "rolled_edge", &DressFault::kind);
+    return found == report.faults.end() ? 0 : found->value;
+}
+
+TEST(Wearing, finds_a_hem_that_is_rolled_up) {
+    const auto everywhere = [](const Vec3d&) { return true; };
+    const DressReport report = report_on(skirt(), folded_up_from(0.62, everywhere), mannequin());
+    EXPECT_NEAR(rolled_share(report), 1, 1e-9) << list(report);
+    EXPECT_NE(list(report).find("the hem of 'front' is rolled up or folded over by"), std::string::npos)
+        << list(report);
+    const auto on_the_left = [](const Vec3d& x) { return x.x() > 0; };
+    EXPECT_NEAR(rolled_share(report_on(skirt(), folded_up_from(0.62, on_the_left), mannequin())), 0.5, 0.15);
+}
+
+TEST(Wearing, takes_neither_a_narrow_fold_nor_a_slanting_hem_for_a_rolled_one) {
+    const auto at_one_place = [](const Vec3d& x) { return std::abs(x.x()) < 0.02 && x.z() > 0; };
+    const DressReport fold = report_on(skirt(), folded_up_from(0.62, at_one_place), mannequin());
+    EXPECT_EQ(rolled_share(fold), 0) << list(fold);
+    const auto slant = [](const Vec3d& x) { return Vec3d(x.x(), x.y() + 0.4 * x.x(), x.z()); };
+    const DressReport slanting = report_on(skirt(), slant, mannequin());
+    EXPECT_EQ(rolled_share(slanting), 0) << list(slanting);
+}
+
+TEST(Wearing, finds_a_cuff_that_is_flipped_over_its_sleeve) {
+    const std::vector<LimbJoint> joints = find_limbs(mannequin())[LimbKind::LeftArm].joints;
+    const Vec3d middle = (joints[1].centre + joints[2].centre) / 2;
+    const Vec3d along = (joints[2].centre - joints[1].centre).normalized();
+    const auto flip = [&](const Vec3d& x) {
+        const double beyond = along.dot(x - middle) - 0.03;
+        return beyond > 0 ? Vec3d(x - 2 * beyond * along) : x;
+    };
+    const DressReport report = report_on(sleeve(), flip, mannequin());
+    EXPECT_GT(rolled_share(report), 0.9) << list(report);
+    EXPECT_NE(list(report).find("the cuff of"), std::string::npos) << list(report);
+    EXPECT_EQ(rolled_share(report_on(sleeve(), stays, mannequin())), 0);
+}
+
 TEST(Wearing, says_which_limbs_it_could_not_check) {
     const Body column = shapes::box(Vec3d(-0.15, 0, -0.1), Vec3d(0.15, 1.7, 0.1), 8);
     const DressReport report = report_on(skirt(), stays, column);
