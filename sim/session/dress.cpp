@@ -76,13 +76,16 @@ void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phas
     }
 }
 
-// Whether so much of it lies on the floor that it is not worn.
-bool has_come_off(const WearingCheck& wearing, const Cloth& cloth) {
-    constexpr double kShare = 0.1;  // of the vertices
+// Whether it lies on the floor, all of it below the knees, though it was placed above them.
+bool has_come_off(const WearingCheck& wearing, const Cloth& cloth, const Stature& wearer) {
+    constexpr double kKnees = 0.25;  // of the stature
+    const double knees = wearer.floor + kKnees * wearer.height();
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        if (static_cast<double>(cloth.x[v.value].y()) > knees) return false;
+    }
     DressReport found;
     wearing.validate(cloth, found);
-    return std::ranges::any_of(
-        found.faults, [](const DressFault& fault) { return fault.kind == "on_floor" && fault.value > kShare; });
+    return std::ranges::any_of(found.faults, [](const DressFault& fault) { return fault.kind == "on_floor"; });
 }
 
 // A garment that is not part of an outfit.
@@ -116,7 +119,7 @@ void fall_or_give_up(Dressing& dressing, bool known_too_small, const std::option
             dressing.give_up(GiveUp::TooSmall);
         } else if (tests_slip && wearing->slips(*dressing.cloth())) {
             dressing.give_up(GiveUp::SlipsDown);
-        } else if (tests_slip && has_come_off(*wearing, *dressing.cloth())) {
+        } else if (tests_slip && has_come_off(*wearing, *dressing.cloth(), dressing.measured().stature())) {
             dressing.give_up(GiveUp::ComesOff);
         } else if (dressing.hangs_calmly() && now >= next_fit_test) {
             next_fit_test = now + kBetweenTests;

@@ -186,15 +186,6 @@ TEST(Dress, a_skirt_that_is_too_large_is_not_waited_for_until_it_lies_on_the_flo
     EXPECT_NE(report.faults[0].place.find("too large above the hips by"), std::string::npos) << report.faults[0].place;
 }
 
-TEST(Dress, what_has_come_off_and_lies_on_the_floor_is_not_waited_for) {
-    Pattern pattern;
-    pattern.panels = {rectangle("sheet", {.width = 0.6, .height = 0.6, .y = 0.7, .z = 0.6})};
-    const DressReport report = dress(pattern, mannequin(), up_to_level(0)).report;
-    EXPECT_EQ(report.stopped_because, "comes off");
-    EXPECT_LT(report.simulated_seconds, 6);
-    EXPECT_TRUE(std::ranges::any_of(report.faults, [](const DressFault& fault) { return fault.kind == "on_floor"; }));
-}
-
 TEST(Dress, a_panel_that_stands_in_the_body_with_nothing_clear_nearby_is_a_fault) {
     const Body wall = shapes::box(Vec3d(-0.6, 0, -0.6), Vec3d(0.6, 1.7, 0.6), 6);
     Pattern pattern;
