@@ -92,8 +92,7 @@ void open_at_start(editor::Editor& editor, const std::string& file) {
         editor.state().services.read_photo(file);  // likewise
         return lay_photo(editor.state(), file);
     }
-    sim::PatternDocument source = sim::load_pattern(file);  // an invalid file ends the program
-    open_loaded(editor.state(), std::move(source), file);
+    load_and_open(editor.state(), file);  // an invalid file ends the program
 }
 
 int run_window(const EditArguments& arguments) {

@@ -15,6 +15,7 @@
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/core/printable.h"
+#include "sim/core/sha256.h"
 #include "sim/dress/dressing.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/exchange/thick_cloth.h"
@@ -220,6 +221,13 @@ editor::Services make_editor_services(const EditorServicesOptions& options) {
     services.print = print_from_editor;
     services.list_folder = list_folder;
     services.exists = [](const std::string& file) { return sim::file_exists(file); };
+    services.hash_of = [](const std::string& file) -> std::optional<std::string> {
+        try {
+            return sim::sha256_of_file(file);
+        } catch (const sim::InputError&) {
+            return std::nullopt;
+        }
+    };
     services.write_export = [options](const editor::ExportRequest& request) { write_export(request, options); };
     services.make_body = make_current_body;
     services.find_motion = sim::find_motion;

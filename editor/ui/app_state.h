@@ -72,6 +72,9 @@ struct AppState {
     ActionFinder finder;
     FileBrowser browser;
     std::deque<Question> questions;
+    // SHA-256 of what the document's file held when it was last read or written; none: there is no file, or it is not
+    // known.
+    std::optional<std::string> file_hash{};
     AddPanels clipboard;  // the copied panels, with the seams among them
     UnderlayPictures underlays;
     WidgetMap widgets;

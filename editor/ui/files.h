@@ -14,6 +14,7 @@ struct AppState;
 
 void new_document(AppState& state);
 void open_loaded(AppState& state, sim::PatternDocument source, const std::string& file);
+void load_and_open(AppState& state, const std::string& file);  // asks nothing; throws InputError
 void open_file(AppState& state, const std::string& file);
 void open_example(AppState& state, const Example& example);
 void import_file(AppState& state, const std::string& file);             // a drawing of another program, or a photo
@@ -25,12 +26,15 @@ void recover_journal(AppState& state, const OrphanedJournal& journal);  // Pre: 
 // as unknown.
 void take_dropped_file(AppState& state, const std::string& file);
 
-bool save(AppState& state);  // asks for a name if there is none; false: not saved (yet)
+// Writes the document to its file, then runs `then`. Asks for a name if there is none, and what to do if another
+// program changed the file since it was read or written.
+void save(AppState& state, std::function<void(AppState&)> then = {});
 // What becomes of a file that is there already.
 enum class IfExists { Ask, Replace };
 
 void save_as(AppState& state, const std::string& file, IfExists if_exists = IfExists::Ask);
-void export_to(AppState& state, const std::string& file, const ExportThickness& thickness = {});
+void export_to(AppState& state, const std::string& file, const ExportThickness& thickness = {},
+               IfExists if_exists = IfExists::Ask);
 // The pattern, at true size.
 void print_to(AppState& state, const std::string& file, IfExists if_exists = IfExists::Ask);
 void save_pose(AppState& state, const std::string& file);  // the body's, which is then the file's

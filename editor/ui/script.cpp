@@ -95,7 +95,8 @@ void ScriptPlayer::play_document(const ScriptStep& step) {
     if (step.verb == "save") save_as(state, word(step, 0), IfExists::Replace);
     if (step.verb == "export") {
         const bool is_thick = step.arguments.size() > 1 && word(step, 1) == "thickness";
-        export_to(state, word(step, 0), is_thick ? parse_export_thickness(word(step, 2)) : ExportThickness{});
+        export_to(state, word(step, 0), is_thick ? parse_export_thickness(word(step, 2)) : ExportThickness{},
+                  IfExists::Replace);
     }
     if (step.verb == "wear") state.workspace.drape.show_body(step.rest);
     if (step.verb == "do") {

@@ -78,6 +78,8 @@ struct Services {
     std::function<void(const std::string& file, const std::string& text)> save;  // atomic
     std::function<FolderListing(const std::string& folder)> list_folder;         // empty: the working directory
     std::function<bool(const std::string& file)> exists;
+    // The SHA-256 of what the file holds; none: there is no such file, or it cannot be read. Unset: it is not known.
+    std::function<std::optional<std::string>(const std::string& file)> hash_of{};
     std::function<std::string(const std::string& file)> full_path;  // from the root folder
     std::function<void(const ExportRequest& request)> write_export;
     BodyMaker make_body = make_mannequin_body;

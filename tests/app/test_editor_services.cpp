@@ -379,7 +379,8 @@ TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_h
     services_.discard_journal(left[0].id);
     EXPECT_FALSE(fs::exists(journal));
     // What was recovered and is in no file is offered again, though nothing was changed since.
-    std::ofstream(journal) << editor::journal_head("shirt.json", services_.examples[1].text, true) << '\n';
+    std::ofstream(journal) << editor::journal_head("shirt.json", services_.examples[1].text, {.is_unsaved = true})
+                           << '\n';
     ASSERT_EQ(services_.orphaned_journals().size(), 1U);
     EXPECT_TRUE(services_.orphaned_journals()[0].recovery->was_unsaved);
 }
