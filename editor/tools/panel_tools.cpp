@@ -7,12 +7,13 @@
 
 namespace selvedge::editor {
 
-void MergeTool::click(ToolContext& context, const SheetPointer&) {
+void MergeTool::click(ToolContext& context, const SheetPointer& pointer) {
     if (!place_) return;
     const std::optional<int> seam = context.geometry.seam_of(place_->edge);
     if (!seam)
         throw GeometryError("This edge is not sewn", {{.panel = place_->edge.panel, .edge = place_->edge.index}});
-    context.document.run(MergePanels{*seam});
+    const bool is_named = pointer.modifiers.ctrl;
+    context.document.run(MergePanels{.seam = *seam, .stays = is_named ? place_->edge.panel : ""});
 }
 
 void MergeTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
@@ -21,7 +22,8 @@ void MergeTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
 }
 
 std::string MergeTool::hint(const ToolContext&) const {
-    return "Click a seam: the panels on its two sides become one";
+    return "Click a seam: its two panels become one, and the larger one stays where it lies. Ctrl: the clicked one "
+           "stays";
 }
 
 void UnfoldTool::click(ToolContext& context, const SheetPointer&) {

@@ -516,8 +516,8 @@ void add_seams(std::vector<Action>& actions) {
     add("seam.accept", "Accept as ease", "The longer side is gathered: it is meant to be so", [](int seam) -> Command {
         return AcceptEase{seam, true};
     });
-    add("seam.merge", "Merge panels", "Joins both panels to one along the seam",
-        [](int seam) -> Command { return MergePanels{seam}; });
+    add("seam.merge", "Merge panels", "Joins both panels to one along the seam; the larger one stays where it lies",
+        [](int seam) -> Command { return MergePanels{.seam = seam}; });
     actions.push_back({.id = "seam.delete",
                        .menu = "Seam",
                        .title = "Delete",
