@@ -582,6 +582,20 @@ void draw_lit_places(const SheetLook& look, const std::vector<PartLocation>& pla
     }
 }
 
+void draw_lit_cloth(const SheetLook& look, const std::vector<LitCloth::OnPanel>& lines) {
+    const SheetPen& pen = look.pen;
+    for (const LitCloth::OnPanel& line : lines) {
+        const PanelShape* shape = look.geometry.find(line.panel);
+        if (shape == nullptr) continue;
+        const std::array<Vec2d, 2> ends{shape->on_sheet(line.ends[0]), shape->on_sheet(line.ends[1])};
+        if (line.ends[0] == line.ends[1]) {
+            pen.round(ends[0], 11, faded(pen.colours.error, 0.25), pen.colours.error);
+        } else {
+            pen.line(ends, pen.colours.error, 2.6);
+        }
+    }
+}
+
 ImVec2 bubble_corner(const SheetCamera& camera, const Vec2d& cursor, const Vec2d& size, double beside) {
     Vec2d corner = cursor + Vec2d(beside, beside);
     const Vec2d most = camera.view_low + camera.view_size - size;

@@ -34,6 +34,7 @@ std::vector<ImVec2> inset_line(std::span<const ImVec2> line, float inset, float 
 
 void draw_overlay(const SheetLook& look);
 void draw_lit_places(const SheetLook& look, const std::vector<PartLocation>& places);
+void draw_lit_cloth(const SheetLook& look, const std::vector<LitCloth::OnPanel>& lines);  // a point is ringed
 
 // px, the upper left corner of a box beside the cursor: below and to the right of it; on the other side where it would
 // leave the view; in the view where neither side has room. `beside`: px from the cursor.

@@ -265,6 +265,8 @@ void SheetView::draw(SheetContext& context, const Mouse& mouse) {
     draw_hovered(look);
     for (const PanelShape* shape : seen) draw_selected(look, *shape);
     if (const Message* message = context.host.messages.shown()) draw_lit_places(look, message->places);
+    draw_lit_places(look, context.lit_parts);
+    draw_lit_cloth(look, context.lit_cloth);
     draw_overlay(look);
     draw_rulers(pen, mouse.is_over ? std::optional<Vec2d>(mouse.at) : std::nullopt);
     draw_readout(pen, mouse);

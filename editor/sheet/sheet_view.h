@@ -40,6 +40,8 @@ struct SheetContext {
     std::function<UnderlayPicture(const std::string& file)> underlay_picture{};  // unset: there are none
     std::function<UiTexture()> take_texture{};                                   // for the pictures of underlays
     std::uint64_t fabric_version = 0;                                            // FabricLibrary::version()
+    std::vector<PartLocation> lit_parts{};                                       // of a finding about the drape
+    std::vector<LitCloth::OnPanel> lit_cloth{};
 };
 
 // Result of the frame's input.

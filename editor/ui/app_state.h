@@ -85,6 +85,7 @@ struct AppState {
     std::string journal_problem;  // that was told last; empty: none
     bool shows_start_page = true;
     bool wants_to_close = false;
+    bool shows_times = true;         // what a frame took, which differs from run to run
     float user_scale = 1;            // of the interface, multiplied by the screen's scale
     bool wants_whole_sheet = false;  // the sheet's view is to show all of it in the next frame
     int documents_opened = 0;        // so far: the views are reset with each one

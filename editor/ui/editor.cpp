@@ -168,6 +168,7 @@ struct Editor::Impl {
         io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
         io.ConfigInputTextCursorBlink = !options.is_steady;
         UiInput::map_keys(io);
+        state.shows_times = !options.is_steady;
         begin_journal(state);
         offer_recovery(state);
     }
@@ -286,7 +287,9 @@ void Editor::Impl::show_sheet(const Rectangle& where) {
                 return UnderlayPicture{state.underlays.find(file), state.underlays.size_px(file)};
             },
         .take_texture = [this] { return next_texture++; },
-        .fabric_version = state.workspace.fabrics.version()};
+        .fabric_version = state.workspace.fabrics.version(),
+        .lit_parts = state.workspace.lit.parts,
+        .lit_cloth = lit_cloth(state.workspace.lit, state.workspace.drape.frame()->mesh).on_panels};
     const SheetResult answer = sheet.show(sheet_context);
     used_keys.insert(used_keys.end(), answer.used_keys.begin(), answer.used_keys.end());
     if (answer.wants_menu) open_sheet_menu(state);
@@ -302,6 +305,7 @@ InspectorContext Editor::Impl::inspector_context() {
             .fonts = &state.fonts,
             .widgets = &state.widgets,
             .take_texture = [this] { return next_texture++; },
+            .shows_times = state.shows_times,
             .open_body = [this] { browse_for_body(state); },
             .open_motion = [this] { browse_for_motion(state); },
             .open_pose = [this] { browse_for_pose(state); },
@@ -341,7 +345,12 @@ void Editor::Impl::show_viewport(const Rectangle& where, double seconds) {
                    .scale = scale,
                    .choice = state.tools.info().picks_parts ? ClothChoice::Parts : ClothChoice::Panels,
                    .key_map = state.tools.key_map,
-                   .may_refine = seconds > 0});
+                   .may_refine = seconds > 0,
+                   .widgets = &state.widgets,
+                   .show_findings = [this] {
+                       state.layout.has_inspectors = true;
+                       state.layout.wanted_tab = InspectorTab::Drape;
+                   }});
     ImGui::End();
     if (state.layout.has_timeline) {
         const Rectangle below{{where.low.x, where.low.y + bar + height}, {where.size.x, timeline}};
@@ -414,6 +423,7 @@ void Editor::Impl::show_views(double seconds) {
     show_splitters(regions);
     if (state.layout.has_sheet) show_sheet(regions.sheet);
     if (state.layout.has_viewport) show_viewport(regions.viewport, seconds);
+    state.workspace.lit = {};  // by the rows of the inspectors, for the views of the next frame
     if (state.layout.has_inspectors) show_inspectors(regions.inspectors);
     begin_region("##status", regions.status, {0.6F * unit, 0.25F * unit});
     show_status_bar(state);

@@ -24,6 +24,8 @@ struct ViewportContext {
     ClothChoice choice = ClothChoice::Panels;
     KeyMap key_map = KeyMap::Selvedge;
     bool may_refine = true;  // false: a request of this frame may be replaced before it is drawn, so it is no sample
+    WidgetMap* widgets = nullptr;           // receives the position of the badge; may be null
+    std::function<void()> show_findings{};  // the badge was clicked; unset: it is no button
 };
 
 class Viewport {
@@ -60,6 +62,7 @@ class Viewport {
     };
 
     ViewportInput take_input(const ViewportContext& context);
+    void show_badge_button(const ViewportContext& context);
     bool wants_curved(const Workspace& workspace) const;
     void make_scene(const ViewportContext& context);
     void request_rendering(const ViewportContext& context);
