@@ -141,7 +141,7 @@ std::optional<Recovery> recover(std::string_view journal) {
                 const sim::JsonView change(json, kFile);
                 if (!take_draft(recovery.drafts, change)) {
                     play(document, change);
-                    ++recovery.changes;
+                    recovery.has_lines = true;
                 }
                 unread = journal;
             }
@@ -149,6 +149,7 @@ std::optional<Recovery> recover(std::string_view journal) {
             recovery.unread_lines = static_cast<int>(std::ranges::count(unread, '\n'));
         }
         document.commit();
+        recovery.changes = static_cast<int>(document.position());
         recovery.text = document.text(recovery.file);
         return recovery;
     } catch (const sim::InputError&) {

@@ -50,13 +50,14 @@ std::string journal_head(std::string_view file, std::string_view text, const Jou
 struct Recovery {
     std::string file;
     std::string text = {};     // the document at the end of the journal, with an unfinished drag committed
-    int changes = 0;           // number of lines applied to the document
+    bool has_lines = false;    // lines were applied to the document
+    int changes = 0;           // that made it so, as its history counts them: a drag is one
     int unread_lines = 0;      // complete lines from the first invalid one on: the journal is damaged
     bool was_unsaved = false;  // the journal began with changes that are in no file
     std::optional<std::string> file_hash = {};       // of what the file held then; none: not known
     std::map<std::string, sim::Fabric> drafts = {};  // by the fabric's name or file
 
-    bool has_changes() const { return changes > 0 || was_unsaved; }  // of the garment
+    bool has_changes() const { return has_lines || was_unsaved; }  // of the garment
 };
 
 // None: the first line is missing or invalid.

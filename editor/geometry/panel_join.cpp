@@ -306,7 +306,8 @@ void insert_dart(sim::Pattern& pattern, sim::SeamSide at, double t, double width
     const double from = t - width / 2 / length;
     const double to = t + width / 2 / length;
     if (!(width > 0 && depth > 0)) throw GeometryError("A dart needs a width and a depth.", {place_of(pattern, at)});
-    if (!(from > 0 && to < 1)) throw GeometryError("The dart does not fit on the edge.", {place_of(pattern, at)});
+    if (!(from > 0 && to < 1))
+        throw GeometryError("The dart does not fit here: make it narrower", {place_of(pattern, at)});
     edit_pattern(pattern, [&](sim::Pattern& draft) {
         const sim::Panel& panel = draft.panels[as_size(at.panel)];
         const int second = split_alone(draft, at, to);

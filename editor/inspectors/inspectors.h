@@ -15,6 +15,7 @@
 #include "editor/frame/theme.h"
 #include "editor/inspectors/drape_inspector.h"
 #include "editor/inspectors/object_tree.h"
+#include "editor/inspectors/pattern_measures.h"
 #include "editor/workspace/workspace.h"
 #include "sim/body/body.h"
 #include "sim/tartan/match.h"
@@ -133,7 +134,8 @@ struct InspectorState {
     BodyState body{};
     DrapeState drape{};
     ObjectsState objects{};
-    std::optional<int> hovered_seam{};  // the seam whose row in the list is hovered
+    LengthMove length_move = LengthMove::End;  // of edges whose length is typed
+    std::optional<int> hovered_seam{};         // the seam whose row in the list is hovered
 };
 
 struct InspectorContext {

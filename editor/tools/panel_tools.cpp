@@ -8,10 +8,11 @@
 namespace selvedge::editor {
 
 void MergeTool::click(ToolContext& context, const SheetPointer& pointer) {
-    if (!place_) return;
+    require_place(context, pointer, "merged over");
     const std::optional<int> seam = context.geometry.seam_of(place_->edge);
     if (!seam)
-        throw GeometryError("This edge is not sewn", {{.panel = place_->edge.panel, .edge = place_->edge.index}});
+        throw GeometryError("This edge is not sewn: sew it to the panel that it is to be merged with (N) first",
+                            {{.panel = place_->edge.panel, .edge = place_->edge.index}});
     const bool is_named = pointer.modifiers.ctrl;
     context.document.run(MergePanels{.seam = *seam, .stays = is_named ? place_->edge.panel : ""});
 }
@@ -26,8 +27,9 @@ std::string MergeTool::hint(const ToolContext&) const {
            "stays";
 }
 
-void UnfoldTool::click(ToolContext& context, const SheetPointer&) {
-    if (place_) context.document.run(UnfoldPanel{place_->edge.panel, place_->edge.index});
+void UnfoldTool::click(ToolContext& context, const SheetPointer& pointer) {
+    require_place(context, pointer, "unfolded over");
+    context.document.run(UnfoldPanel{place_->edge.panel, place_->edge.index});
 }
 
 void UnfoldTool::draw(const ToolContext& context, ToolOverlay& overlay) const {

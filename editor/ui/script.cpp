@@ -164,6 +164,9 @@ Vec2d ScriptPlayer::place(const ScriptStep& step, std::size_t& at) const {
         return editor_.sheet_to_px(*vertex);
     }
     if (kind == "widget") {
+        constexpr int kFramesToShow = 30;  // what was asked for just before may be drawn a few frames later
+        const auto is_shown = [&] { return state.widgets.contains(word(step, at)); };
+        for (int i = 0; i < kFramesToShow && !is_shown(); ++i) stage_.step({});
         const auto found = state.widgets.find(word(step, at));
         if (found == state.widgets.end()) fail(step, "nothing on the screen is called '" + word(step, at) + "'");
         ++at;
