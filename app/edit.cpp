@@ -158,9 +158,10 @@ void keep_script(editor::Services& services, const std::string& script) {
         check(file);
         save(file, text);
     };
-    services.print = [check, print = services.print](const sim::Pattern& pattern, const std::string& file) {
+    services.print = [check, print = services.print](const sim::Pattern& pattern, const std::string& file,
+                                                     const sim::PrintSettings& settings) {
         check(file);
-        return print(pattern, file);
+        return print(pattern, file, settings);
     };
     services.write_export = [check, write = services.write_export](const editor::ExportRequest& request) {
         check(request.file);

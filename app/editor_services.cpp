@@ -150,8 +150,8 @@ bool is_drawing(const std::string& file) {
     }
 }
 
-editor::ImportedDrawing import_drawing(const std::string& file) {
-    ImportedGarment garment = import_garment({file}, {});
+editor::ImportedDrawing import_drawing(const std::string& file, const sim::ImportOptions& options) {
+    ImportedGarment garment = import_garment({file}, options);
     editor::ImportedDrawing drawing;
     drawing.sewn = sim::count_text(garment.pattern.panels.size(), "panel") + ", " +
                    sim::count_text(garment.pattern.seams.size(), "seam");
@@ -159,12 +159,14 @@ editor::ImportedDrawing import_drawing(const std::string& file) {
         drawing.sewn += "; " + sim::count_text(garment.possible.size(), "seam") + " less likely, not sewn";
     drawing.notes = std::move(garment.notes);
     drawing.hints = std::move(garment.hints);
+    drawing.sizes = std::move(garment.sizes);
     drawing.garment.pattern = std::move(garment.pattern);
     return drawing;
 }
 
-std::string print_from_editor(const sim::Pattern& pattern, const std::string& file) {
-    const Printed printed = print_pattern(pattern, file, {});
+std::string print_from_editor(const sim::Pattern& pattern, const std::string& file,
+                              const sim::PrintSettings& settings) {
+    const Printed printed = print_pattern(pattern, file, settings);
     std::string text = printed.what;
     for (const std::string& note : printed.notes) text += "; " + note;
     return text;

@@ -79,7 +79,9 @@ struct AppState {
     UnderlayPictures underlays;
     WidgetMap widgets;
     ShownViewport viewport;
-    ExportThickness export_thickness;  // of the next export from the menu
+    ExportThickness export_thickness;   // of the next export from the menu
+    sim::ImportOptions import_options;  // of the next import from the menu
+    sim::PrintSettings print_settings;  // of the next print
     TimelineDrag timeline;
     InspectorState inspectors;
     std::string journal_problem;  // that was told last; empty: none

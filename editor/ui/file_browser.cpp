@@ -81,8 +81,8 @@ void FileBrowser::show(AppState& state) {
         const std::string shown = elided(folder_, ImGui::GetContentRegionAvail().x, Elide::Middle);
         ImGui::TextDisabled("%s", shown.c_str());
         tip_of_whole(folder_, shown);
-        const float rows = request_.show_options ? 3 : 2;  // below the list
-        ImGui::BeginChild("##entries", {0, -rows * ImGui::GetFrameHeightWithSpacing()}, true);
+        const int rows = request_.show_options ? 2 + request_.option_rows : 2;  // below the list
+        ImGui::BeginChild("##entries", {0, -static_cast<float>(rows) * ImGui::GetFrameHeightWithSpacing()}, true);
         show_entries(state);
         ImGui::EndChild();
         if (request_.show_options) request_.show_options(state);

@@ -18,6 +18,7 @@
 #include "editor/ui/app_state.h"
 #include "editor/ui/export_thickness.h"
 #include "editor/ui/fabric_files.h"
+#include "editor/ui/paper_options.h"
 #include "editor/ui/widgets.h"
 #include "sim/core/error.h"
 #include "sim/core/sha256.h"
@@ -215,15 +216,41 @@ void open_file(AppState& state, const std::string& file) {
     after_asking(state, [file](AppState& current) { try_to(current, [&] { load_and_open(current, file); }); });
 }
 
-void import_file(AppState& state, const std::string& file) {
+namespace {
+
+// Offers the other sizes of the drawing that was imported.
+void ask_for_size(AppState& state, const std::string& file, const std::vector<std::string>& sizes,
+                  const sim::ImportOptions& options) {
+    const std::string shown = state.workspace.document->pattern().size;
+    std::vector<Question::Answer> answers{{shown.empty() ? "Keep" : "Keep " + shown, [](AppState&) {}}};
+    constexpr std::size_t kMostAnswers = 10;
+    for (const std::string& size : sizes) {
+        if (size == shown || answers.size() == kMostAnswers) continue;
+        answers.push_back({size, [file, size, options](AppState& current) {
+                               sim::ImportOptions other = options;
+                               other.panels.size = size;
+                               current.workspace.document->mark_saved();  // what was imported is given up
+                               import_file(current, file, other);
+                           }});
+    }
+    state.questions.push_front({"'" + name_in_folder(file) + "' has " + std::to_string(sizes.size()) + " sizes" +
+                                    (shown.empty() ? "" : "; this is " + shown) + ". Which one?",
+                                std::move(answers)});
+}
+
+}  // namespace
+
+void import_file(AppState& state, const std::string& file, const sim::ImportOptions& options) {
     if (state.services.is_photo(file)) return lay_photo(state, file);
-    after_asking(state, [file](AppState& current) {
+    after_asking(state, [file, options](AppState& current) {
         try_to(current, [&] {
-            ImportedDrawing imported = current.services.import_drawing(file);
+            ImportedDrawing imported = current.services.import_drawing(file, options);
+            const std::vector<std::string> sizes = std::move(imported.sizes);
             show_document(current, std::move(imported.garment), {.is_unsaved = true});
             current.workspace.document->set_hints(std::move(imported.hints));
             for (const std::string& note : imported.notes) current.workspace.messages.note(note);
             current.workspace.messages.note("Imported '" + name_in_folder(file) + "': " + imported.sewn);
+            if (sizes.size() > 1 && options.panels.size.empty()) ask_for_size(current, file, sizes, options);
         });
     });
 }
@@ -402,13 +429,13 @@ void export_to(AppState& state, const std::string& file, const ExportThickness& 
     ask_to_replace(state, file, write);
 }
 
-void print_to(AppState& state, const std::string& file, IfExists if_exists) {
+void print_to(AppState& state, const std::string& file, const sim::PrintSettings& settings, IfExists if_exists) {
     state.workspace.document->commit();
-    const auto write = [file](AppState& current) {
+    const auto write = [file, settings](AppState& current) {
         try_to(current, [&] {
             refuse_garment_and_its_files(current, file);
-            current.workspace.messages.note("Wrote " + file + ": " +
-                                            current.services.print(current.workspace.document->pattern(), file));
+            current.workspace.messages.note(
+                "Wrote " + file + ": " + current.services.print(current.workspace.document->pattern(), file, settings));
         });
     };
     if (if_exists == IfExists::Replace || !state.services.exists(file)) return write(state);
@@ -446,7 +473,10 @@ void browse_to_import(AppState& state) {
     state.browser.open({.title = "Import a drawing, or a photo to trace",
                         .verb = "Import",
                         .endings = {".svg", ".dxf", ".json", ".png", ".jpg", ".jpeg", ".PNG", ".JPG", ".JPEG"},
-                        .choose = [](AppState& current, const std::string& file) { import_file(current, file); }},
+                        .show_options = show_import_options,
+                        .option_rows = kImportOptionRows,
+                        .choose = [](AppState& current,
+                                     const std::string& file) { import_file(current, file, current.import_options); }},
                        state.services);
 }
 
@@ -492,8 +522,12 @@ void browse_to_print(AppState& state, const std::string& ending) {
                         .endings = {ending},
                         .is_saving = true,
                         .name = name + ending,
-                        .choose = [ending](AppState& current,
-                                           const std::string& file) { print_to(current, with_ending(file, ending)); }},
+                        .show_options = [ending](AppState& current) { show_print_options(current, ending); },
+                        .option_rows = print_option_rows(ending),
+                        .choose =
+                            [ending](AppState& current, const std::string& file) {
+                                print_to(current, with_ending(file, ending), current.print_settings);
+                            }},
                        state.services);
 }
 

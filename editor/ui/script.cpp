@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <span>
 
 #include "editor/document/command.h"
 #include "editor/geometry/draft.h"
@@ -10,6 +11,7 @@
 #include "editor/ui/actions.h"
 #include "editor/ui/export_thickness.h"
 #include "editor/ui/files.h"
+#include "editor/ui/paper_options.h"
 #include "editor/viewport3d/viewport_overlay.h"
 #include "sim/core/error.h"
 
@@ -91,8 +93,10 @@ void ScriptPlayer::play_document(const ScriptStep& step) {
     AppState& state = editor_.state();
     if (step.verb == "new") new_document(state);
     if (step.verb == "open") open_file(state, word(step, 0));
-    if (step.verb == "import") import_file(state, word(step, 0));
-    if (step.verb == "print") print_to(state, word(step, 0), IfExists::Replace);  // nobody is there to ask
+    const auto options = [&] { return std::span(step.arguments).subspan(1); };
+    if (step.verb == "import") import_file(state, word(step, 0), parse_import_options(options()));
+    if (step.verb == "print")  // nobody is there to ask
+        print_to(state, word(step, 0), parse_print_options(options()), IfExists::Replace);
     if (step.verb == "save") save_as(state, word(step, 0), IfExists::Replace);
     if (step.verb == "export") {
         const bool is_thick = step.arguments.size() > 1 && word(step, 1) == "thickness";
