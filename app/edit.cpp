@@ -182,8 +182,8 @@ render::Image play_script(const EditorScript& script) {
     };
     editor::Services services =
         make_editor_services({.state = script.state, .render_full_quality = render_full_quality});
-    services.load_key_map = nullptr;  // a script's keys are the editor's own, whatever the user chose
-    services.save_key_map = nullptr;
+    services.load_settings = nullptr;  // a script's keys and colours are the editor's own, whatever the user chose
+    services.save_settings = nullptr;
     if (!script.name.empty()) keep_script(services, script.name);
     editor::Editor editor(std::move(services), {.drive = sim::SessionDrive::Caller,
                                                 .fonts = read_fonts(),

@@ -18,6 +18,7 @@ void draw_outline(const SheetLook& look, const PanelShape& shape);
 // Drawn above the seams.
 void draw_marks(const SheetLook& look, const PanelShape& shape, const PanelName& name);
 void draw_selected(const SheetLook& look, const PanelShape& shape);
+void draw_lengths(const SheetLook& look, const PanelShape& shape);  // beside the edges, outside
 
 // Draws the hovered edge and vertex.
 void draw_hovered(const SheetLook& look);

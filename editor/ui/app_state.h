@@ -11,9 +11,11 @@
 #include "editor/frame/frame.h"
 #include "editor/frame/theme.h"
 #include "editor/inspectors/inspectors.h"
+#include "editor/sheet/sheet_pen.h"
 #include "editor/tools/tool_host.h"
 #include "editor/ui/action.h"
 #include "editor/ui/files.h"
+#include "editor/ui/help_windows.h"
 #include "editor/ui/services.h"
 #include "editor/ui/underlay_pictures.h"
 #include "editor/workspace/workspace.h"
@@ -43,6 +45,7 @@ struct WindowLayout {
     float inspector_width = 22.5F;  // font heights
     InspectorTab tab = InspectorTab::Properties;
     std::optional<InspectorTab> wanted_tab{};  // is opened in the next frame
+    bool focuses_inspector = false;            // it gets the keyboard in the next frame
 };
 
 // A drag on the timeline.
@@ -67,6 +70,9 @@ struct AppState {
     std::vector<Action> actions;  // in the key map of `actions_map`
     KeyMap actions_map = KeyMap::Selvedge;
     Theme theme;
+    bool is_dark = false;  // the theme follows with the next frame
+    SheetVisibility sheet_shows;
+    HelpWindows help;
     Fonts fonts;
     WindowLayout layout;
     ActionFinder finder;

@@ -378,6 +378,11 @@ void show_start_page(AppState& state) {
         if (button(state, "start.empty", "Empty sheet")) state.shows_start_page = false;
         ImGui::SameLine();
         if (button(state, "start.open", "Open a file...")) browse_to_open(state);
+        ImGui::SameLine();
+        if (button(state, "start.tour", "First steps")) {
+            state.help.tour_step = 0;
+            state.shows_start_page = false;
+        }
         show_examples(state);
         show_recent(state);
         show_keys(state);

@@ -22,6 +22,7 @@
 #include "editor/ui/bars.h"
 #include "editor/ui/fabric_files.h"
 #include "editor/ui/files.h"
+#include "editor/ui/help_windows.h"
 #include "editor/ui/timeline.h"
 #include "editor/ui/tool_bar.h"
 #include "editor/ui/ui_input.h"
@@ -155,7 +156,10 @@ AppState::AppState(Services given, sim::SessionDrive drive)
     : services(std::move(given)),
       workspace(empty_garment(), drive, services.make_body, services.find_motion, services.read_fabric),
       actions(make_actions()) {
-    if (services.load_key_map) tools.key_map = services.load_key_map();
+    if (!services.load_settings) return;
+    const UserSettings settings = services.load_settings();
+    tools.key_map = settings.keys;
+    is_dark = settings.is_dark;
 }
 
 struct Editor::Impl {
@@ -169,6 +173,7 @@ struct Editor::Impl {
         io.ConfigInputTextCursorBlink = !options.is_steady;
         UiInput::map_keys(io);
         state.shows_times = !options.is_steady;
+        state.inspectors.boxes.gives_keys_back = true;  // the first keys are for the sheet
         begin_journal(state);
         offer_recovery(state);
     }
@@ -198,6 +203,8 @@ struct Editor::Impl {
     std::vector<Key> used_keys;  // consumed by a view in this frame
     UiTexture next_texture = kFirstFreeTexture;
     float scale = 0;
+    bool shown_dark = false;
+    SheetColours sheet_colours;
     Letters letters;        // on screen so far, beyond the basic ones
     Letters asked_letters;  // for which fonts were looked for
     bool has_new_letters = false;
@@ -238,9 +245,15 @@ void Editor::Impl::set_size(const FrameSize& size) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size.width_px), static_cast<float>(size.height_px)};
     const float wanted = size.scale * state.user_scale;
-    const bool has_new_scale = wanted != scale;
+    const bool has_new_scale = wanted != scale, has_new_theme = shown_dark != state.is_dark;
     scale = wanted;
-    if (has_new_scale) apply_theme(state.theme, scale);
+    if (has_new_theme) {
+        shown_dark = state.is_dark;
+        state.theme = state.is_dark ? dark_theme() : Theme{};
+        sheet_colours = state.is_dark ? dark_sheet_colours() : SheetColours{};
+        viewport.set_colours(state.is_dark ? dark_viewport_colours() : ViewportColours{});
+    }
+    if (has_new_scale || has_new_theme) apply_theme(state.theme, scale);
     if (has_new_scale || has_new_letters) rebuild_fonts();
 }
 
@@ -282,6 +295,8 @@ void Editor::Impl::show_sheet(const Rectangle& where) {
         .takes_keys = !state.finder.is_open() && !state.browser.is_open(),
         .takes_text =
             !(state.tools.key_map == KeyMap::MarvelousDesigner && state.layout.has_viewport && viewport.is_over()),
+        .colours = sheet_colours,
+        .shows = state.sheet_shows,
         .underlay_picture =
             [this](const std::string& file) {
                 return UnderlayPicture{state.underlays.find(file), state.underlays.size_px(file)};
@@ -389,6 +404,7 @@ void Editor::Impl::show_inspectors(const Rectangle& where) {
         ImGui::EndTabBar();
     }
     ImGui::PopStyleVar(2);
+    if (std::exchange(state.layout.focuses_inspector, false)) ImGui::SetNextWindowFocus();
     ImGui::BeginChild("##box");
     InspectorContext box = inspector_context();
     draws[static_cast<std::size_t>(state.layout.tab)](box);
@@ -454,6 +470,7 @@ void Editor::Impl::build_frame(double seconds) {
     show_menu_bar(state);
     show_views(seconds);
     show_start_page(state);
+    show_help(state);
     state.browser.show(state);
     state.finder.show(state);
     run_keys();

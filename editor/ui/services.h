@@ -70,6 +70,13 @@ struct ImportedDrawing {
     std::vector<std::string> sizes = {};  // that it has; the garment is of one of them (Pattern::size)
 };
 
+struct UserSettings {
+    KeyMap keys = KeyMap::Selvedge;
+    bool is_dark = false;
+
+    bool operator==(const UserSettings&) const = default;
+};
+
 struct Services {
     std::function<sim::PatternDocument(const std::string& file)> load;
     std::function<bool(const std::string& file)> is_drawing;  // of another program, by its content
@@ -90,9 +97,11 @@ struct Services {
     MotionFinder find_motion = sim::find_motion;
     FabricReader read_fabric = sim::read_fabric_file;
 
-    // The user's choice of keys, kept from one start to the next. Unset: it is not kept.
-    std::function<KeyMap()> load_key_map{};
-    std::function<void(KeyMap map)> save_key_map{};
+    // The user's choices, kept from one start to the next. Unset: they are not kept.
+    std::function<UserSettings()> load_settings{};
+    std::function<void(const UserSettings& settings)> save_settings{};
+
+    std::string manual{};  // of the editor, as Markdown; empty: there is none
 
     std::function<std::vector<std::string>()> recent_files;  // newest first
     std::function<void(const std::string& file)> remember_file;

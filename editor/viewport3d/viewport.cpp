@@ -52,6 +52,11 @@ ImTextureID image_of(UiTexture texture) {
 
 }  // namespace
 
+void Viewport::set_colours(const ViewportColours& colours) {
+    colours_ = colours;
+    scene_ = ViewportScene(colours);
+}
+
 std::optional<Vec2f> Viewport::world_to_px(const Vec3f& x) const {
     std::optional<Vec2f> px = px_of(controller_.viewing(), x);
     if (px) *px += low_px_;

@@ -32,6 +32,8 @@ class Viewport {
  public:
     explicit Viewport(ViewportColours colours = {}) : colours_(colours), scene_(colours) {}
 
+    void set_colours(const ViewportColours& colours);
+
     // Fills the remaining region of the current ImGui window. Requests a new rendering of the scene only if something
     // in it has changed, and then, once it rests, one sample after the other of a smooth picture.
     void show(const ViewportContext& context);

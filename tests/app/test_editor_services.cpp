@@ -63,14 +63,15 @@ TEST_F(EditorServices, a_folder_is_listed_with_folders_first_and_without_what_is
 }
 
 TEST_F(EditorServices, the_choice_of_keys_is_kept) {
-    EXPECT_EQ(services_.load_key_map(), editor::KeyMap::Selvedge) << "none is stored";
-    services_.save_key_map(editor::KeyMap::MarvelousDesigner);
-    EXPECT_EQ(services_.load_key_map(), editor::KeyMap::MarvelousDesigner);
-    EXPECT_EQ(KeyMapFile(folder_.path() / "state" / "settings.json").load(), editor::KeyMap::MarvelousDesigner);
-    services_.save_key_map(editor::KeyMap::Selvedge);
-    EXPECT_EQ(services_.load_key_map(), editor::KeyMap::Selvedge);
+    EXPECT_EQ(services_.load_settings().keys, editor::KeyMap::Selvedge) << "none is stored";
+    services_.save_settings({.keys = editor::KeyMap::MarvelousDesigner, .is_dark = true});
+    EXPECT_EQ(services_.load_settings().keys, editor::KeyMap::MarvelousDesigner);
+    EXPECT_EQ(SettingsFile(folder_.path() / "state" / "settings.json").load(),
+              (editor::UserSettings{.keys = editor::KeyMap::MarvelousDesigner, .is_dark = true}));
+    services_.save_settings({});
+    EXPECT_EQ(services_.load_settings().keys, editor::KeyMap::Selvedge);
     std::ofstream(folder_.path() / "state" / "settings.json") << "{\"keys\": [";
-    EXPECT_EQ(services_.load_key_map(), editor::KeyMap::Selvedge) << "an invalid file";
+    EXPECT_EQ(services_.load_settings().keys, editor::KeyMap::Selvedge) << "an invalid file";
 }
 
 TEST_F(EditorServices, a_folder_that_is_not_there_is_an_input_error) {

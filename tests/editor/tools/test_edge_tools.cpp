@@ -1,4 +1,4 @@
-// Turning about any point, why clicks on no edge do nothing, and where a dart cannot be.
+// Turning about any point, why clicks on no edge do nothing, where a dart cannot be, and selecting by Tab.
 #include <gtest/gtest.h>
 #include <set>
 #include <string>
@@ -67,6 +67,21 @@ TEST(DartTool, warns_where_a_dart_cannot_be) {
     EXPECT_NE(user.overlay().problem.find("does not fit"), std::string::npos) << user.overlay().problem;
     const ToolOverlay overlay = user.overlay();
     EXPECT_EQ(overlay.lines.back().tone, OverlayTone::Warning);
+}
+
+TEST(ToolHost, tab_goes_through_the_panels_and_with_edit_point_through_their_points) {
+    SheetUser user;
+    EXPECT_TRUE(user.key(Key::Tab));
+    EXPECT_EQ(user.document.selection().panels, std::set<std::string>{"left"});
+    user.key(Key::Tab);
+    EXPECT_EQ(user.document.selection().panels, std::set<std::string>{"right"});
+    user.key(Key::Tab);
+    EXPECT_EQ(user.document.selection().panels, std::set<std::string>{"left"});
+    user.choose("edit_point");
+    user.key(Key::Tab);
+    EXPECT_EQ(user.document.selection().vertices, (std::set<PartRef>{{"left", 0}}));
+    user.key(Key::Tab, {.shift = true});
+    EXPECT_EQ(user.document.selection().vertices, (std::set<PartRef>{{"left", 3}}));
 }
 
 }  // namespace
