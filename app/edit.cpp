@@ -92,8 +92,7 @@ void open_at_start(editor::Editor& editor, const std::string& file) {
         editor.state().services.read_photo(file);  // likewise
         return lay_photo(editor.state(), file);
     }
-    sim::PatternDocument source = sim::load_pattern(file);  // an invalid file ends the program
-    open_loaded(editor.state(), std::move(source), file);
+    load_and_open(editor.state(), file);  // an invalid file ends the program
 }
 
 int run_window(const EditArguments& arguments) {
@@ -159,9 +158,10 @@ void keep_script(editor::Services& services, const std::string& script) {
         check(file);
         save(file, text);
     };
-    services.print = [check, print = services.print](const sim::Pattern& pattern, const std::string& file) {
+    services.print = [check, print = services.print](const sim::Pattern& pattern, const std::string& file,
+                                                     const sim::PrintSettings& settings) {
         check(file);
-        return print(pattern, file);
+        return print(pattern, file, settings);
     };
     services.write_export = [check, write = services.write_export](const editor::ExportRequest& request) {
         check(request.file);
@@ -182,8 +182,8 @@ render::Image play_script(const EditorScript& script) {
     };
     editor::Services services =
         make_editor_services({.state = script.state, .render_full_quality = render_full_quality});
-    services.load_key_map = nullptr;  // a script's keys are the editor's own, whatever the user chose
-    services.save_key_map = nullptr;
+    services.load_settings = nullptr;  // a script's keys and colours are the editor's own, whatever the user chose
+    services.save_settings = nullptr;
     if (!script.name.empty()) keep_script(services, script.name);
     editor::Editor editor(std::move(services), {.drive = sim::SessionDrive::Caller,
                                                 .fonts = read_fonts(),

@@ -15,6 +15,7 @@
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
 #include "sim/core/printable.h"
+#include "sim/core/sha256.h"
 #include "sim/dress/dressing.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/exchange/thick_cloth.h"
@@ -25,6 +26,7 @@
 
 namespace selvedge::app {
 std::span<const sim::EmbeddedFile> embedded_examples();
+std::span<const sim::EmbeddedFile> embedded_manual();
 
 namespace {
 
@@ -149,8 +151,8 @@ bool is_drawing(const std::string& file) {
     }
 }
 
-editor::ImportedDrawing import_drawing(const std::string& file) {
-    ImportedGarment garment = import_garment({file}, {});
+editor::ImportedDrawing import_drawing(const std::string& file, const sim::ImportOptions& options) {
+    ImportedGarment garment = import_garment({file}, options);
     editor::ImportedDrawing drawing;
     drawing.sewn = sim::count_text(garment.pattern.panels.size(), "panel") + ", " +
                    sim::count_text(garment.pattern.seams.size(), "seam");
@@ -158,12 +160,22 @@ editor::ImportedDrawing import_drawing(const std::string& file) {
         drawing.sewn += "; " + sim::count_text(garment.possible.size(), "seam") + " less likely, not sewn";
     drawing.notes = std::move(garment.notes);
     drawing.hints = std::move(garment.hints);
+    drawing.sizes = std::move(garment.sizes);
     drawing.garment.pattern = std::move(garment.pattern);
     return drawing;
 }
 
-std::string print_from_editor(const sim::Pattern& pattern, const std::string& file) {
-    const Printed printed = print_pattern(pattern, file, {});
+// Of docs/editor.md: what a user needs, from the mark on.
+std::string manual() {
+    constexpr std::string_view kMark = "<!-- The manual in the menu Help begins here. -->";
+    const std::string_view text = embedded_manual().front().text;
+    const std::size_t mark = text.find(kMark);
+    return std::string(mark == std::string_view::npos ? text : text.substr(mark + kMark.size()));
+}
+
+std::string print_from_editor(const sim::Pattern& pattern, const std::string& file,
+                              const sim::PrintSettings& settings) {
+    const Printed printed = print_pattern(pattern, file, settings);
     std::string text = printed.what;
     for (const std::string& note : printed.notes) text += "; " + note;
     return text;
@@ -187,9 +199,9 @@ void add_journals(editor::Services& services, const fs::path& folder) {
 void add_state(editor::Services& services, const fs::path& folder) {
     add_journals(services, folder / "journals");
     const auto recent = std::make_shared<const RecentFiles>(folder / "recent.json");
-    const auto keys = std::make_shared<const KeyMapFile>(folder / "settings.json");
-    services.load_key_map = [keys] { return keys->load(); };
-    services.save_key_map = [keys](editor::KeyMap map) { keys->save(map); };
+    const auto settings = std::make_shared<const SettingsFile>(folder / "settings.json");
+    services.load_settings = [settings] { return settings->load(); };
+    services.save_settings = [settings](const editor::UserSettings& chosen) { settings->save(chosen); };
     services.recent_files = [recent] { return recent->list(); };
     services.remember_file = [recent](const std::string& file) { recent->add(file); };
 }
@@ -220,11 +232,19 @@ editor::Services make_editor_services(const EditorServicesOptions& options) {
     services.print = print_from_editor;
     services.list_folder = list_folder;
     services.exists = [](const std::string& file) { return sim::file_exists(file); };
+    services.hash_of = [](const std::string& file) -> std::optional<std::string> {
+        try {
+            return sim::sha256_of_file(file);
+        } catch (const sim::InputError&) {
+            return std::nullopt;
+        }
+    };
     services.write_export = [options](const editor::ExportRequest& request) { write_export(request, options); };
     services.make_body = make_current_body;
     services.find_motion = sim::find_motion;
     services.read_fabric = sim::read_fabric_file;
     services.examples = examples();
+    services.manual = manual();
     return services;
 }
 
@@ -258,24 +278,31 @@ void RecentFiles::add(const std::string& path) const {
 
 namespace {
 
-constexpr std::string_view kMarvelousDesigner = "marvelous_designer", kSelvedge = "selvedge";
+constexpr std::string_view kMarvelousDesigner = "marvelous_designer", kSelvedge = "selvedge", kDark = "dark",
+                           kLight = "light";
+
+bool is_text(const sim::Json& json, std::string_view key, std::string_view text) {
+    const sim::Json* value = json.find(key);
+    return value != nullptr && value->is_string() && value->string() == text;
+}
 
 }  // namespace
 
-editor::KeyMap KeyMapFile::load() const {
+editor::UserSettings SettingsFile::load() const {
+    editor::UserSettings settings;
     try {
         const sim::Json json = sim::read_json(file_);
-        const sim::Json* keys = json.find("keys");
-        if (keys != nullptr && keys->is_string() && keys->string() == kMarvelousDesigner)
-            return editor::KeyMap::MarvelousDesigner;
+        if (is_text(json, "keys", kMarvelousDesigner)) settings.keys = editor::KeyMap::MarvelousDesigner;
+        settings.is_dark = is_text(json, "theme", kDark);
     } catch (const sim::InputError&) {  // no choice yet, or an invalid file
     }
-    return editor::KeyMap::Selvedge;
+    return settings;
 }
 
-void KeyMapFile::save(editor::KeyMap map) const {
+void SettingsFile::save(const editor::UserSettings& settings) const {
     sim::Json json = sim::Json::object();
-    json["keys"] = sim::Json(map == editor::KeyMap::MarvelousDesigner ? kMarvelousDesigner : kSelvedge);
+    json["keys"] = sim::Json(settings.keys == editor::KeyMap::MarvelousDesigner ? kMarvelousDesigner : kSelvedge);
+    json["theme"] = sim::Json(settings.is_dark ? kDark : kLight);
     try {
         sim::write_file_atomically(file_, write_json(json));
     } catch (const sim::InputError&) {  // the choice holds until the editor ends

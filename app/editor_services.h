@@ -40,14 +40,14 @@ class RecentFiles {
     std::filesystem::path file_;
 };
 
-// The user's choice of keys, stored between runs.
+// The user's choices of keys and colours, stored between runs.
 
-class KeyMapFile {
+class SettingsFile {
  public:
-    explicit KeyMapFile(std::filesystem::path file) : file_(std::move(file)) {}
+    explicit SettingsFile(std::filesystem::path file) : file_(std::move(file)) {}
 
-    editor::KeyMap load() const;          // the editor's own, if nothing valid is stored
-    void save(editor::KeyMap map) const;  // write errors are ignored
+    editor::UserSettings load() const;                      // the editor's own, if nothing valid is stored
+    void save(const editor::UserSettings& settings) const;  // write errors are ignored
 
  private:
     std::filesystem::path file_;

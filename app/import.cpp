@@ -25,16 +25,6 @@ struct ImportArguments {
     bool lists_all = false;
 };
 
-double metres_of_unit(const std::string& unit) {
-    if (unit == "mm") return 0.001;
-    if (unit == "cm") return 0.01;
-    if (unit == "m") return 1;
-    if (unit == "in") return 0.0254;
-    if (unit == "pt") return 0.0254 / 72;
-    if (unit == "px") return 0.0254 / 96;
-    throw sim::InputError("", "--unit", "'" + unit + "' is none of mm, cm, m, in, pt, px");
-}
-
 void print_list(const char* title, const std::vector<std::string>& lines) {
     if (lines.empty()) return;
     std::printf("%s\n", title);
@@ -43,7 +33,7 @@ void print_list(const char* title, const std::vector<std::string>& lines) {
 
 int run(ImportArguments& arguments) {
     ImportOptions options = arguments.options;
-    if (!arguments.unit.empty()) options.panels.metres_per_unit = metres_of_unit(arguments.unit);
+    if (!arguments.unit.empty()) options.panels.metres_per_unit = sim::metres_of_unit(arguments.unit);
     if (arguments.allowance_mm) options.panels.allowance = *arguments.allowance_mm / 1000;
     if (!arguments.body.source.empty()) options.body = arguments.body.source;
     std::vector<std::filesystem::path> inputs = arguments.files;

@@ -209,6 +209,7 @@ ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, 
     std::ranges::move(made.notes, std::back_inserter(out.notes));
     out.pattern = std::move(made.pattern);
     out.hints = std::move(made.hints);
+    out.sizes = std::move(made.sizes);
     std::vector<sim::SeamProposal> sewn, possible;
     if (out.pattern.seams.empty() && !made.is_placed) {
         for (sim::SeamProposal& proposal :

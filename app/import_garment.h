@@ -5,18 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "sim/paper/make_panels.h"
+#include "sim/paper/import_options.h"
 #include "sim/pattern/pattern.h"
 #include "sim/proposals/seam_proposals.h"
 
 namespace selvedge::app {
 
-struct ImportOptions {
-    sim::MakePanelsOptions panels;
-    double least_confidence = 0.5;            // of the seams that are sewn
-    std::string body = {};                    // round which the panels are placed; empty: of the measurements
-    std::filesystem::path measurements = {};  // file; empty: those of the drawing; the female mannequin if it has none
-};
+using sim::ImportOptions;
 
 struct ImportedGarment {
     sim::Pattern pattern;
@@ -25,6 +20,7 @@ struct ImportedGarment {
     std::vector<std::string> panels;    // "left_sleeve: sleeve, 8 edges, 45.3 x 17.9 cm"
     std::vector<std::string> sewn;      // the proposals that became seams, as describe() tells them
     std::vector<std::string> possible;  // those that did not
+    std::vector<std::string> sizes;     // that the files have, in their order
     std::string hints;                  // texts of the drawing about the whole garment, for roles_of()
 };
 

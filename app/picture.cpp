@@ -132,7 +132,7 @@ void add_picture_options(Command& command, PictureOptions& options) {
             options.show = known(render::parse_show_mode(text), "--show", text, render::show_mode_names());
         });
     add("--tartan",
-        std::string("A shipped tartan or a threadcount, such as 'B/24 W4 B24 R/2' (default the pattern's, or ") +
+        std::string("A shipped tartan or a threadcount, such as 'B/24 W4 B24 R/2' (default the garment's; of a mesh ") +
             sim::kDefaultTartan + ")",
         {.type = "NAME"}, [&](Text text) {
             options.sett = named_tartan(text, "", "--tartan");

@@ -7,21 +7,11 @@
 #include <vector>
 
 #include "sim/pattern/pattern.h"
+#include "sim/print/print_settings.h"
 
 namespace selvedge::app {
 
-struct PrintSettings {
-    std::string paper = "a4";              // see sim::parse_page_size()
-    std::vector<std::string> layers = {};  // names; empty: all
-    double fabric_width = 1.5;             // m, of a cutting layout
-    bool is_one_page = false;
-    bool prints_all = false;  // also mirror images, in a PDF
-    bool is_on_fold = false;  // halves of symmetric panels, in a PDF
-    bool is_layout = false;
-    bool is_one_way = false;
-    bool is_folded = false;
-    bool is_astm = false;
-};
+using sim::PrintSettings;
 
 struct Printed {
     std::string what;                // "20 pages, 7 across and 3 down, and a cover"

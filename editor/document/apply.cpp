@@ -345,7 +345,12 @@ Outcome run(sim::Pattern& pattern, const CutPanel& command) {
 
 Outcome run(sim::Pattern& pattern, const MergePanels& command) {
     check_seam(pattern, command.seam);
-    return select_new(pattern, merge_panels(pattern, command.seam));
+    std::optional<int> stays;
+    if (!command.stays.empty()) stays = find_panel(pattern, command.stays);
+    Merged merged = merge_panels(pattern, command.seam, stays);
+    Outcome outcome = select_new(pattern, merged.panel);
+    outcome.notes = std::move(merged.notes);
+    return outcome;
 }
 
 Outcome run(sim::Pattern& pattern, const UnfoldPanel& command) {

@@ -366,14 +366,16 @@ struct CutPanel {
     }
 };
 
-// Merges the two panels that the seam joins.
+// Merges the two panels that the seam joins. `stays`: the one of them that stays where it lies; empty: the larger one.
 struct MergePanels {
     static constexpr const char* name = "merge_panels";
     int seam = 0;
+    std::string stays = {};
 
     template <class Visitor>
     void fields(Visitor&& visit) {
         visit("seam", seam);
+        visit("stays", stays);
     }
 };
 

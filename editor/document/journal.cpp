@@ -114,11 +114,12 @@ sim::Json journal_no_draft(const std::string& fabric) {
     return one_member("no_draft", sim::Json(fabric));
 }
 
-std::string journal_head(std::string_view file, std::string_view text, bool is_unsaved) {
+std::string journal_head(std::string_view file, std::string_view text, const JournalStart& start) {
     sim::Json head = one_member(kHead, sim::Json(kVersion));
     head["file"] = file;
     head["text"] = text;
-    if (is_unsaved) head["unsaved"] = true;
+    if (start.is_unsaved) head["unsaved"] = true;
+    if (!start.file_hash.empty()) head["file_hash"] = sim::Json(start.file_hash);
     return write_json(head, -1);
 }
 
@@ -132,6 +133,7 @@ std::optional<Recovery> recover(std::string_view journal) {
         std::string_view unread = journal;  // from the line that is being played on
         Recovery recovery{.file = view.at("file").string()};
         recovery.was_unsaved = view.has("unsaved");
+        if (view.has("file_hash")) recovery.file_hash = view.at("file_hash").string();
         Document document(sim::parse_pattern(view.at("text").string(), recovery.file));
         try {
             while (const auto line = take_line(journal)) {
@@ -139,7 +141,7 @@ std::optional<Recovery> recover(std::string_view journal) {
                 const sim::JsonView change(json, kFile);
                 if (!take_draft(recovery.drafts, change)) {
                     play(document, change);
-                    ++recovery.changes;
+                    recovery.has_lines = true;
                 }
                 unread = journal;
             }
@@ -147,6 +149,7 @@ std::optional<Recovery> recover(std::string_view journal) {
             recovery.unread_lines = static_cast<int>(std::ranges::count(unread, '\n'));
         }
         document.commit();
+        recovery.changes = static_cast<int>(document.position());
         recovery.text = document.text(recovery.file);
         return recovery;
     } catch (const sim::InputError&) {

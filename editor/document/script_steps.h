@@ -4,7 +4,9 @@
 //   open FILE | new | save FILE | do COMMAND-AS-JSON | action edit.undo | key ctrl+z | type TEXT
 //   move PLACE | press PLACE | release PLACE | click PLACE | double PLACE | drag PLACE to PLACE | wheel PLACE NOTCHES
 //   where PLACE (prints its px) | wear BODY | frames COUNT | settle SECONDS | expect WORDS | screenshot FILE
-//   export FILE [thickness MM|fabric] | import FILE (a drawing of another program) | print FILE (.pdf, .svg, .dxf)
+//   export FILE [thickness MM|fabric] | import FILE [unit cm] [size M] [allowance MM] [measurements FILE]
+//   print FILE (.pdf, .svg, .dxf) [paper a3] [layers cut,sew] [width CM] [one-page] [all] [on-fold] [layout] [folded]
+//   [one-way] [astm]
 //
 // A PLACE is `sheet X Y` (cm on the sheet), `panel NAME X Y` (cm in the panel's frame), `vertex NAME INDEX` (of a
 // panel), `widget NAME`, `point NAME` (an arrangement point), `room X Y Z` (m, a 3D point) or `px X Y`, followed by any

@@ -100,6 +100,17 @@ Fonts load_fonts(const FontBytes& files, const Theme& theme, float scale, const 
     return fonts;
 }
 
+Theme dark_theme() {
+    return {.panel{0x2A, 0x2C, 0x30},
+            .field{0x36, 0x39, 0x3E},
+            .line{0x4A, 0x4D, 0x53},
+            .ink{0xE8, 0xE6, 0xE1},
+            .faint{0xA2, 0xA4, 0xA8},
+            .accent{0x4F, 0xB0, 0xD0},
+            .warning{0xE5, 0xB1, 0x5A},
+            .error{0xF0, 0x86, 0x7C}};
+}
+
 void apply_theme(const Theme& theme, float scale) {
     ImGuiStyle& style = ImGui::GetStyle();
     set_sizes(style, scale);

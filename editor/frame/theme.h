@@ -24,6 +24,8 @@ struct Theme {
     float font_px = 15;  // px, at display scale 1
 };
 
+Theme dark_theme();
+
 // A font for letters that the interface's own fonts lack.
 struct FallbackFont {
     std::string bytes{};  // of a TrueType or OpenType file

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -218,10 +219,12 @@ class PanelCutter {
         from_ = vertex_at(path_.front());
         to_ = vertex_at(path_.back());
         if (from_ == to_) {
-            throw GeometryError("A cut begins and ends at different points of the outline.", {{own().name, -1, from_}});
+            throw GeometryError("The cut ends where it begins: end it at another point of the outline",
+                                {{own().name, -1, from_}});
         }
         path_.front() = own().vertices[as_size(from_)];
         path_.back() = own().vertices[as_size(to_)];
+        check_inside();
         unlink(draft_, panel_);
         divide();
         if (is_sewn) sew();
@@ -249,6 +252,33 @@ class PanelCutter {
         if (nearest.t * length < kCutSnap) return edge.start;
         if ((1 - nearest.t) * length < kCutSnap) return edge.end;
         return split_sewn(draft_, best, nearest.t);
+    }
+
+    // Throws GeometryError if the path leaves the panel between its ends.
+    void check_inside() {
+        std::vector<Vec2d> loop;
+        for (const sim::OutlineEdge& edge : own().edges) {
+            const std::vector<Vec2d> points = outline_polyline(own(), edge, 1e-4);
+            loop.insert(loop.end(), points.begin(), points.end() - 1);
+        }
+        constexpr int kSamples = 64;  // per segment
+        for (std::size_t i = 0; i + 1 < path_.size(); ++i) {
+            for (int k = 1; k < kSamples; ++k) {
+                const Vec2d point = path_[i] + double(k) / kSamples * (path_[i + 1] - path_[i]);
+                if (sim::is_inside(point, loop) || distance_to_outline(point) < kCutSnap) continue;
+                throw GeometryError("The cut leaves '" + own().name +
+                                        "' between its points: click points inside the panel, or end it at the first "
+                                        "edge that it meets",
+                                    {{.panel = own().name}});
+            }
+        }
+    }
+
+    double distance_to_outline(const Vec2d& point) {
+        double distance = std::numeric_limits<double>::infinity();
+        for (const sim::OutlineEdge& edge : own().edges)
+            distance = std::min(distance, nearest_on_edge(own(), edge, point).distance);
+        return distance;
     }
 
     void divide() {

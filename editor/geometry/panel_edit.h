@@ -2,6 +2,7 @@
 // Creates, copies, mirrors, cuts and merges panels, and lays them out on the sheet. All functions throw GeometryError
 // and leave the pattern unchanged if the result would be invalid (see outline_edit.h). A name that is in use gets a
 // number: front, front_2.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,11 +66,17 @@ std::vector<int> symmetric_copies(sim::Pattern& pattern, const std::vector<int>&
 // Ends the panel's mirror links. Returns the index of the new panel, the last.
 int cut_panel(sim::Pattern& pattern, int panel, const std::vector<Vec2d>& path, bool is_sewn);
 
-// Merges the two panels of a seam into one in the plane: the second is rotated and moved to the first. Both sides must
-// have the same length and shape to within 1 mm. Adjacent seams between the same panels that match in the same way are
-// merged too. The remaining edges of the second panel replace those of the seam; the second panel is removed, and the
-// mirror links of both end. Returns the index of the merged panel.
-int merge_panels(sim::Pattern& pattern, int seam);
+struct Merged {
+    int panel = 0;                        // its index
+    std::vector<std::string> notes = {};  // where the moved panel differed from the one that stays: grain, fabric
+};
+
+// Merges the two panels of a seam into one in the plane: one stays where it lies, on the sheet and on the body, with
+// its name, grain and fabric, and the other is rotated and moved to it with its lines, notches and pins. `stays`: the
+// index of the one that stays; none: the larger one. Both sides must have the same length and shape to within 1 mm.
+// Adjacent seams between the same panels that match in the same way are merged too. The remaining edges of the moved
+// panel replace those of the seam; the moved panel is removed, and the mirror links of both end.
+Merged merge_panels(sim::Pattern& pattern, int seam, std::optional<int> stays = {});
 
 // Unfolds a panel that was cut on the fold: joins it to its mirror image over a straight edge. Edges before the fold
 // keep their indices; then come the images of all edges, in reverse order from the edge before the fold on; then the

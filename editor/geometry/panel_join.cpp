@@ -1,6 +1,9 @@
 // Implements merge_panels, unfold_panel and insert_dart of panel_edit.h.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <numbers>
 
 #include "editor/geometry/draft.h"
 #include "editor/geometry/edge_remap.h"
@@ -26,19 +29,21 @@ class Merger {
           a_first_(seam.first.edge),
           b_first_(seam.second.edge) {}
 
-    int merge() {
-        other_ = mapped_panel(b(), map_of_seam());
+    Merged merge() {
+        const Eigen::Affine2d map = map_of_seam();
+        other_ = mapped_panel(b(), map);
         if (!lie_together(a_first_, b_first_)) {
             throw GeometryError("The sides of the seam have different shapes.",
                                 {place_of(draft_, {a_, a_first_}), place_of(draft_, {b_, b_first_})});
         }
         extend();
+        const std::vector<std::string> notes = differences();
         meet_ends();
         join();
         const int joined = a_ - (b_ < a_ ? 1 : 0);
         unlink(draft_, a_);
         drop_panels(draft_, {b_});
-        return joined;
+        return {.panel = joined, .notes = notes};
     }
 
  private:
@@ -60,6 +65,26 @@ class Merger {
         map.linear() /= std::sqrt(map.linear().determinant());  // rigid: remove the scale
         map.translation() = (start + end) / 2 - map.linear() * (from + to) / 2;
         return map;
+    }
+
+    // What the moved panel had otherwise than the one that stays, whose values the whole then has.
+    std::vector<std::string> differences() {
+        std::vector<std::string> notes;
+        const auto tell = [&](const std::string& what) {
+            notes.push_back("'" + b().name + "' was merged into '" + a().name + "': " + what);
+        };
+        constexpr double kSameGrain = 0.1;  // degrees
+        const double turned =
+            std::remainder(other_.grain_angle - a().grain_angle, std::numbers::pi);  // warps have no end
+        const double degrees = std::abs(turned) * 180 / std::numbers::pi;
+        if (degrees > kSameGrain) {
+            std::array<char, 96> text{};
+            std::snprintf(text.data(), text.size(), "its grain ran %.1f degrees off and is now that of '", degrees);
+            tell(text.data() + a().name + "'");
+        }
+        if (a().fabric != b().fabric) tell("it is now made of the same fabric");
+        if (a().surface != b().surface) tell("it now shows the same");
+        return notes;
     }
 
     bool lie_together(int own, int other) {
@@ -249,10 +274,19 @@ int open_wedge(sim::Pattern& draft, const sim::SeamSide& mouth, double depth) {
 
 }  // namespace
 
-int merge_panels(sim::Pattern& pattern, int seam) {
-    const sim::Seam joint = seam_of(pattern, seam);
+Merged merge_panels(sim::Pattern& pattern, int seam, std::optional<int> stays) {
+    sim::Seam joint = seam_of(pattern, seam);
     const std::vector<PartLocation> places{place_of(pattern, joint.first), place_of(pattern, joint.second)};
-    if (joint.first.panel == joint.second.panel) throw GeometryError("A seam within one panel joins no two.", places);
+    const sim::Panel& first = panel_of(pattern, joint.first.panel);
+    const sim::Panel& second = panel_of(pattern, joint.second.panel);
+    if (joint.first.panel == joint.second.panel)
+        throw GeometryError(
+            "Both sides of this seam are on '" + first.name + "': there is no second panel to merge it with", places);
+    if (stays && *stays != joint.first.panel && *stays != joint.second.panel)
+        throw GeometryError("'" + panel_of(pattern, *stays).name + "' is no panel of this seam", places);
+    const bool second_stays =
+        stays ? *stays == joint.second.panel : std::abs(outline_area(second)) > std::abs(outline_area(first));
+    if (second_stays) std::swap(joint.first, joint.second);
     if (!joint.is_reversed) throw GeometryError("The panels have opposite orientation: mirror one first.", places);
     return edit_pattern(pattern, [&](sim::Pattern& draft) { return Merger(draft, joint).merge(); });
 }
@@ -272,7 +306,8 @@ void insert_dart(sim::Pattern& pattern, sim::SeamSide at, double t, double width
     const double from = t - width / 2 / length;
     const double to = t + width / 2 / length;
     if (!(width > 0 && depth > 0)) throw GeometryError("A dart needs a width and a depth.", {place_of(pattern, at)});
-    if (!(from > 0 && to < 1)) throw GeometryError("The dart does not fit on the edge.", {place_of(pattern, at)});
+    if (!(from > 0 && to < 1))
+        throw GeometryError("The dart does not fit here: make it narrower", {place_of(pattern, at)});
     edit_pattern(pattern, [&](sim::Pattern& draft) {
         const sim::Panel& panel = draft.panels[as_size(at.panel)];
         const int second = split_alone(draft, at, to);

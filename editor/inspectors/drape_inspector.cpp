@@ -127,6 +127,59 @@ void draw_buttons(InspectorContext& context, const sim::SessionFrame& frame) {
     }
 }
 
+// A row that lights up its place on the sheet and in the 3D view while it is chosen or hovered.
+void draw_finding(InspectorContext& context, const Finding& finding, std::size_t index) {
+    DrapeState& state = context.state.drape;
+    const std::string name = "drape.finding." + std::to_string(index);
+    const bool is_fault = finding.kind != FindingKind::Note;
+    const float mark = ImGui::GetFontSize(), wrap = ImGui::GetContentRegionAvail().x - mark;
+    const ImVec2 size = ImGui::CalcTextSize(finding.text.c_str(), nullptr, false, wrap);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const bool is_chosen = state.lit_finding == index;
+    if (ImGui::Selectable(("##" + name).c_str(), is_chosen, 0, {0, size.y}))
+        state.lit_finding = is_chosen ? std::nullopt : std::optional(index);
+    note_widget(context, name);
+    if (ImGui::IsItemHovered()) state.hovered_finding = index;
+    show_tip(finding.place.is_empty() ? "Its place is not known" : "Click to see where it is");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec4 colour = to_colour(is_fault ? context.theme.error : context.theme.warning);
+    list.AddCircleFilled({low.x + 0.4F * mark, low.y + 0.5F * mark}, 0.22F * mark, ImGui::GetColorU32(colour));
+    list.AddText(nullptr, 0, {low.x + mark, low.y}, ImGui::GetColorU32(ImGuiCol_Text), finding.text.c_str(), nullptr,
+                 wrap);
+}
+
+void draw_fit_table(InspectorContext& context, const sim::DressReport& report) {
+    for (const sim::FitRow& row : report.fit) {
+        if (!row.body_girth || !row.garment_girth) continue;
+        std::string measure(row.measure);
+        std::ranges::replace(measure, '_', ' ');
+        std::string text(96, '\0');
+        text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.1f on %.1f cm: %+.1f",
+                                                           100 * *row.garment_girth, 100 * *row.body_girth,
+                                                           100 * *row.ease())));
+        fact(
+            context, measure.c_str(), text,
+            "The garment's girth as it was cut, the body's, and the ease between them. Negative: the cloth stretches.");
+    }
+}
+
+void draw_findings(InspectorContext& context, const sim::SessionFrame& frame) {
+    DrapeState& state = context.state.drape;
+    state.hovered_finding.reset();
+    if (frame.report != state.report) {
+        state.report = frame.report;
+        state.lit_finding.reset();
+    }
+    if (!frame.report) return;
+    if (!folding("Fit and faults", Fold::Open)) return;
+    const std::vector<Finding> findings = findings_of(*frame.report, context.pattern());
+    for (std::size_t i = 0; i < findings.size(); ++i) draw_finding(context, findings[i], i);
+    if (findings.empty()) paragraph(context, "Nothing is wrong with how it hangs.");
+    draw_fit_table(context, *frame.report);
+    const std::optional<std::size_t> lit = state.hovered_finding ? state.hovered_finding : state.lit_finding;
+    if (lit && *lit < findings.size()) context.workspace.lit = findings[*lit].place;
+}
+
 void draw_statistics(InspectorContext& context, const sim::SessionFrame& frame) {
     const sim::SessionStatistics& now = frame.statistics;
     fact(context, "Simulated", seconds_text(now.simulated_seconds), "How long the cloth has fallen, by its own clock.");
@@ -294,9 +347,10 @@ void draw_drape(InspectorContext& context) {
     ImGui::TextUnformatted(stage_sentence(frame->stage, frame->is_running).c_str());
     ImGui::PopTextWrapPos();
     if (!frame->problem.empty()) message_text(context.theme.error, frame->problem);
+    draw_findings(context, *frame);
     draw_statistics(context, *frame);
     draw_levels(context, *frame);
-    if (folding("Cost", Fold::Open)) draw_times(context, *frame);
+    if (context.shows_times && folding("Cost", Fold::Open)) draw_times(context, *frame);
     if (folding("Fineness", Fold::Open)) {
         draw_fineness(context, options);
         draw_criteria(context, options);

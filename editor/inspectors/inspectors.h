@@ -15,6 +15,7 @@
 #include "editor/frame/theme.h"
 #include "editor/inspectors/drape_inspector.h"
 #include "editor/inspectors/object_tree.h"
+#include "editor/inspectors/pattern_measures.h"
 #include "editor/workspace/workspace.h"
 #include "sim/body/body.h"
 #include "sim/tartan/match.h"
@@ -93,8 +94,10 @@ struct BodyState {
 
 struct DrapeState {
     DrapeTrace trace{};
-    std::vector<std::string> kept{};  // names of the drapes that the session keeps
-    std::string name{};               // name for the next one
+    std::vector<std::string> kept{};                   // names of the drapes that the session keeps
+    std::string name{};                                // name for the next one
+    std::shared_ptr<const sim::DressReport> report{};  // of which findings are listed
+    std::optional<std::size_t> lit_finding{}, hovered_finding{};
 };
 
 // Which row of the tab Objects gets another name.
@@ -131,7 +134,8 @@ struct InspectorState {
     BodyState body{};
     DrapeState drape{};
     ObjectsState objects{};
-    std::optional<int> hovered_seam{};  // the seam whose row in the list is hovered
+    LengthMove length_move = LengthMove::End;  // of edges whose length is typed
+    std::optional<int> hovered_seam{};         // the seam whose row in the list is hovered
 };
 
 struct InspectorContext {
@@ -142,6 +146,7 @@ struct InspectorContext {
     const Fonts* fonts = nullptr;               // none: use the current font
     WidgetMap* widgets = nullptr;               // receives the positions of the widgets; may be null
     std::function<UiTexture()> take_texture{};  // returns an unused texture number
+    bool shows_times = true;                    // what a frame took, which differs from run to run
     std::function<void()> open_body{};          // opens a file dialog for a body; unset: no button is shown
     std::function<void()> open_motion{};        // the same for a motion
     std::function<void()> open_pose{};          // the same for a pose

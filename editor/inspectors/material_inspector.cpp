@@ -60,7 +60,7 @@ void draw_picture(const InspectorContext& context, UiTexture texture, const ImVe
 
 void draw_tartan(InspectorContext& context, const std::string& name, const TartanPicture& tartan) {
     const sim::Pattern& pattern = context.pattern();
-    const bool is_chosen = (pattern.tartan.empty() ? sim::kDefaultTartan : pattern.tartan) == name;
+    const bool is_chosen = pattern.tartan == name;
     const float em = ImGui::GetFontSize(), side = kRowHeight * em, left = ImGui::GetCursorPosX();
     const float room = ImGui::GetContentRegionAvail().x;
     if (ImGui::Selectable(("##" + name).c_str(), is_chosen, 0, {room, side})) {
@@ -151,10 +151,9 @@ void draw_threadcount(InspectorContext& context) {
     const auto typed_now = text_box(
         context,
         {.name = "tartan.threadcount",
-         .text = has_name && own_sett
-                     ? threadcount_of(sim::find_tartan(pattern.tartan.empty() ? sim::kDefaultTartan : pattern.tartan))
-                     : pattern.tartan,
-         .hint = "B/24 W4 B24 R/2",
+         .text = has_name && own_sett && !pattern.tartan.empty() ? threadcount_of(sim::find_tartan(pattern.tartan))
+                                                                 : pattern.tartan,
+         .hint = "None: plain cloth. B/24 W4 B24 R/2",
          .tip = "Letters of a colour and a number of threads. A slash marks the pivots between which it is "
                 "mirrored. S=#A09060; before it gives a colour of one's own, weft: a weft of its own, weave: "
                 "plain, twill or denim.",
@@ -163,7 +162,7 @@ void draw_threadcount(InspectorContext& context) {
     const TypedText& typed = context.state.boxes.typed;
     const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("##tartan.threadcount");
     if (is_typing && !typed.wrong.empty()) message_text(context.theme.error, typed.wrong);
-    std::optional<sim::Sett> shown = own_sett;
+    std::optional<sim::Sett> shown = pattern.tartan.empty() ? std::nullopt : own_sett;
     if (is_typing && typed.wrong.empty() && !typed.text.empty()) shown = sim::find_tartan(typed.text);
     if (shown) draw_preview(context, *shown);
     if (typed_now) {

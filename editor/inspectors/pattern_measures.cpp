@@ -4,9 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "editor/geometry/draft.h"
+#include "editor/geometry/outline_edit.h"
+#include "editor/geometry/panel_edit.h"
 #include "editor/geometry/seam_edit.h"
 #include "editor/geometry/sewing.h"
 #include "editor/inspectors/number_box.h"
+#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern.h"
 
@@ -133,6 +137,49 @@ Vec2d shift_for_length(const sim::Panel& panel, const sim::OutlineEdge& edge, co
     const double now = outline_length(panel, edge);
     if (!(now > 0 && change.before > 0 && change.after > 0)) return Vec2d::Zero();
     return (end_of(panel, edge) - start_of(panel, edge)) * ((change.after - change.before) / now);
+}
+
+namespace {
+
+// Both ends of the edge by the similarity that takes them there, in the panel's frame.
+TransformVertices both_ends_to(const sim::Panel& panel, const sim::OutlineEdge& edge, const Vec2d& start,
+                               const Vec2d& end, const Vec2d& origin) {
+    const Eigen::Affine2d map = sim::chord_map(start_of(panel, edge), end_of(panel, edge), start, end);
+    const Vec2d shift = origin + map.translation() - map.linear() * origin;  // the origin of the panel on the sheet
+    return {.vertices = {{panel.name, edge.start}, {panel.name, edge.end}},
+            .map = {map.linear().col(0), map.linear().col(1), shift},
+            .what = "Change length"};
+}
+
+}  // namespace
+
+Command command_for_length(const sim::Pattern& pattern, const PartRef& edge, LengthMove move,
+                           const LengthChange& change) {
+    const auto index = static_cast<std::size_t>(panel_index(pattern, edge.panel).value());
+    const sim::Panel& panel = pattern.panels[index];
+    const auto count = panel.edges.size();
+    const auto at = static_cast<std::size_t>(edge.index);
+    const sim::OutlineEdge& curve = panel.edges[at];
+    const Vec2d by = shift_for_length(panel, curve, change);
+    if (move == LengthMove::End) return MoveVertices{.vertices = {{edge.panel, curve.end}}, .by = by};
+    if (move == LengthMove::Start) return MoveVertices{.vertices = {{edge.panel, curve.start}}, .by = -by};
+    const Vec2d origin = sheet_positions(pattern)[index];
+    const Vec2d start = start_of(panel, curve), end = end_of(panel, curve);
+    if (move == LengthMove::Both) return both_ends_to(panel, curve, start - by / 2, end + by / 2, origin);
+    // The ends slide by d / sine of the angle to their neighbours, which adds d times the difference of the cotangents.
+    const sim::OutlineEdge &before = panel.edges[(at + count - 1) % count], &after = panel.edges[(at + 1) % count];
+    const Vec2d chord = end - start, along = chord.normalized(), across(-along.y(), along.x());
+    const Vec2d first = start_of(panel, before) - start, second = end_of(panel, after) - end;
+    constexpr double kParallel = 1e-6;
+    const double first_sine = first.normalized().dot(across), second_sine = second.normalized().dot(across);
+    const bool has_sides = std::abs(first_sine) > kParallel && std::abs(second_sine) > kParallel;
+    const double gain = has_sides ? second.dot(along) / second.dot(across) - first.dot(along) / first.dot(across) : 0.0;
+    if (std::abs(gain) < kParallel)
+        throw GeometryError("The neighbours of this edge are parallel: it cannot become longer or shorter between them",
+                            {{.panel = edge.panel, .edge = edge.index}});
+    const double grown = by.dot(along), offset = grown / gain;
+    return both_ends_to(panel, curve, start + offset / first.dot(across) * first,
+                        end + offset / second.dot(across) * second, origin);
 }
 
 double min_arc_radius(const sim::Panel& panel, const sim::OutlineEdge& edge) {

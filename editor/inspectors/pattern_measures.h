@@ -33,6 +33,14 @@ struct LengthChange {
 };
 Vec2d shift_for_length(const sim::Panel& panel, const sim::OutlineEdge& edge, const LengthChange& change);
 
+// How an edge takes another length. Ends move along the chord; Parallel: both slide along the neighbouring edges, so
+// that the edge keeps its direction.
+enum class LengthMove { End, Start, Both, Parallel };
+
+// The command that gives the edge another length. Throws GeometryError where that is not possible.
+Command command_for_length(const sim::Pattern& pattern, const PartRef& edge, LengthMove move,
+                           const LengthChange& change);
+
 // The smallest radius of an arc through the edge's ends: half the chord, m.
 double min_arc_radius(const sim::Panel& panel, const sim::OutlineEdge& edge);
 

@@ -361,18 +361,39 @@ void draw_arc(InspectorContext& context, const PartRef& edge, const FoundPanel& 
     }
 }
 
+void draw_length_move(InspectorContext& context) {
+    const std::array<std::string, 4> moves{"its end", "its start", "both ends", "parallel, along its neighbours"};
+    auto& move = context.state.length_move;
+    row_label(context, "Moves",
+              "What moves when a length is typed. The triangles on the sheet point from start to end.");
+    const int chosen =
+        choice_box(context, {.name = "edge.length_move",
+                             .shown = moves[static_cast<std::size_t>(move)],
+                             .items = moves,
+                             .chosen = static_cast<int>(move),
+                             .tip = "Parallel: both ends slide along the neighbouring edges; the direction stays.",
+                             .width_px = field_width()});
+    if (chosen >= 0) move = static_cast<LengthMove>(chosen);
+}
+
 void draw_length(InspectorContext& context, const PartRef& edge, const FoundPanel& found,
                  const sim::OutlineEdge& curve) {
     const NumberEdit length = number_row(context,
                                          {.name = "edge.length",
                                           .value = outline_length(found.panel, curve),
-                                          .tip = "Type a length: the end of the edge moves, its start stays.",
+                                          .tip = "Type a length. The row below says what moves.",
                                           .least = kShortestTyped},
                                          "Length");
+    draw_length_move(context);
     if (!length) return;
     const double before = length.before.value_or(0);
-    const Vec2d by = shift_for_length(found.panel, curve, {.before = before, .after = length.value.value_or(before)});
-    apply_edit(context, length, MoveVertices{.vertices = {{edge.panel, curve.end}}, .by = by});
+    try {
+        apply_edit(context, length,
+                   command_for_length(context.pattern(), edge, context.state.length_move,
+                                      {.before = before, .after = length.value.value_or(before)}));
+    } catch (const GeometryError& error) {
+        context.workspace.messages.error(error);
+    }
 }
 
 void draw_seam_of(InspectorContext& context, const FoundPanel& found, int edge) {

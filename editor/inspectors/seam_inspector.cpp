@@ -189,7 +189,7 @@ void draw_seam_section(InspectorContext& context, int seam) {
 
 void draw_seams(InspectorContext& context) {
     if (context.pattern().seams.empty())
-        return paragraph(context, "No seams yet. Choose Segment sewing and click two edges.");
+        return paragraph(context, "No seams yet. Choose Sew edges (N) and click two edges.");
     std::size_t wrong = 0;
     for (const int seam : one_of_each_sewing(context.pattern())) {
         const SeamMeasures measures = seam_measures(context.pattern(), seam);

@@ -185,7 +185,7 @@ void draw_surface(InspectorContext& context) {
     const DesignEdit edit = design_rows(
         context, {.now = panel == nullptr ? context.pattern().surface : panel->surface,
                   .names = "surface.",
-                  .none = selected.empty() ? "The tartan below" : "As the garment",
+                  .none = selected.empty() ? "The tartan below, or plain" : "As the garment",
                   .tip = "What the cloth shows: of the selected panels, or of the garment if none is selected.",
                   .open_picture = context.open_picture});
     if (edit.phase == EditPhase::Rollback) context.workspace.document->rollback();

@@ -24,7 +24,7 @@ void ClothTextures::begin_frame(std::uint64_t fabric_version) {
 ClothTexture ClothTextures::find(FrameOutput& output, UiTexture first, const sim::Pattern& pattern,
                                  const sim::Panel& panel, double scale) {
     const sim::SurfaceDesign design = looks_.design_of(pattern, panel);
-    if (design == sim::SurfaceDesign{}) return {};
+    if (design == render::plain_design()) return {};
     const render::ClothLook& look = looks_.look(design);
     if (!look.picture && look.sett.stripes.empty()) return {};
     const int side = look.picture ? 0 : sett_tile_side(repeat_size(look.sett) * scale);

@@ -320,6 +320,36 @@ void draw_selected(const SheetLook& look, const PanelShape& shape) {
     draw_vertices(look, shape);
 }
 
+void draw_lengths(const SheetLook& look, const PanelShape& shape) {
+    const SheetPen& pen = look.pen;
+    constexpr double kBeside = 12, kInside = -14, kFree = 8;  // px: from the edge; of the edge beyond the text
+    constexpr float kSize = 0.85F;                            // relative to the normal font size
+    for (std::size_t e = 0; e < shape.edges.size(); ++e) {
+        const EdgeShape& edge = shape.edges[e];
+        const bool is_selected = look.selection.edges.contains({shape.panel.name, static_cast<int>(e)});
+        if (!is_selected && !look.shows.lengths) continue;
+        const std::string text = in_cm(edge.length);
+        const LabelBox whole = pen.text_box(shape.on_sheet(edge.at(0.5)), text, {0, 0}, kSize);
+        const ImVec2 size{whole.high.x - whole.low.x, whole.high.y - whole.low.y};
+        if (!is_selected && edge.length * pen.camera.scale < double(size.x) + pen.px(kFree)) continue;
+        std::vector<ImVec2> centres;
+        for (const double t : {0.5, 0.3, 0.7}) {
+            const Vec2d tangent = edge.tangent(t);
+            const ImVec2 at = pen.px(shape.on_sheet(edge.at(t)));
+            const double reach =
+                std::abs(tangent.y()) * double(size.x) / 2 + std::abs(tangent.x()) * double(size.y) / 2;
+            for (const double beside :
+                 {kBeside, kInside}) {  // to the right of an edge is outside; y of the screen is down
+                const double away = std::copysign(reach + pen.px(std::abs(beside)) / 2, beside);
+                centres.push_back({at.x + float(tangent.y() * away), at.y + float(tangent.x() * away)});
+            }
+        }
+        const ImVec2 centre = look.labels.place(size, centres), middle = pen.px(shape.on_sheet(edge.at(0.5)));
+        pen.text(shape.on_sheet(edge.at(0.5)), text, is_selected ? pen.colours.accent : pen.colours.measure,
+                 {centre.x - middle.x, centre.y - middle.y}, kSize);
+    }
+}
+
 void draw_hovered(const SheetLook& look) {
     const SheetPen& pen = look.pen;
     const PanelShape* hovered = look.geometry.find(look.hover.panel);
@@ -579,6 +609,20 @@ void draw_lit_places(const SheetLook& look, const std::vector<PartLocation>& pla
         if (!has_vertex) continue;
         const Vec2d at = shape->on_sheet(shape->panel.vertices[static_cast<std::size_t>(place.vertex)]);
         pen.round(at, 11, faded(pen.colours.error, 0.25), pen.colours.error);
+    }
+}
+
+void draw_lit_cloth(const SheetLook& look, const std::vector<LitCloth::OnPanel>& lines) {
+    const SheetPen& pen = look.pen;
+    for (const LitCloth::OnPanel& line : lines) {
+        const PanelShape* shape = look.geometry.find(line.panel);
+        if (shape == nullptr) continue;
+        const std::array<Vec2d, 2> ends{shape->on_sheet(line.ends[0]), shape->on_sheet(line.ends[1])};
+        if (line.ends[0] == line.ends[1]) {
+            pen.round(ends[0], 11, faded(pen.colours.error, 0.25), pen.colours.error);
+        } else {
+            pen.line(ends, pen.colours.error, 2.6);
+        }
     }
 }
 

@@ -18,6 +18,7 @@ void draw_outline(const SheetLook& look, const PanelShape& shape);
 // Drawn above the seams.
 void draw_marks(const SheetLook& look, const PanelShape& shape, const PanelName& name);
 void draw_selected(const SheetLook& look, const PanelShape& shape);
+void draw_lengths(const SheetLook& look, const PanelShape& shape);  // beside the edges, outside
 
 // Draws the hovered edge and vertex.
 void draw_hovered(const SheetLook& look);
@@ -34,6 +35,7 @@ std::vector<ImVec2> inset_line(std::span<const ImVec2> line, float inset, float 
 
 void draw_overlay(const SheetLook& look);
 void draw_lit_places(const SheetLook& look, const std::vector<PartLocation>& places);
+void draw_lit_cloth(const SheetLook& look, const std::vector<LitCloth::OnPanel>& lines);  // a point is ringed
 
 // px, the upper left corner of a box beside the cursor: below and to the right of it; on the other side where it would
 // leave the view; in the view where neither side has room. `beside`: px from the cursor.

@@ -56,6 +56,8 @@ struct SheetColours {
     render::Rgba8 bubble_problem{0xF6, 0xC4, 0x6A, 0xFF};
 };
 
+SheetColours dark_sheet_colours();
+
 // The box of a text with its plate, px.
 struct LabelBox {
     ImVec2 low{0, 0};
@@ -109,6 +111,7 @@ struct SheetVisibility {
     bool seams = true;
     bool allowances = true;
     bool grid = true;
+    bool lengths = false;  // of all edges; those of selected edges are always shown
 };
 
 class LabelPlaces;  // sheet_labels.h

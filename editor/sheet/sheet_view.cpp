@@ -136,6 +136,38 @@ void SheetView::navigate(const SheetContext& context, const Mouse& mouse, SheetR
     last_at_ = mouse.at;
 }
 
+// Alt and an arrow move the cursor by a step of the grid, with Shift by a millimetre; Alt and Enter click there. The
+// mouse takes it back when it moves.
+void SheetView::move_key_cursor(SheetContext& context, Mouse& mouse) {
+    const ImVec2 at = ImGui::GetIO().MousePos;
+    const Vec2d mouse_now = ImGui::IsMousePosValid(&at) ? Vec2d(double(at.x), double(at.y)) : mouse_at_;
+    if (mouse_now != mouse_at_ || has_left_) key_cursor_.reset();
+    mouse_at_ = mouse_now;
+    const bool may_move = context.takes_keys && !ImGui::GetIO().WantTextInput && mouse.modifiers.alt &&
+                          (mouse.is_over || ImGui::IsWindowFocused() || key_cursor_);
+    if (may_move) {
+        constexpr double kFineStep = 0.001, kLeastPx = 5;  // m; px between two steps
+        const double step = mouse.modifiers.shift ? kFineStep : grid_step(camera_, kLeastPx * context.ui_scale);
+        const auto is_pressed = [](Key key) { return ImGui::IsKeyPressed(static_cast<int>(key), true); };
+        const Vec2d by(double(is_pressed(Key::Right)) - double(is_pressed(Key::Left)),
+                       double(is_pressed(Key::Up)) - double(is_pressed(Key::Down)));
+        if (by.norm() > 0) {
+            const Vec2d from =
+                to_sheet(camera_, key_cursor_.value_or(mouse.is_over ? mouse.at : to_px(camera_, camera_.centre)));
+            key_cursor_ = to_px(camera_, (from / step).array().round().matrix() * step + step * by);
+        }
+    }
+    if (!key_cursor_) return;
+    mouse.at = *key_cursor_;
+    mouse.is_over = true;
+    const bool clicks = may_move && (ImGui::IsKeyPressed(static_cast<int>(Key::Enter), false) ||
+                                     ImGui::IsKeyPressed(static_cast<int>(Key::KeypadEnter), false));
+    mouse.modifiers.alt = false;  // it says that the keys move the cursor
+    if (!clicks) return;
+    context.tools.press(context.host, mouse.at, mouse.modifiers);
+    context.tools.release(context.host, mouse.at, mouse.modifiers);
+}
+
 void SheetView::forward_mouse(SheetContext& context, const Mouse& mouse) {
     ToolHost& tools = context.tools;
     if (mouse.is_over && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
@@ -162,6 +194,7 @@ void SheetView::forward_keys(SheetContext& context, const Mouse& mouse, SheetRes
     const bool takes_text = context.takes_text && !mouse.modifiers.ctrl && !mouse.modifiers.alt;
     if (takes_text) context.tools.text(context.host, written());
     for (const Key key : pressed_keys()) {
+        if (ImGui::GetIO().KeyAlt && (key == Key::Enter || key == Key::KeypadEnter || key >= Key::Right)) continue;
         if (context.tools.key(context.host, key, mouse.modifiers)) {
             answer.used_keys.push_back(key);
         } else if (key == key_of('F') && mouse.modifiers == Modifiers{} && !was_typing) {
@@ -173,8 +206,9 @@ void SheetView::forward_keys(SheetContext& context, const Mouse& mouse, SheetRes
 
 SheetResult SheetView::show(SheetContext& context) {
     SheetResult answer;
-    const Mouse mouse = place(context);
+    Mouse mouse = place(context);
     context.tools.begin_frame(context.host.document, camera_, context.ui_scale);
+    move_key_cursor(context, mouse);
     frame_again(context);
     frame_wanted(context);
     navigate(context, mouse, answer);
@@ -223,6 +257,22 @@ bool SheetView::draw_underlays(SheetContext& context, const SheetPen& pen) {
     return has_any;
 }
 
+namespace {
+
+void draw_key_cursor(const SheetPen& pen, const Vec2d& at) {
+    const ImVec2 middle{std::floor(float(at.x())) + 0.5F, std::floor(float(at.y())) + 0.5F};
+    const float arm = pen.px(11), gap = pen.px(3);
+    for (const float width : {3.5F, 1.5F}) {
+        const ImU32 colour = packed(width > 2 ? pen.colours.plate : pen.colours.accent);
+        pen.list.AddLine({middle.x - arm, middle.y}, {middle.x - gap, middle.y}, colour, pen.px(double(width)));
+        pen.list.AddLine({middle.x + gap, middle.y}, {middle.x + arm, middle.y}, colour, pen.px(double(width)));
+        pen.list.AddLine({middle.x, middle.y - arm}, {middle.x, middle.y - gap}, colour, pen.px(double(width)));
+        pen.list.AddLine({middle.x, middle.y + gap}, {middle.x, middle.y + arm}, colour, pen.px(double(width)));
+    }
+}
+
+}  // namespace
+
 void SheetView::draw(SheetContext& context, const Mouse& mouse) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Vec2d low = camera_.view_low, high = low + camera_.view_size;
@@ -263,9 +313,12 @@ void SheetView::draw(SheetContext& context, const Mouse& mouse) {
     draw_seams(look);
     for (std::size_t i = 0; i < seen.size(); ++i) draw_marks(look, *seen[i], names_[i]);
     draw_hovered(look);
-    for (const PanelShape* shape : seen) draw_selected(look, *shape);
+    for (const PanelShape* shape : seen) draw_selected(look, *shape), draw_lengths(look, *shape);
     if (const Message* message = context.host.messages.shown()) draw_lit_places(look, message->places);
+    draw_lit_places(look, context.lit_parts);
+    draw_lit_cloth(look, context.lit_cloth);
     draw_overlay(look);
+    if (key_cursor_) draw_key_cursor(pen, *key_cursor_);
     draw_rulers(pen, mouse.is_over ? std::optional<Vec2d>(mouse.at) : std::nullopt);
     draw_readout(pen, mouse);
     if (mouse.is_over || has_left_) draw_bubble(pen, mouse.at, overlay, context.tools);

@@ -40,6 +40,8 @@ struct SheetContext {
     std::function<UnderlayPicture(const std::string& file)> underlay_picture{};  // unset: there are none
     std::function<UiTexture()> take_texture{};                                   // for the pictures of underlays
     std::uint64_t fabric_version = 0;                                            // FabricLibrary::version()
+    std::vector<PartLocation> lit_parts{};                                       // of a finding about the drape
+    std::vector<LitCloth::OnPanel> lit_cloth{};
 };
 
 // Result of the frame's input.
@@ -72,6 +74,7 @@ class SheetView {
     };
 
     Mouse place(SheetContext& context);
+    void move_key_cursor(SheetContext& context, Mouse& mouse);
     void frame_wanted(const SheetContext& context);
     void frame_again(const SheetContext& context);
     void navigate(const SheetContext& context, const Mouse& mouse, SheetResult& answer);
@@ -97,6 +100,8 @@ class SheetView {
     double panned_px_ = 0;
     bool has_left_ = false;  // the left button was pressed inside the view
     bool is_double_ = false;
+    std::optional<Vec2d> key_cursor_;  // px: where keys moved the cursor; none: it is the mouse's
+    Vec2d mouse_at_ = Vec2d::Zero();   // px, of the mouse in the last frame
 
     ClothTextures cloth_textures_;
     CutLines cut_lines_;

@@ -23,12 +23,12 @@ const PanelShape* panel_at(const SheetGeometry& geometry, const Vec2d& sheet) {
     return found;
 }
 
-// The panel that the path runs through. Throws GeometryError if there is none.
-const PanelShape& panel_under(const SheetGeometry& geometry, const std::vector<Vec2d>& path) {
+// The panel that the path runs through. Throws GeometryError with this text if there is none.
+const PanelShape& panel_under(const SheetGeometry& geometry, const std::vector<Vec2d>& path, const char* otherwise) {
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         if (const PanelShape* shape = panel_at(geometry, (path[i] + path[i + 1]) / 2)) return *shape;
     }
-    throw GeometryError("Draw the line over a panel");
+    throw GeometryError(otherwise);
 }
 
 std::vector<Vec2d> in_panel(const PanelShape& shape, std::vector<Vec2d> path) {
@@ -80,10 +80,17 @@ bool PathTool::key(ToolContext& context, Key key, const Modifiers& modifiers) {
     return true;
 }
 
+// A length in the direction of the cursor, or across x up from the last point; the first point: its place on the sheet.
 bool PathTool::enter(ToolContext& context, const std::vector<double>& numbers) {
-    if (numbers.size() != 1 || path_.is_empty()) return false;
-    if (!(numbers[0] > 0)) throw GeometryError("The length must be greater than 0");
-    path_.add_at_length(numbers[0] / 100);
+    if (numbers.size() > 2 || (numbers.size() == 1 && path_.is_empty())) return false;
+    if (numbers.size() == 2) {
+        const Vec2d by = Vec2d(numbers[0], numbers[1]) / 100;
+        if (!path_.is_empty() && by.norm() == 0) throw GeometryError("The length must be greater than 0");
+        path_.add_at(path_.is_empty() ? by : path_.points().back().at + by);
+    } else {
+        if (!(numbers[0] > 0)) throw GeometryError("The length must be greater than 0");
+        path_.add_at_length(numbers[0] / 100);
+    }
     if (is_done(context)) finish(context);
     return true;
 }
@@ -126,8 +133,8 @@ Command PolygonTool::command(const ToolContext& context) const {
 
 std::string PolygonTool::hint(const ToolContext&) const {
     if (path_.is_empty()) return "Click the first point of the panel";
-    return "Click points (Ctrl: on a curve, Shift: 45\u00b0) or type a length; the first point or Enter closes, "
-           "Backspace takes back";
+    return "Click points (Ctrl: on a curve, Shift: 45\u00b0), or type 12, 12 < 30 (angle) or 5 x -8 (across x up); the "
+           "first point or Enter closes, Backspace takes back";
 }
 
 // --- internal line
@@ -135,20 +142,29 @@ std::string PolygonTool::hint(const ToolContext&) const {
 Command InternalLineTool::command(const ToolContext& context) const {
     const std::vector<Vec2d> path = path_.places();
     if (path.size() < 2) throw GeometryError("A line needs two points");
-    const PanelShape& shape = panel_under(context.geometry, path);
+    const PanelShape& shape =
+        panel_under(context.geometry, path, "The line lies over no panel: click its points inside one");
     return AddInternalLine{shape.panel.name, {.name = "", .points = in_panel(shape, path)}};
 }
 
 std::string InternalLineTool::hint(const ToolContext&) const {
     if (path_.is_empty()) return "Click the first point inside a panel";
-    return "Click points or type a length (cm); Enter or double click ends";
+    return "Click points, or type 12, 12 < 30 (angle) or 5 x -8 (across x up) in cm; Enter or double click ends";
 }
 
 // --- cut
 
+// To a vertex, as the tip of a dart is one; else to a point of an edge.
 void CutTool::refine_aim(const ToolContext& context, const SheetPointer& pointer) {
+    if (pointer.modifiers.shift) return;
+    PickOptions vertices = pick_options(context);
+    vertices.tolerance = kSnapTolerance * context.px;
+    vertices.edges = vertices.notches = vertices.internal_lines = vertices.panels = false;
+    const bool is_snapping = snap_options(context, pointer.modifiers).is_on;
+    const Pick vertex = pick(context.geometry, pointer.at, vertices);
+    if (is_snapping && vertex.kind == PickKind::Vertex) return path_.aim_at(vertex.point);
     const std::optional<EdgePoint> place = edge_point_at(context, pointer);
-    if (!place || pointer.modifiers.shift) return;
+    if (!place) return;
     const PanelShape* shape = context.geometry.find(place->edge.panel);
     path_.aim_at(sheet_point(*shape, place->edge.index, place->t));
 }
@@ -163,14 +179,17 @@ bool CutTool::is_done(const ToolContext& context) const {
 
 Command CutTool::command(const ToolContext& context) const {
     const std::vector<Vec2d> path = path_.places();
-    if (path.size() < 2) throw GeometryError("A cut needs two points");
-    const PanelShape& shape = panel_under(context.geometry, path);
+    if (path.size() < 2)
+        throw GeometryError("A cut needs two points: click where it begins on the outline, then where it ends");
+    const PanelShape& shape =
+        panel_under(context.geometry, path,
+                    "The cut lies over no panel: click on across the panel, to another point of its outline");
     return CutPanel{shape.panel.name, in_panel(shape, path), !modifiers_.alt};
 }
 
 std::string CutTool::hint(const ToolContext&) const {
-    if (path_.is_empty()) return "Click the edge where the cut begins";
-    return "Click on to the other edge: cut, and sewn again; with Alt: not sewn";
+    if (path_.is_empty()) return "Click the edge, or the point, where the cut begins: a corner, or the tip of a dart";
+    return "Click on to another edge or point: cut, and sewn again; with Alt: not sewn. Backspace takes a point back";
 }
 
 // --- mirror
@@ -273,7 +292,7 @@ void BoxTool::make(ToolContext& context) {
     if (size.minCoeff() < kSmallest) throw GeometryError("That is too small for a panel: type width x height (cm)");
     sim::Panel panel =
         shape_ == BoxShape::Rectangle ? make_rectangle(-size / 2, size / 2) : make_ellipse(Vec2d(0, 0), size / 2);
-    panel.name = "panel";
+    panel.name = shape_ == BoxShape::Rectangle ? "rectangle" : "ellipse";
     panel.sheet_position = low + size / 2;
     context.document.run(AddPanels{{placed_freely(context.document, context.drape, panel)}});
 }
@@ -363,6 +382,11 @@ void PathInProgress::aim(const ToolContext& context, const SheetPointer& pointer
     for (const PathPoint& point : points_) options.more_points.push_back(point.at);
     if (!points_.empty()) options.origin = points_.back().at;
     aimed_ = snap(context.geometry, pointer.at, options);
+    if (context.typed && context.typed->size() == 2) {
+        const Vec2d by = Vec2d(context.typed->front(), context.typed->back()) / 100;
+        aimed_ = {points_.empty() ? by : Vec2d(points_.back().at + by), SnapKind::None, {}};
+        return;
+    }
     const bool has_length = context.typed && context.typed->size() == 1 && !points_.empty();
     const Vec2d away = has_length ? Vec2d(aimed_.point - points_.back().at) : Vec2d(0, 0);
     if (away.norm() > 0)
@@ -420,12 +444,12 @@ void PathInProgress::draw(const ToolContext& context, ToolOverlay& overlay, bool
     const Vec2d away = aimed_.point - points_.back().at;
     if (away.norm() == 0) return;
     overlay.handles.push_back({aimed_.point, HandleShape::Square, OverlayTone::Draft, true});
+    overlay.readout = {in_cm(away.norm()) + " < " + in_degrees(std::atan2(away.y(), away.x())),
+                       in_cm(away.x()) + " x " + in_cm(away.y())};
     if (points_.size() > 1) {
         const Vec2d before = points_.back().at - points_[points_.size() - 2].at;
         const double turn = std::atan2(sim::cross2(before, away), before.dot(away));
-        overlay.readout = {in_cm(away.norm()), "turn " + in_degrees(turn)};
-    } else {
-        overlay.readout = {in_cm(away.norm()), in_degrees(std::atan2(away.y(), away.x()))};
+        overlay.readout.push_back("turn " + in_degrees(turn));
     }
 }
 
@@ -448,7 +472,7 @@ sim::Panel outline_through(std::vector<PathPoint> points) {
     for (sim::OutlineEdge& edge : panel.edges) {
         for (int c = 0; c < control_count(edge.kind); ++c) edge.control[static_cast<std::size_t>(c)] -= middle;
     }
-    panel.name = "panel";
+    panel.name = "polygon";
     panel.sheet_position = middle;
     return panel;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "editor/geometry/draft.h"
+#include "editor/geometry/outline_edit.h"
+#include "editor/geometry/panel_edit.h"
 #include "editor/tools/select_tool.h"
 #include "editor/tools/tool.h"
 #include "sim/pattern/outline.h"
@@ -35,6 +37,28 @@ std::optional<EdgePoint> edge_point_at(const ToolContext& context, const SheetPo
     return EdgePoint{picked.ref(), snap_along(edge, picked.t, snap_options(context, pointer.modifiers))};
 }
 
+GeometryError no_edge_error(const ToolContext& context, const SheetPointer& pointer, const std::string& use) {
+    const std::string only = "only edges of outlines are " + use;
+    for (const PanelShape& shape : context.geometry.panels()) {
+        const bool is_locked = !shape.is_hidden && !shape.may_be_picked;
+        if (is_locked && shape.contains(shape.in_panel(pointer.at)))
+            return GeometryError("'" + shape.panel.name + "' is locked: unlock it first (Panel > Unlock all)",
+                                 {{.panel = shape.panel.name}});
+    }
+    const Pick picked = pick(context.geometry, pointer.at, pick_options(context));
+    if (picked.kind == PickKind::InternalLine)
+        return GeometryError("This is an internal line: " + only + ". Cut the panel along it (U) to make it an edge",
+                             {{.panel = picked.panel}});
+    if (picked.kind == PickKind::Panel)
+        return GeometryError("This is the inside of '" + picked.panel + "': " + only + ". Click one of them",
+                             {{.panel = picked.panel}});
+    return GeometryError("There is no edge here: " + only);
+}
+
+void EdgeTool::require_place(const ToolContext& context, const SheetPointer& pointer, const std::string& use) const {
+    if (!place_) throw no_edge_error(context, pointer, use);
+}
+
 void EdgeTool::hover(ToolContext& context, const SheetPointer& pointer) {
     Tool::hover(context, pointer);
     place_ = edge_point_at(context, pointer);
@@ -60,8 +84,9 @@ void EdgeTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
 
 // --- add point
 
-void AddPointTool::click(ToolContext& context, const SheetPointer&) {
-    if (place_) context.document.run(AddVertex{place_->edge.panel, place_->edge.index, place_->t});
+void AddPointTool::click(ToolContext& context, const SheetPointer& pointer) {
+    require_place(context, pointer, "given points");
+    context.document.run(AddVertex{place_->edge.panel, place_->edge.index, place_->t});
 }
 
 bool AddPointTool::enter(ToolContext& context, const std::vector<double>& numbers) {
@@ -85,12 +110,13 @@ void NotchTool::press(ToolContext& context, const SheetPointer& pointer) {
     if (picked.kind == PickKind::Notch) held_ = picked.ref();
 }
 
-void NotchTool::click(ToolContext& context, const SheetPointer&) {
+void NotchTool::click(ToolContext& context, const SheetPointer& pointer) {
     if (held_) {
         Selection selection;
         selection.notches.insert(*held_);
         context.document.select(selection);
-    } else if (place_) {
+    } else {
+        require_place(context, pointer, "notched");
         context.document.run(AddNotch{place_->edge.panel, place_->edge.index, place_->t});
     }
     held_.reset();
@@ -131,11 +157,31 @@ std::vector<Vec2d> dart_lines(const PanelShape& shape, const EdgePoint& place, d
     return {shape.on_sheet(edge.at(place.t - half)), shape.on_sheet(tip), shape.on_sheet(edge.at(place.t + half))};
 }
 
+namespace {
+
+// Why the dart cannot be there; empty: it can.
+std::string why_no_dart(const sim::Pattern& pattern, const EdgePoint& place, double width, double depth) {
+    const std::optional<int> panel = panel_index(pattern, place.edge.panel);
+    if (!panel) return "";
+    sim::Pattern tried = pattern;
+    try {
+        insert_dart(tried, {.panel = *panel, .edge = place.edge.index}, place.t, width, depth);
+        return "";
+    } catch (const GeometryError& error) {
+        return error.what();
+    }
+}
+
+}  // namespace
+
 void DartTool::press(ToolContext&, const SheetPointer&) {
     mouth_ = place_;
 }
 
-void DartTool::click(ToolContext&, const SheetPointer&) {}  // keeps mouth_: typed numbers may follow
+// Keeps mouth_: typed numbers may follow.
+void DartTool::click(ToolContext& context, const SheetPointer& pointer) {
+    require_place(context, pointer, "given darts");
+}
 
 void DartTool::drag(ToolContext& context, const SheetPointer& pointer) {
     if (!mouth_) return;
@@ -185,8 +231,11 @@ void DartTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
         if (context.typed->size() == 2) width = context.typed->front() / 100;
         depth = context.typed->back() / 100;
     }
-    overlay.lines.push_back(
-        {.points = dart_lines(*shape, *place, width, depth), .tone = mouth_ ? OverlayTone::Draft : OverlayTone::Faint});
+    overlay.problem = why_no_dart(context.document.pattern(), *place, width, depth);
+    const OverlayTone tone = mouth_ ? OverlayTone::Draft : OverlayTone::Faint;
+    overlay.lines.push_back({.points = dart_lines(*shape, *place, width, depth),
+                             .tone = overlay.problem.empty() ? tone : OverlayTone::Warning,
+                             .is_dashed = !overlay.problem.empty()});
     overlay.readout.push_back(in_cm(width) + " wide, " + in_cm(depth) + " deep");
 }
 

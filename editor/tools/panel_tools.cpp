@@ -7,12 +7,14 @@
 
 namespace selvedge::editor {
 
-void MergeTool::click(ToolContext& context, const SheetPointer&) {
-    if (!place_) return;
+void MergeTool::click(ToolContext& context, const SheetPointer& pointer) {
+    require_place(context, pointer, "merged over");
     const std::optional<int> seam = context.geometry.seam_of(place_->edge);
     if (!seam)
-        throw GeometryError("This edge is not sewn", {{.panel = place_->edge.panel, .edge = place_->edge.index}});
-    context.document.run(MergePanels{*seam});
+        throw GeometryError("This edge is not sewn: sew it to the panel that it is to be merged with (N) first",
+                            {{.panel = place_->edge.panel, .edge = place_->edge.index}});
+    const bool is_named = pointer.modifiers.ctrl;
+    context.document.run(MergePanels{.seam = *seam, .stays = is_named ? place_->edge.panel : ""});
 }
 
 void MergeTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
@@ -21,11 +23,13 @@ void MergeTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
 }
 
 std::string MergeTool::hint(const ToolContext&) const {
-    return "Click a seam: the panels on its two sides become one";
+    return "Click a seam: its two panels become one, and the larger one stays where it lies. Ctrl: the clicked one "
+           "stays";
 }
 
-void UnfoldTool::click(ToolContext& context, const SheetPointer&) {
-    if (place_) context.document.run(UnfoldPanel{place_->edge.panel, place_->edge.index});
+void UnfoldTool::click(ToolContext& context, const SheetPointer& pointer) {
+    require_place(context, pointer, "unfolded over");
+    context.document.run(UnfoldPanel{place_->edge.panel, place_->edge.index});
 }
 
 void UnfoldTool::draw(const ToolContext& context, ToolOverlay& overlay) const {

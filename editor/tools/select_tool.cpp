@@ -457,19 +457,43 @@ void TransformTool::press(ToolContext& context, const SheetPointer& pointer) {
     box_ = context.geometry.box_of(held_);
     pressed_at_ = pointer.at;
     handle_.reset();
-    is_dragging_ = false;
+    is_dragging_ = moves_pivot_ = false;
     if (box_.isEmpty()) return;
+    if (mode_ == TransformMode::Rotate) {
+        const bool is_on_pivot = (centre(context) - pointer.at).norm() <= 1.3 * kPickTolerance * context.px;
+        moves_pivot_ = is_on_pivot || pointer.modifiers.alt;
+        if (moves_pivot_) return;
+    }
     for_each_handle([&](const Vec2d& handle) {
         if ((handle_place(box_, handle) - pointer.at).norm() <= 1.3 * kPickTolerance * context.px) handle_ = handle;
     });
 }
 
+// About which the selection is rotated.
+Vec2d TransformTool::centre(const ToolContext& context) const {
+    const Selection selected = context.document.changeable();
+    if (pivot_ && pivot_of_ == selected) return *pivot_;
+    return context.geometry.box_of(selected).center();
+}
+
+void TransformTool::put_pivot(const ToolContext& context, const SheetPointer& pointer) {
+    SnapOptions options = snap_options(context, {.ctrl = pointer.modifiers.ctrl});
+    options.to_guides = false;
+    pivot_ = snap(context.geometry, pointer.at, options).point;
+    pivot_of_ = context.document.changeable();
+}
+
 void TransformTool::click(ToolContext& context, const SheetPointer& pointer) {
+    if (moves_pivot_) {
+        if (pointer.modifiers.alt) put_pivot(context, pointer);
+        return;
+    }
     if (handle_) return;
     context.document.select(with_picked(context.document.selection(), pressed_, pointer.modifiers.shift));
 }
 
 void TransformTool::drag(ToolContext& context, const SheetPointer& pointer) {
+    if (moves_pivot_) return put_pivot(context, pointer);
     if (box_.isEmpty()) {  // nothing was selected: select the pressed part
         if (pressed_.kind == PickKind::Nothing) return;
         context.document.select(with_picked({}, pressed_, false));
@@ -477,6 +501,7 @@ void TransformTool::drag(ToolContext& context, const SheetPointer& pointer) {
         box_ = context.geometry.box_of(held_);
         if (box_.isEmpty()) return;
     }
+    if (!is_dragging_) centre_ = centre(context);
     if (!std::exchange(is_dragging_, true) && mode_ == TransformMode::Scale) {
         constexpr double kSmaller = 0.9;  // any factor shows what is scaled along
         const PlaneMap map = scaling_about(box_.center(), Vec2d(kSmaller, kSmaller));
@@ -486,14 +511,14 @@ void TransformTool::drag(ToolContext& context, const SheetPointer& pointer) {
 }
 
 void TransformTool::rotate(ToolContext& context, const SheetPointer& pointer) {
-    const Vec2d centre = box_.center(), from = pressed_at_ - centre, to = pointer.at - centre;
+    const Vec2d middle = centre_, from = pressed_at_ - middle, to = pointer.at - middle;
     if (from.norm() == 0 || to.norm() == 0) return;
     angle_ = std::atan2(sim::cross2(from, to), from.dot(to));
     const double step = pointer.modifiers.shift ? 15 * sim::kDegree : sim::kDegree;
     if (pointer.modifiers.shift || snap_options(context, pointer.modifiers).is_on) {
         angle_ = std::round(angle_ / step) * step;
     }
-    preview(context, rotation_about(centre, angle_));
+    preview(context, rotation_about(middle, angle_));
 }
 
 // Scales about the opposite handle; with Alt about the centre. A handle at a side's middle scales one axis only.
@@ -529,8 +554,10 @@ void TransformTool::preview(ToolContext& context, const PlaneMap& map) {
 }
 
 void TransformTool::drop(ToolContext& context, const SheetPointer&) {
+    if (std::exchange(moves_pivot_, false)) return;
     is_dragging_ = false;
     context.document.commit();
+    if (pivot_) pivot_of_ = context.document.changeable();
 }
 
 bool TransformTool::enter(ToolContext& context, const std::vector<double>& numbers) {
@@ -541,7 +568,7 @@ bool TransformTool::enter(ToolContext& context, const std::vector<double>& numbe
     PlaneMap map;
     if (mode_ == TransformMode::Rotate) {
         if (numbers.size() != 1) return false;
-        map = rotation_about(box.center(), numbers[0] * sim::kDegree);
+        map = rotation_about(centre(context), numbers[0] * sim::kDegree);
     } else {
         if (numbers.size() > 2) return false;
         const Vec2d factors(numbers.front(), numbers.back());
@@ -573,11 +600,12 @@ void TransformTool::draw(const ToolContext& context, ToolOverlay& overlay) const
         overlay.handles.push_back({handle_place(box, handle), shape, OverlayTone::Draft, false});
     });
     if (mode_ == TransformMode::Rotate)
-        overlay.handles.push_back({box.center(), HandleShape::Cross, OverlayTone::Draft, false});
+        overlay.handles.push_back(
+            {is_dragging_ ? centre_ : centre(context), HandleShape::Cross, OverlayTone::Draft, false});
     if (!is_dragging_) return;
     if (mode_ == TransformMode::Rotate) {
         overlay.lines.push_back(
-            {.points = {box_.center(), context.pointer.at}, .tone = OverlayTone::Measure, .is_dashed = true});
+            {.points = {centre_, context.pointer.at}, .tone = OverlayTone::Measure, .is_dashed = true});
         overlay.readout = {in_degrees(angle_)};
     } else {
         overlay.readout = {in_percent(factors_.x()) + " x " + in_percent(factors_.y()),
@@ -587,7 +615,10 @@ void TransformTool::draw(const ToolContext& context, ToolOverlay& overlay) const
 
 std::string TransformTool::hint(const ToolContext& context) const {
     if (context.document.selection().is_empty()) return "Click what is to be changed";
-    if (mode_ == TransformMode::Rotate) return "Drag to turn, Shift: by 15\u00b0; or type degrees, then Enter";
+    if (mode_ == TransformMode::Rotate)
+        return "Drag to turn, Shift: by 15\u00b0; or type degrees, then Enter. Drag the cross, or Alt-click, to turn "
+               "about "
+               "another point";
     return "Drag a handle, Shift: keep proportions, Alt: about the middle; or type a factor, such as 1.05 or 1.1 x 1";
 }
 

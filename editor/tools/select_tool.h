@@ -132,6 +132,8 @@ class TransformTool : public Tool {
     std::string hint(const ToolContext& context) const override;
 
  private:
+    Vec2d centre(const ToolContext& context) const;
+    void put_pivot(const ToolContext& context, const SheetPointer& pointer);
     void rotate(ToolContext& context, const SheetPointer& pointer);
     void scale(ToolContext& context, const SheetPointer& pointer);
     void preview(ToolContext& context, const PlaneMap& map);
@@ -146,6 +148,10 @@ class TransformTool : public Tool {
     std::set<PartRef> scaled_;  // the points that are scaled along, of linked panels and halves too
     double angle_ = 0;
     Vec2d factors_ = Vec2d(1, 1);
+    std::optional<Vec2d> pivot_;    // about which to rotate; none: the middle of the box
+    Selection pivot_of_;            // it holds while this is selected
+    bool moves_pivot_ = false;      // the drag does
+    Vec2d centre_ = Vec2d::Zero();  // of the drag
 };
 
 }  // namespace selvedge::editor

@@ -6,6 +6,7 @@
 #include "editor/geometry/draft.h"
 #include "editor/geometry/seam_edit.h"
 #include "editor/geometry/sewing.h"
+#include "editor/tools/outline_tools.h"
 #include "editor/tools/tool.h"
 
 namespace selvedge::editor {
@@ -101,7 +102,13 @@ void SewingTool::click(ToolContext& context, const SheetPointer& pointer) {
         return context.document.run(ReverseSeam{seam});
     }
     const std::optional<SewnEnd> end = end_at(context, pointer);
-    if (!end) return context.document.select({});
+    if (!end) {
+        const bool had_selection = !context.document.selection().is_empty();
+        const bool is_on_part = pick(context.geometry, pointer.at, pick_options(context)).kind != PickKind::Nothing;
+        context.document.select({});
+        if (had_selection && !first_ && !is_on_part) return;  // that is what the click was for
+        throw no_edge_error(context, pointer, "sewn");
+    }
     if (!first_) {
         Selection selection;
         if (const std::optional<int> seam = context.geometry.seam_of(end->edge)) {
@@ -282,7 +289,7 @@ void FreeSewingTool::press(ToolContext& context, const SheetPointer& pointer) {
 
 // Adds the whole edge, from the end nearer to the click.
 void FreeSewingTool::click(ToolContext& context, const SheetPointer& pointer) {
-    if (!pressed_) return;
+    if (!pressed_) throw no_edge_error(context, pointer, "sewn");
     const bool is_forward = pressed_->t <= 0.5;
     add(context, {pressed_->edge, is_forward ? 0.0 : 1.0, is_forward ? 1.0 : 0.0}, pointer.modifiers.shift);
 }

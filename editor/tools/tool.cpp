@@ -61,7 +61,7 @@ namespace {
 
 constexpr std::size_t kMaxLength = 64;
 constexpr std::string_view kBegins = "0123456789.,-(";
-constexpr std::string_view kGoesOn = "0123456789.,-+*/() xX";
+constexpr std::string_view kGoesOn = "0123456789.,-+*/() xX<";
 
 }  // namespace
 
@@ -82,6 +82,7 @@ void TypedInput::remove_last() {
 
 std::optional<std::vector<double>> TypedInput::numbers() const {
     if (text_.empty()) return {};
+    if (const std::size_t angle = text_.find('<'); angle != std::string::npos) return polar(angle);
     std::vector<double> numbers;
     std::string_view rest = text_;
     while (true) {
@@ -92,6 +93,15 @@ std::optional<std::vector<double>> TypedInput::numbers() const {
         if (cross == std::string_view::npos) return numbers;
         rest.remove_prefix(cross + 1);
     }
+}
+
+// "12 < 30": 12 in the direction of 30 degrees, counter-clockwise from the right, as across x up.
+std::optional<std::vector<double>> TypedInput::polar(std::size_t sign) const {
+    const std::string_view whole = text_;
+    const std::optional<double> length = evaluate(whole.substr(0, sign)), degrees = evaluate(whole.substr(sign + 1));
+    if (!length || !degrees) return {};
+    const double angle = *degrees * std::numbers::pi / 180;
+    return std::vector<double>{*length * std::cos(angle), *length * std::sin(angle)};
 }
 
 void add_guides(ToolOverlay& overlay, const Snap& snapped) {

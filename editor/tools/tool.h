@@ -128,6 +128,7 @@ std::string in_mm(double metres);
 std::string in_degrees(double radians);
 
 // Numbers typed while a tool is active: 12, 92/4+1, 30 x 40. The unit depends on the tool: cm, degrees or a factor.
+// 12 < 30 is a length and its direction in degrees: two numbers, across and up.
 
 class TypedInput {
  public:
@@ -144,6 +145,8 @@ class TypedInput {
     std::optional<std::vector<double>> numbers() const;
 
  private:
+    std::optional<std::vector<double>> polar(std::size_t sign) const;
+
     std::string text_;
 };
 

@@ -191,6 +191,7 @@ bool ToolHost::key_unguarded(ToolHostContext host, Key key, const Modifiers& mod
     if (key == Key::Delete || key == Key::Backspace) return remove_selected(host);
     if (key >= Key::Right && key <= Key::Up) return nudge(host, key, modifiers);
     if (modifiers.ctrl && !modifiers.alt && key == key_of('A')) return select_all(host);
+    if (key == Key::Tab && !modifiers.ctrl && !modifiers.alt) return select_next(host, modifiers.shift);
     if (modifiers.ctrl || modifiers.alt || modifiers.shift) return false;
     const ToolInfo* wanted = tool_of_key(key, key_map);
     if (wanted == nullptr) return false;
@@ -258,6 +259,40 @@ bool ToolHost::nudge(ToolHostContext host, Key key, const Modifiers& modifiers) 
     if (!command) return false;
     host.messages.dismiss();
     host.document.run(*command);
+    return true;
+}
+
+// The next panel; with a tool that picks parts, the next point of the panels that have a selected part. `is_back`: the
+// one before.
+bool ToolHost::select_next(ToolHostContext host, bool is_back) {
+    const Selection& selected = host.document.selection();
+    std::vector<Selection> choices;
+    std::optional<std::size_t> chosen;
+    const std::set<std::string> touched = touched_panels(selected);
+    const bool picks_points = info_->picks_parts && !touched.empty();
+    const auto offer = [&](const Selection& choice) {
+        if (choice == selected) chosen = choices.size();
+        choices.push_back(choice);
+    };
+    for (const PanelShape& shape : geometry_.panels()) {
+        if (!shape.may_be_picked) continue;
+        if (!picks_points) {
+            Selection choice;
+            choice.panels.insert(shape.panel.name);
+            offer(choice);
+            continue;
+        }
+        if (!touched.contains(shape.panel.name)) continue;
+        for (std::size_t v = 0; v < shape.panel.vertices.size(); ++v) {
+            Selection choice;
+            choice.vertices.insert({shape.panel.name, static_cast<int>(v)});
+            offer(choice);
+        }
+    }
+    if (choices.empty()) return false;
+    const std::size_t count = choices.size();
+    const std::size_t first = is_back ? count - 1 : 0, step = is_back ? count - 1 : 1;
+    host.document.select(choices[chosen ? (*chosen + step) % count : first]);
     return true;
 }
 

@@ -78,6 +78,7 @@ class ToolHost {
     bool nudge(ToolHostContext host, Key key, const Modifiers& modifiers);
     bool remove_selected(ToolHostContext host);
     bool select_all(ToolHostContext host);
+    bool select_next(ToolHostContext host, bool is_back);
     bool enter_number(ToolHostContext host);
     void end_asking(ToolHostContext host);
 

@@ -253,6 +253,28 @@ void add_help_actions(std::vector<Action>& actions) {
                        .tip = "Type some of its letters",
                        .chords = {ctrl('K')},
                        .run = [](AppState& state) { state.finder.open(); }});
+    actions.push_back({.id = "help.tour",
+                       .menu = "Help",
+                       .title = "First steps",
+                       .tip = "A garment in five steps: open, look, drape, change, keep",
+                       .begins_group = true,
+                       .run = [](AppState& state) { state.help.tour_step = 0; },
+                       .is_on = [](const AppState& state) { return state.help.tour_step.has_value(); }});
+    actions.push_back({.id = "help.keys",
+                       .menu = "Help",
+                       .title = "Keys",
+                       .tip = "All keys, also those of the sheet and the 3D view",
+                       .chords = {{Key::F1, {.shift = true}}},
+                       .run = [](AppState& state) { state.help.has_keys = !state.help.has_keys; },
+                       .is_on = [](const AppState& state) { return state.help.has_keys; }});
+    actions.push_back({.id = "help.manual",
+                       .menu = "Help",
+                       .title = "Manual",
+                       .tip = "What each part of the editor does",
+                       .chords = {{Key::F1, {.ctrl = true}}},
+                       .run = [](AppState& state) { state.help.has_manual = !state.help.has_manual; },
+                       .can = [](const AppState& state) { return !state.services.manual.empty(); },
+                       .is_on = [](const AppState& state) { return state.help.has_manual; }});
     actions.push_back({.id = "help.start",
                        .menu = "Help",
                        .title = "Start page",
@@ -273,7 +295,11 @@ void add_tool_actions(std::vector<Action>& actions, KeyMap map) {
                       .title = std::string(tool.title),
                       .tip = std::string(tool.what),
                       .begins_group = begins_group,
-                      .run = [&tool](AppState& state) { state.tools.choose(tool_host_context(state.workspace), tool); },
+                      .run =
+                          [&tool](AppState& state) {
+                              state.tools.choose(tool_host_context(state.workspace), tool);
+                              state.inspectors.boxes.gives_keys_back = true;  // what is typed next is the tool's
+                          },
                       .is_on = [&tool](const AppState& state) { return &state.tools.info() == &tool; }};
         for (const Key key : keys_of(tool, map)) {
             if (key != Key::None) action.chords.push_back({key, {}});
@@ -315,9 +341,14 @@ std::vector<Action> make_actions(KeyMap map) {
     return actions;
 }
 
+void save_settings(AppState& state) {
+    if (state.services.save_settings)
+        state.services.save_settings({.keys = state.tools.key_map, .is_dark = state.is_dark});
+}
+
 void choose_key_map(AppState& state, KeyMap map) {
     state.tools.key_map = map;
-    if (state.services.save_key_map) state.services.save_key_map(map);
+    save_settings(state);
 }
 
 std::vector<std::string> menu_names() {
@@ -516,8 +547,8 @@ void add_seams(std::vector<Action>& actions) {
     add("seam.accept", "Accept as ease", "The longer side is gathered: it is meant to be so", [](int seam) -> Command {
         return AcceptEase{seam, true};
     });
-    add("seam.merge", "Merge panels", "Joins both panels to one along the seam",
-        [](int seam) -> Command { return MergePanels{seam}; });
+    add("seam.merge", "Merge panels", "Joins both panels to one along the seam; the larger one stays where it lies",
+        [](int seam) -> Command { return MergePanels{.seam = seam}; });
     actions.push_back({.id = "seam.delete",
                        .menu = "Seam",
                        .title = "Delete",
@@ -563,138 +594,6 @@ void add_panel_actions(std::vector<Action>& actions) {
     add_clipboard(actions);
     add_panels(actions);
     add_seams(actions);
-}
-
-namespace {
-
-struct ModeAction {
-    const char* id;
-    const char* title;
-    render::ShowMode mode;
-};
-
-// `of` returns a reference to the flag in an AppState, const or not.
-template <class Of>
-void add_switch(std::vector<Action>& actions, Action action, Of of) {
-    action.menu = "View";
-    action.run = [of](AppState& state) { of(state) = !of(state); };
-    action.is_on = [of](const AppState& state) { return of(state); };
-    actions.push_back(std::move(action));
-}
-
-void add_modes(std::vector<Action>& actions) {
-    constexpr ModeAction modes[] = {{"view.tartan", "Show tartan", render::ShowMode::Tartan},
-                                    {"view.plain", "Show plain cloth", render::ShowMode::Plain},
-                                    {"view.level", "Show levels", render::ShowMode::Level},
-                                    {"view.edges", "Show triangles", render::ShowMode::Edges},
-                                    {"view.strain", "Show strain", render::ShowMode::Strain},
-                                    {"view.clearance", "Show distance from the body", render::ShowMode::Clearance},
-                                    {"view.panels", "Show panels", render::ShowMode::Panels},
-                                    {"view.seams", "Show seams", render::ShowMode::Seams}};
-    for (const ModeAction& mode : modes) {
-        actions.push_back(
-            {.id = mode.id,
-             .menu = "View",
-             .title = mode.title,
-             .begins_group = mode.mode == render::ShowMode::Tartan,
-             .run = [show = mode.mode](AppState& state) { state.workspace.look.show = show; },
-             .is_on = [show = mode.mode](const AppState& state) { return state.workspace.look.show == show; }});
-    }
-}
-
-void add_keys(std::vector<Action>& actions) {
-    actions.push_back(
-        {.id = "view.keys_marvelous",
-         .menu = "View",
-         .title = "Keys as in Marvelous Designer",
-         .tip = "Tools, views and commands by the keys that are usual there",
-         .begins_group = true,
-         .run =
-             [](AppState& state) {
-                 const bool is_on = state.tools.key_map == KeyMap::MarvelousDesigner;
-                 choose_key_map(state, is_on ? KeyMap::Selvedge : KeyMap::MarvelousDesigner);
-             },
-         .is_on = [](const AppState& state) { return state.tools.key_map == KeyMap::MarvelousDesigner; }});
-}
-
-void scale_by(AppState& state, float step) {
-    constexpr float kSmallest = 0.75F, kLargest = 2.5F;
-    state.user_scale = std::clamp(state.user_scale + step, kSmallest, kLargest);
-}
-
-void add_sizes(std::vector<Action>& actions) {
-    constexpr float kStep = 0.125F;
-    actions.push_back({.id = "view.larger",
-                       .menu = "View",
-                       .title = "Larger interface",
-                       .chords = {{key_of('='), {.ctrl = true}}, {Key::KeypadAdd, {.ctrl = true}}},
-                       .begins_group = true,
-                       .run = [](AppState& state) { scale_by(state, kStep); }});
-    actions.push_back({.id = "view.smaller",
-                       .menu = "View",
-                       .title = "Smaller interface",
-                       .chords = {{key_of('-'), {.ctrl = true}}, {Key::KeypadSubtract, {.ctrl = true}}},
-                       .run = [](AppState& state) { scale_by(state, -kStep); }});
-}
-
-}  // namespace
-
-void add_view_actions(std::vector<Action>& actions) {
-    add_switch(
-        actions, {.id = "view.sheet", .title = "Pattern", .tip = "The 2D view", .chords = {{Key::F3, {}}}},
-        [](auto& state) -> auto& { return state.layout.has_sheet; });
-    add_switch(
-        actions, {.id = "view.fitting", .title = "3D view", .tip = "The 3D view", .chords = {{Key::F4, {}}}},
-        [](auto& state) -> auto& { return state.layout.has_viewport; });
-    add_switch(
-        actions, {.id = "view.inspectors", .title = "Inspectors", .chords = {{Key::F5, {}}}},
-        [](auto& state) -> auto& { return state.layout.has_inspectors; });
-    add_switch(
-        actions, {.id = "view.tools", .title = "Tools", .chords = {{Key::F6, {}}}},
-        [](auto& state) -> auto& { return state.layout.has_tools; });
-    add_switch(
-        actions,
-        {.id = "view.timeline",
-         .title = "Motion",
-         .tip = "The body's motion under the 3D view",
-         .chords = {{Key::F8, {}}}},
-        [](auto& state) -> auto& { return state.layout.has_timeline; });
-    add_modes(actions);
-    add_switch(
-        actions,
-        {.id = "view.curved",
-         .title = "Curved surface",
-         .tip = "At rest, instead of the cloth's triangles",
-         .begins_group = true},
-        [](auto& state) -> auto& { return state.workspace.look.is_curved; });
-    add_switch(
-        actions, {.id = "view.body", .title = "Body"},
-        [](auto& state) -> auto& { return state.workspace.look.has_body; });
-    add_switch(
-        actions, {.id = "view.points", .title = "Arrangement points"},
-        [](auto& state) -> auto& { return state.workspace.look.has_points; });
-    add_switch(
-        actions,
-        {.id = "view.joints", .title = "Joints of the body", .tip = "Dots to choose a joint by, and rings to turn it"},
-        [](auto& state) -> auto& { return state.workspace.look.has_joints; });
-    add_switch(
-        actions, {.id = "view.threads", .title = "Lines of open seams"},
-        [](auto& state) -> auto& { return state.workspace.look.has_seam_lines; });
-    add_switch(
-        actions,
-        {.id = "view.as_placed",
-         .title = "Panels as they are placed",
-         .tip = "Before sewing, also while the garment hangs",
-         .chords = {{Key::F7, {}}}},
-        [](auto& state) -> auto& { return state.workspace.look.as_placed; });
-    add_switch(
-        actions, {.id = "view.own_axes", .title = "Move panels along their own axes", .tip = "Else along the room's"},
-        [](auto& state) -> auto& { return state.workspace.look.own_axes; });
-    add_switch(
-        actions, {.id = "view.snap", .title = "Snap to grid and points", .begins_group = true},
-        [](auto& state) -> auto& { return state.tools.is_snapping; });
-    add_keys(actions);
-    add_sizes(actions);
 }
 
 }  // namespace selvedge::editor

@@ -9,6 +9,7 @@ namespace selvedge::editor {
 std::vector<Action> make_actions(KeyMap map = KeyMap::Selvedge);
 
 // Keys and menus follow the key map from the next frame on. The choice is kept for the next start.
+void save_settings(AppState& state);  // for the next start
 void choose_key_map(AppState& state, KeyMap map);
 
 // The titles of the menus, in the order of the menu bar.

@@ -11,9 +11,11 @@
 #include "editor/frame/frame.h"
 #include "editor/frame/theme.h"
 #include "editor/inspectors/inspectors.h"
+#include "editor/sheet/sheet_pen.h"
 #include "editor/tools/tool_host.h"
 #include "editor/ui/action.h"
 #include "editor/ui/files.h"
+#include "editor/ui/help_windows.h"
 #include "editor/ui/services.h"
 #include "editor/ui/underlay_pictures.h"
 #include "editor/workspace/workspace.h"
@@ -43,6 +45,7 @@ struct WindowLayout {
     float inspector_width = 22.5F;  // font heights
     InspectorTab tab = InspectorTab::Properties;
     std::optional<InspectorTab> wanted_tab{};  // is opened in the next frame
+    bool focuses_inspector = false;            // it gets the keyboard in the next frame
 };
 
 // A drag on the timeline.
@@ -67,21 +70,30 @@ struct AppState {
     std::vector<Action> actions;  // in the key map of `actions_map`
     KeyMap actions_map = KeyMap::Selvedge;
     Theme theme;
+    bool is_dark = false;  // the theme follows with the next frame
+    SheetVisibility sheet_shows;
+    HelpWindows help;
     Fonts fonts;
     WindowLayout layout;
     ActionFinder finder;
     FileBrowser browser;
     std::deque<Question> questions;
+    // SHA-256 of what the document's file held when it was last read or written; none: there is no file, or it is not
+    // known.
+    std::optional<std::string> file_hash{};
     AddPanels clipboard;  // the copied panels, with the seams among them
     UnderlayPictures underlays;
     WidgetMap widgets;
     ShownViewport viewport;
-    ExportThickness export_thickness;  // of the next export from the menu
+    ExportThickness export_thickness;   // of the next export from the menu
+    sim::ImportOptions import_options;  // of the next import from the menu
+    sim::PrintSettings print_settings;  // of the next print
     TimelineDrag timeline;
     InspectorState inspectors;
     std::string journal_problem;  // that was told last; empty: none
     bool shows_start_page = true;
     bool wants_to_close = false;
+    bool shows_times = true;         // what a frame took, which differs from run to run
     float user_scale = 1;            // of the interface, multiplied by the screen's scale
     bool wants_whole_sheet = false;  // the sheet's view is to show all of it in the next frame
     int documents_opened = 0;        // so far: the views are reset with each one

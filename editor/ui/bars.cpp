@@ -40,11 +40,13 @@ void show_action(AppState& state, const Action& action) {
     if (action.id == "file.open") show_recent_files(state);
 }
 
-std::string drape_text(const sim::SessionFrame& frame) {
-    char text[96];
+std::string drape_text(const sim::SessionFrame& frame, bool shows_times) {
     const sim::SessionStatistics& statistics = frame.statistics;
-    std::snprintf(text, sizeof text, "%d triangles   %.1f ms", statistics.leaf_triangles, statistics.times.frame);
-    return stage_badge(frame) + "   " + text;
+    std::string text = stage_badge(frame) + "   " + std::to_string(statistics.leaf_triangles) + " triangles";
+    if (!shows_times) return text;
+    char time[32];
+    std::snprintf(time, sizeof time, "   %.1f ms", statistics.times.frame);
+    return text + time;
 }
 
 void show_line(const sim::Rgb8& colour, const std::string& text, float width) {
@@ -224,7 +226,7 @@ void show_viewport_bar(AppState& state) {
 
 void show_status_bar(AppState& state) {
     const std::shared_ptr<const sim::SessionFrame> frame = state.workspace.drape.frame();
-    const std::string text = drape_text(*frame);
+    const std::string text = drape_text(*frame, state.shows_times);
     const float width = ImGui::CalcTextSize(text.c_str()).x + ImGui::GetFontSize();
     show_message(state, ImGui::GetContentRegionAvail().x - width);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width + ImGui::GetFontSize());
@@ -376,6 +378,11 @@ void show_start_page(AppState& state) {
         if (button(state, "start.empty", "Empty sheet")) state.shows_start_page = false;
         ImGui::SameLine();
         if (button(state, "start.open", "Open a file...")) browse_to_open(state);
+        ImGui::SameLine();
+        if (button(state, "start.tour", "First steps")) {
+            state.help.tour_step = 0;
+            state.shows_start_page = false;
+        }
         show_examples(state);
         show_recent(state);
         show_keys(state);

@@ -22,6 +22,7 @@
 #include "editor/ui/bars.h"
 #include "editor/ui/fabric_files.h"
 #include "editor/ui/files.h"
+#include "editor/ui/help_windows.h"
 #include "editor/ui/timeline.h"
 #include "editor/ui/tool_bar.h"
 #include "editor/ui/ui_input.h"
@@ -155,7 +156,10 @@ AppState::AppState(Services given, sim::SessionDrive drive)
     : services(std::move(given)),
       workspace(empty_garment(), drive, services.make_body, services.find_motion, services.read_fabric),
       actions(make_actions()) {
-    if (services.load_key_map) tools.key_map = services.load_key_map();
+    if (!services.load_settings) return;
+    const UserSettings settings = services.load_settings();
+    tools.key_map = settings.keys;
+    is_dark = settings.is_dark;
 }
 
 struct Editor::Impl {
@@ -168,6 +172,8 @@ struct Editor::Impl {
         io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
         io.ConfigInputTextCursorBlink = !options.is_steady;
         UiInput::map_keys(io);
+        state.shows_times = !options.is_steady;
+        state.inspectors.boxes.gives_keys_back = true;  // the first keys are for the sheet
         begin_journal(state);
         offer_recovery(state);
     }
@@ -197,6 +203,8 @@ struct Editor::Impl {
     std::vector<Key> used_keys;  // consumed by a view in this frame
     UiTexture next_texture = kFirstFreeTexture;
     float scale = 0;
+    bool shown_dark = false;
+    SheetColours sheet_colours;
     Letters letters;        // on screen so far, beyond the basic ones
     Letters asked_letters;  // for which fonts were looked for
     bool has_new_letters = false;
@@ -237,9 +245,15 @@ void Editor::Impl::set_size(const FrameSize& size) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size.width_px), static_cast<float>(size.height_px)};
     const float wanted = size.scale * state.user_scale;
-    const bool has_new_scale = wanted != scale;
+    const bool has_new_scale = wanted != scale, has_new_theme = shown_dark != state.is_dark;
     scale = wanted;
-    if (has_new_scale) apply_theme(state.theme, scale);
+    if (has_new_theme) {
+        shown_dark = state.is_dark;
+        state.theme = state.is_dark ? dark_theme() : Theme{};
+        sheet_colours = state.is_dark ? dark_sheet_colours() : SheetColours{};
+        viewport.set_colours(state.is_dark ? dark_viewport_colours() : ViewportColours{});
+    }
+    if (has_new_scale || has_new_theme) apply_theme(state.theme, scale);
     if (has_new_scale || has_new_letters) rebuild_fonts();
 }
 
@@ -281,12 +295,16 @@ void Editor::Impl::show_sheet(const Rectangle& where) {
         .takes_keys = !state.finder.is_open() && !state.browser.is_open(),
         .takes_text =
             !(state.tools.key_map == KeyMap::MarvelousDesigner && state.layout.has_viewport && viewport.is_over()),
+        .colours = sheet_colours,
+        .shows = state.sheet_shows,
         .underlay_picture =
             [this](const std::string& file) {
                 return UnderlayPicture{state.underlays.find(file), state.underlays.size_px(file)};
             },
         .take_texture = [this] { return next_texture++; },
-        .fabric_version = state.workspace.fabrics.version()};
+        .fabric_version = state.workspace.fabrics.version(),
+        .lit_parts = state.workspace.lit.parts,
+        .lit_cloth = lit_cloth(state.workspace.lit, state.workspace.drape.frame()->mesh).on_panels};
     const SheetResult answer = sheet.show(sheet_context);
     used_keys.insert(used_keys.end(), answer.used_keys.begin(), answer.used_keys.end());
     if (answer.wants_menu) open_sheet_menu(state);
@@ -302,6 +320,7 @@ InspectorContext Editor::Impl::inspector_context() {
             .fonts = &state.fonts,
             .widgets = &state.widgets,
             .take_texture = [this] { return next_texture++; },
+            .shows_times = state.shows_times,
             .open_body = [this] { browse_for_body(state); },
             .open_motion = [this] { browse_for_motion(state); },
             .open_pose = [this] { browse_for_pose(state); },
@@ -341,7 +360,12 @@ void Editor::Impl::show_viewport(const Rectangle& where, double seconds) {
                    .scale = scale,
                    .choice = state.tools.info().picks_parts ? ClothChoice::Parts : ClothChoice::Panels,
                    .key_map = state.tools.key_map,
-                   .may_refine = seconds > 0});
+                   .may_refine = seconds > 0,
+                   .widgets = &state.widgets,
+                   .show_findings = [this] {
+                       state.layout.has_inspectors = true;
+                       state.layout.wanted_tab = InspectorTab::Drape;
+                   }});
     ImGui::End();
     if (state.layout.has_timeline) {
         const Rectangle below{{where.low.x, where.low.y + bar + height}, {where.size.x, timeline}};
@@ -380,6 +404,7 @@ void Editor::Impl::show_inspectors(const Rectangle& where) {
         ImGui::EndTabBar();
     }
     ImGui::PopStyleVar(2);
+    if (std::exchange(state.layout.focuses_inspector, false)) ImGui::SetNextWindowFocus();
     ImGui::BeginChild("##box");
     InspectorContext box = inspector_context();
     draws[static_cast<std::size_t>(state.layout.tab)](box);
@@ -414,6 +439,7 @@ void Editor::Impl::show_views(double seconds) {
     show_splitters(regions);
     if (state.layout.has_sheet) show_sheet(regions.sheet);
     if (state.layout.has_viewport) show_viewport(regions.viewport, seconds);
+    state.workspace.lit = {};  // by the rows of the inspectors, for the views of the next frame
     if (state.layout.has_inspectors) show_inspectors(regions.inspectors);
     begin_region("##status", regions.status, {0.6F * unit, 0.25F * unit});
     show_status_bar(state);
@@ -444,6 +470,7 @@ void Editor::Impl::build_frame(double seconds) {
     show_menu_bar(state);
     show_views(seconds);
     show_start_page(state);
+    show_help(state);
     state.browser.show(state);
     state.finder.show(state);
     run_keys();

@@ -1,7 +1,5 @@
 #include "editor/ui/files.h"
 
-#include <imgui.h>
-#include <imgui_stdlib.h>
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -20,8 +18,10 @@
 #include "editor/ui/app_state.h"
 #include "editor/ui/export_thickness.h"
 #include "editor/ui/fabric_files.h"
+#include "editor/ui/paper_options.h"
 #include "editor/ui/widgets.h"
 #include "sim/core/error.h"
+#include "sim/core/sha256.h"
 #include "sim/pattern/named_file.h"
 
 namespace selvedge::editor {
@@ -36,13 +36,25 @@ std::vector<std::string> body_endings() {
     return {".obj", ".glb", ".gltf"};
 }
 
-// is_unsaved: it has changes that are in no file.
-void show_document(AppState& state, sim::PatternDocument source, const std::string& file, bool is_unsaved = false) {
+// What is known of the file of a document that is shown.
+struct FileState {
+    std::string file = {};                 // empty: there is none
+    std::optional<std::string> hash = {};  // AppState::file_hash
+    bool is_unsaved = false;               // the document has changes that are in no file
+};
+
+std::optional<std::string> hash_of(const AppState& state, const std::string& file) {
+    if (file.empty() || !state.services.hash_of) return std::nullopt;
+    return state.services.hash_of(file);
+}
+
+void show_document(AppState& state, sim::PatternDocument source, const FileState& shown) {
     auto document = std::make_unique<Document>(std::move(source));
-    if (is_unsaved) document->mark_changed();
+    if (shown.is_unsaved) document->mark_changed();
     document->continue_revisions(*state.workspace.document);
     state.workspace.document = std::move(document);
-    state.workspace.file = file;
+    state.workspace.file = shown.file;
+    state.file_hash = shown.hash;
     state.workspace.look.hidden_garments.clear();
     state.inspectors.objects = {};
     state.workspace.fabrics.show("");  // the Cloth tab showed one of the garment before
@@ -59,9 +71,7 @@ void show_document(AppState& state, sim::PatternDocument source, const std::stri
 // Runs `go_on` at once if there are no unsaved changes.
 void after_asking(AppState& state, std::function<void(AppState&)> go_on) {
     if (!state.workspace.document->has_unsaved_changes()) return go_on(state);
-    const auto save_first = [go_on](AppState& current) {
-        if (save(current)) go_on(current);
-    };
+    const auto save_first = [go_on](AppState& current) { save(current, go_on); };
     state.questions.push_front({"'" + document_name(state) + "' has changes that are not saved.",
                                 {{"Save", save_first}, {"Discard", go_on}, {"Cancel", [](AppState&) {}}}});
 }
@@ -105,6 +115,7 @@ void require_readable(const std::string& text, const std::string& file) {
     }
 }
 
+// Does not look at what the file holds: see is_changed_by_others.
 void write_document(AppState& state, const std::string& file) {
     Document& document = *state.workspace.document;
     if (const auto newer = document.read_only_reason())
@@ -116,9 +127,46 @@ void write_document(AppState& state, const std::string& file) {
     state.services.save(file, text);
     document.mark_saved();
     state.workspace.file = file;
+    state.file_hash = sim::sha256(text);
     state.services.remember_file(file);
     state.workspace.messages.note("Saved as " + file);
     begin_journal(state);
+}
+
+// Whether the document's file holds something else than what was last read of it or written to it. A file that was
+// removed is written anew; one that cannot be read holds something else.
+bool is_changed_by_others(const AppState& state) {
+    const std::string& file = state.workspace.file;
+    if (!state.services.hash_of || !state.services.exists(file)) return false;
+    const std::optional<std::string> hash = state.services.hash_of(file);
+    return !hash || hash != state.file_hash;
+}
+
+bool is_file_of_document(const AppState& state, const std::string& file) {
+    const std::string& own = state.workspace.file;
+    return !own.empty() && state.services.full_path(file) == state.services.full_path(own);
+}
+
+void write_and_go_on(AppState& state, const std::string& file, const std::function<void(AppState&)>& then) {
+    const bool is_written = try_to(state, [&] { write_document(state, file); });
+    if (is_written && then) then(state);
+}
+
+void ask_about_changed_file(AppState& state, const std::function<void(AppState&)>& then) {
+    const std::string file = state.workspace.file;
+    const auto replace = [file, then](AppState& current) { write_and_go_on(current, file, then); };
+    const auto take_theirs = [file, then](AppState& current) {
+        const bool is_open = try_to(current, [&] { load_and_open(current, file); });
+        if (is_open) current.workspace.messages.note("Opened '" + document_name(current) + "' as it is on disk now");
+        if (is_open && then) then(current);
+    };
+    state.questions.push_front({"'" + document_name(state) +
+                                    "' was changed by another program since it was read. Replace its changes by "
+                                    "yours, or drop yours?",
+                                {{"Replace", replace},
+                                 {"Take theirs", take_theirs},
+                                 {"Save as...", [](AppState& current) { browse_to_save(current); }},
+                                 {"Cancel", [](AppState&) {}}}});
 }
 
 }  // namespace
@@ -148,29 +196,61 @@ std::string document_name(const AppState& state) {
 }
 
 void new_document(AppState& state) {
-    after_asking(state, [](AppState& current) { show_document(current, empty_garment(), ""); });
+    after_asking(state, [](AppState& current) { show_document(current, empty_garment(), {}); });
 }
 
 void open_loaded(AppState& state, sim::PatternDocument source, const std::string& file) {
-    show_document(state, std::move(source), file);
+    show_document(state, std::move(source), {.file = file, .hash = hash_of(state, file)});
+    state.services.remember_file(file);
+}
+
+// The hash is taken first: a change between the two is asked about when the document is saved.
+void load_and_open(AppState& state, const std::string& file) {
+    std::optional<std::string> hash = hash_of(state, file);
+    sim::PatternDocument source = state.services.load(file);
+    show_document(state, std::move(source), {.file = file, .hash = std::move(hash)});
     state.services.remember_file(file);
 }
 
 void open_file(AppState& state, const std::string& file) {
-    after_asking(state, [file](AppState& current) {
-        try_to(current, [&] { open_loaded(current, current.services.load(file), file); });
-    });
+    after_asking(state, [file](AppState& current) { try_to(current, [&] { load_and_open(current, file); }); });
 }
 
-void import_file(AppState& state, const std::string& file) {
+namespace {
+
+// Offers the other sizes of the drawing that was imported.
+void ask_for_size(AppState& state, const std::string& file, const std::vector<std::string>& sizes,
+                  const sim::ImportOptions& options) {
+    const std::string shown = state.workspace.document->pattern().size;
+    std::vector<Question::Answer> answers{{shown.empty() ? "Keep" : "Keep " + shown, [](AppState&) {}}};
+    constexpr std::size_t kMostAnswers = 10;
+    for (const std::string& size : sizes) {
+        if (size == shown || answers.size() == kMostAnswers) continue;
+        answers.push_back({size, [file, size, options](AppState& current) {
+                               sim::ImportOptions other = options;
+                               other.panels.size = size;
+                               current.workspace.document->mark_saved();  // what was imported is given up
+                               import_file(current, file, other);
+                           }});
+    }
+    state.questions.push_front({"'" + name_in_folder(file) + "' has " + std::to_string(sizes.size()) + " sizes" +
+                                    (shown.empty() ? "" : "; this is " + shown) + ". Which one?",
+                                std::move(answers)});
+}
+
+}  // namespace
+
+void import_file(AppState& state, const std::string& file, const sim::ImportOptions& options) {
     if (state.services.is_photo(file)) return lay_photo(state, file);
-    after_asking(state, [file](AppState& current) {
+    after_asking(state, [file, options](AppState& current) {
         try_to(current, [&] {
-            ImportedDrawing imported = current.services.import_drawing(file);
-            show_document(current, std::move(imported.garment), "", true);
+            ImportedDrawing imported = current.services.import_drawing(file, options);
+            const std::vector<std::string> sizes = std::move(imported.sizes);
+            show_document(current, std::move(imported.garment), {.is_unsaved = true});
             current.workspace.document->set_hints(std::move(imported.hints));
             for (const std::string& note : imported.notes) current.workspace.messages.note(note);
             current.workspace.messages.note("Imported '" + name_in_folder(file) + "': " + imported.sewn);
+            if (sizes.size() > 1 && options.panels.size.empty()) ask_for_size(current, file, sizes, options);
         });
     });
 }
@@ -233,7 +313,7 @@ void wear_over(AppState& state, const std::string& file) {
 
 void open_example(AppState& state, const Example& example) {
     after_asking(state, [example](AppState& current) {
-        try_to(current, [&] { show_document(current, sim::parse_pattern(example.text, example.title), ""); });
+        try_to(current, [&] { show_document(current, sim::parse_pattern(example.text, example.title), {}); });
     });
 }
 
@@ -276,7 +356,11 @@ void recover_journal(AppState& state, const OrphanedJournal& journal) {
     const auto go_on = [journal](AppState& current) {
         const Recovery& recovery = *journal.recovery;
         const bool is_open = try_to(current, [&] {
-            show_document(current, recovered_document(current, recovery), recovery.file, recovery.has_changes());
+            // What the file held when the journal began, unless it is read again: saving asks if it is another now.
+            const bool has_changes = recovery.has_changes();
+            const auto hash = has_changes ? recovery.file_hash : hash_of(current, recovery.file);
+            show_document(current, recovered_document(current, recovery),
+                          {.file = recovery.file, .hash = hash, .is_unsaved = has_changes});
         });
         if (!is_open) return;
         if (recovery.has_changes())
@@ -307,23 +391,23 @@ void take_dropped_file(AppState& state, const std::string& file) {
                                   "nor a body (.obj, .glb)");
 }
 
-bool save(AppState& state) {
-    if (state.workspace.file.empty()) {
-        browse_to_save(state);
-        return false;
-    }
-    return try_to(state, [&] { write_document(state, state.workspace.file); });
+void save(AppState& state, std::function<void(AppState&)> then) {
+    const std::string file = state.workspace.file;
+    if (file.empty()) return browse_to_save(state);
+    if (is_changed_by_others(state)) return ask_about_changed_file(state, then);
+    write_and_go_on(state, file, then);
 }
 
 void save_as(AppState& state, const std::string& file, IfExists if_exists) {
     const std::string target = with_ending(file, ".json");
     const auto write = [target](AppState& current) { try_to(current, [&] { write_document(current, target); }); };
-    const bool asks = if_exists == IfExists::Ask && target != state.workspace.file && state.services.exists(target);
-    if (!asks) return write(state);
+    if (if_exists == IfExists::Replace) return write(state);
+    if (is_file_of_document(state, target)) return save(state);
+    if (!state.services.exists(target)) return write(state);
     ask_to_replace(state, target, write);
 }
 
-void export_to(AppState& state, const std::string& file, const ExportThickness& thickness) {
+void export_to(AppState& state, const std::string& file, const ExportThickness& thickness, IfExists if_exists) {
     const ExportRequest request{.file = file,
                                 .scene = state.viewport.scene,
                                 .camera = state.viewport.camera,
@@ -334,20 +418,24 @@ void export_to(AppState& state, const std::string& file, const ExportThickness& 
     if (!request.scene || request.garment.triangles.empty()) {
         return state.workspace.messages.warn("There is nothing to export yet");
     }
-    const auto write = [&] {
-        refuse_garment_and_its_files(state, file);
-        state.services.write_export(request);
+    const auto write = [file, request](AppState& current) {
+        const bool is_written = try_to(current, [&] {
+            refuse_garment_and_its_files(current, file);
+            current.services.write_export(request);
+        });
+        if (is_written) current.workspace.messages.note("Wrote " + file);
     };
-    if (try_to(state, write)) state.workspace.messages.note("Wrote " + file);
+    if (if_exists == IfExists::Replace || !state.services.exists(file)) return write(state);
+    ask_to_replace(state, file, write);
 }
 
-void print_to(AppState& state, const std::string& file, IfExists if_exists) {
+void print_to(AppState& state, const std::string& file, const sim::PrintSettings& settings, IfExists if_exists) {
     state.workspace.document->commit();
-    const auto write = [file](AppState& current) {
+    const auto write = [file, settings](AppState& current) {
         try_to(current, [&] {
             refuse_garment_and_its_files(current, file);
-            current.workspace.messages.note("Wrote " + file + ": " +
-                                            current.services.print(current.workspace.document->pattern(), file));
+            current.workspace.messages.note(
+                "Wrote " + file + ": " + current.services.print(current.workspace.document->pattern(), file, settings));
         });
     };
     if (if_exists == IfExists::Replace || !state.services.exists(file)) return write(state);
@@ -385,7 +473,10 @@ void browse_to_import(AppState& state) {
     state.browser.open({.title = "Import a drawing, or a photo to trace",
                         .verb = "Import",
                         .endings = {".svg", ".dxf", ".json", ".png", ".jpg", ".jpeg", ".PNG", ".JPG", ".JPEG"},
-                        .choose = [](AppState& current, const std::string& file) { import_file(current, file); }},
+                        .show_options = show_import_options,
+                        .option_rows = kImportOptionRows,
+                        .choose = [](AppState& current,
+                                     const std::string& file) { import_file(current, file, current.import_options); }},
                        state.services);
 }
 
@@ -431,8 +522,12 @@ void browse_to_print(AppState& state, const std::string& ending) {
                         .endings = {ending},
                         .is_saving = true,
                         .name = name + ending,
-                        .choose = [ending](AppState& current,
-                                           const std::string& file) { print_to(current, with_ending(file, ending)); }},
+                        .show_options = [ending](AppState& current) { show_print_options(current, ending); },
+                        .option_rows = print_option_rows(ending),
+                        .choose =
+                            [ending](AppState& current, const std::string& file) {
+                                print_to(current, with_ending(file, ending), current.print_settings);
+                            }},
                        state.services);
 }
 
@@ -556,7 +651,9 @@ void begin_journal(AppState& state) {
     Workspace& workspace = state.workspace;
     // The whole path: the next editor may start in another folder.
     const std::string file = workspace.file.empty() ? "" : state.services.full_path(workspace.file);
-    std::string text = journal_head(file, workspace.document->text(file), workspace.document->has_unsaved_changes());
+    std::string text = journal_head(
+        file, workspace.document->text(file),
+        {.is_unsaved = workspace.document->has_unsaved_changes(), .file_hash = state.file_hash.value_or("")});
     for (const std::string& line : workspace.fabrics.journal_lines()) text += "\n" + line;
     if (!try_to(state, [&] { state.services.begin_journal(text); })) return;
     const auto note = [&state](std::string_view line) { state.services.note_in_journal(line); };
@@ -576,97 +673,6 @@ void report_journal_problem(AppState& state) {
              .places = {}});
     if (has_ended) state.workspace.messages.note("All changes can be recovered after a crash again");
     state.journal_problem = std::move(problem);
-}
-
-namespace {
-
-std::string joined(const std::string& folder, const std::string& name) {
-    if (name.starts_with('/')) return name;
-    return folder.ends_with('/') ? folder + name : folder + "/" + name;
-}
-
-bool is_listed(const FolderEntry& entry, const std::vector<std::string>& endings) {
-    return entry.is_folder || std::any_of(endings.begin(), endings.end(),
-                                          [&](const std::string& ending) { return entry.name.ends_with(ending); });
-}
-
-}  // namespace
-
-void FileBrowser::open(BrowseRequest request, const Services& services) {
-    request_ = std::move(request);
-    name_ = request_.name;
-    is_open_ = takes_focus_ = true;
-    enter(folder_, services);
-}
-
-void FileBrowser::visit_text(const std::function<void(std::string_view)>& visit) const {
-    if (!is_open_) return;
-    visit(listing_.folder);
-    for (const FolderEntry& entry : listing_.entries) visit(entry.name);
-}
-
-// Stays in the current folder if the new one cannot be read.
-void FileBrowser::enter(const std::string& folder, const Services& services) {
-    try {
-        listing_ = services.list_folder(folder);
-        folder_ = listing_.folder;
-    } catch (const sim::InputError&) {
-    }
-}
-
-void FileBrowser::choose(AppState& state) {
-    if (name_.empty()) return;
-    is_open_ = false;
-    const BrowseRequest request = request_;  // a copy: choose() may open another request
-    request.choose(state, joined(folder_, name_));
-}
-
-void FileBrowser::show_entries(AppState& state) {
-    if (!listing_.parent.empty() && ImGui::Selectable("..")) return enter(listing_.parent, state.services);
-    for (const FolderEntry& entry : listing_.entries) {
-        if (!is_listed(entry, request_.endings)) continue;
-        const bool is_chosen = !entry.is_folder && entry.name == name_;
-        const std::string label = entry.name + (entry.is_folder ? "/" : "");
-        const bool is_pressed = ImGui::Selectable(label.c_str(), is_chosen, ImGuiSelectableFlags_AllowDoubleClick);
-        note_widget(state.widgets, "browser." + entry.name);
-        if (!is_pressed) continue;
-        if (entry.is_folder) return enter(joined(folder_, entry.name), state.services);
-        name_ = entry.name;
-        if (ImGui::IsMouseDoubleClicked(0)) return choose(state);
-    }
-}
-
-void FileBrowser::show(AppState& state) {
-    if (!is_open_) return;
-    const float unit = ImGui::GetFontSize();
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const ImVec2 size{std::min(40 * unit, display.x - 2 * unit), std::min(30 * unit, display.y - 4 * unit)};
-    ImGui::SetNextWindowPos({(display.x - size.x) / 2, (display.y - size.y) / 2}, ImGuiCond_Appearing);
-    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
-    constexpr auto kFlags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse;
-    if (ImGui::Begin((request_.title + "###browser").c_str(), &is_open_, kFlags)) {
-        const std::string shown = elided(folder_, ImGui::GetContentRegionAvail().x, Elide::Middle);
-        ImGui::TextDisabled("%s", shown.c_str());
-        tip_of_whole(folder_, shown);
-        const float rows = request_.show_options ? 3 : 2;  // below the list
-        ImGui::BeginChild("##entries", {0, -rows * ImGui::GetFrameHeightWithSpacing()}, true);
-        show_entries(state);
-        ImGui::EndChild();
-        if (request_.show_options) request_.show_options(state);
-        if (takes_focus_) ImGui::SetKeyboardFocusHere();
-        takes_focus_ = false;
-        ImGui::SetNextItemWidth(-1);
-        const bool is_entered =
-            ImGui::InputTextWithHint("##name", "Name of the file", &name_,
-                                     ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-        note_widget(state.widgets, "browser.name");
-        if (button(state, "browser.choose", request_.verb) || is_entered) choose(state);
-        ImGui::SameLine();
-        if (button(state, "browser.cancel", "Cancel")) is_open_ = false;
-        const bool has_focus = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
-        if (has_focus && ImGui::IsKeyPressed(static_cast<int>(Key::Escape))) is_open_ = false;
-    }
-    ImGui::End();
 }
 
 }  // namespace selvedge::editor

@@ -14,9 +14,11 @@ struct AppState;
 
 void new_document(AppState& state);
 void open_loaded(AppState& state, sim::PatternDocument source, const std::string& file);
+void load_and_open(AppState& state, const std::string& file);  // asks nothing; throws InputError
 void open_file(AppState& state, const std::string& file);
 void open_example(AppState& state, const Example& example);
-void import_file(AppState& state, const std::string& file);             // a drawing of another program, or a photo
+// A drawing of another program, or a photo. Of a drawing with several sizes, the editor asks which one.
+void import_file(AppState& state, const std::string& file, const sim::ImportOptions& options = {});
 void lay_photo(AppState& state, const std::string& file);               // under the sheet, to be traced
 void wear_over(AppState& state, const std::string& file);               // puts another garment over the document's
 void recover_journal(AppState& state, const OrphanedJournal& journal);  // Pre: it has something to recover
@@ -25,14 +27,18 @@ void recover_journal(AppState& state, const OrphanedJournal& journal);  // Pre: 
 // as unknown.
 void take_dropped_file(AppState& state, const std::string& file);
 
-bool save(AppState& state);  // asks for a name if there is none; false: not saved (yet)
+// Writes the document to its file, then runs `then`. Asks for a name if there is none, and what to do if another
+// program changed the file since it was read or written.
+void save(AppState& state, std::function<void(AppState&)> then = {});
 // What becomes of a file that is there already.
 enum class IfExists { Ask, Replace };
 
 void save_as(AppState& state, const std::string& file, IfExists if_exists = IfExists::Ask);
-void export_to(AppState& state, const std::string& file, const ExportThickness& thickness = {});
+void export_to(AppState& state, const std::string& file, const ExportThickness& thickness = {},
+               IfExists if_exists = IfExists::Ask);
 // The pattern, at true size.
-void print_to(AppState& state, const std::string& file, IfExists if_exists = IfExists::Ask);
+void print_to(AppState& state, const std::string& file, const sim::PrintSettings& settings = {},
+              IfExists if_exists = IfExists::Ask);
 void save_pose(AppState& state, const std::string& file);  // the body's, which is then the file's
 void close(AppState& state);
 
@@ -68,7 +74,8 @@ struct BrowseRequest {
     std::vector<std::string> endings;               // extensions of the files to list: ".json"
     bool is_saving = false;                         // a new name may be typed
     std::string name{};                             // proposed file name
-    std::function<void(AppState&)> show_options{};  // draws a row of controls above the name; unset: none
+    std::function<void(AppState&)> show_options{};  // draws rows of controls above the name; unset: none
+    int option_rows = 1;                            // that it draws
     std::function<void(AppState&, const std::string& file)> choose;
 };
 

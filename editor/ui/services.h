@@ -13,7 +13,9 @@
 #include "editor/workspace/workspace.h"
 #include "render/scene/scene.h"
 #include "sim/mesh/draw_mesh.h"
+#include "sim/paper/import_options.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/print/print_settings.h"
 
 namespace selvedge::editor {
 
@@ -65,28 +67,41 @@ struct ImportedDrawing {
     std::string sewn = {};                // "8 seams were sewn, 3 more are possible"
     std::vector<std::string> notes = {};  // what was guessed, repaired and left out, one line each
     std::string hints = {};               // its texts about the whole garment
+    std::vector<std::string> sizes = {};  // that it has; the garment is of one of them (Pattern::size)
+};
+
+struct UserSettings {
+    KeyMap keys = KeyMap::Selvedge;
+    bool is_dark = false;
+
+    bool operator==(const UserSettings&) const = default;
 };
 
 struct Services {
     std::function<sim::PatternDocument(const std::string& file)> load;
     std::function<bool(const std::string& file)> is_drawing;  // of another program, by its content
-    std::function<ImportedDrawing(const std::string& file)> import_drawing;
+    std::function<ImportedDrawing(const std::string& file, const sim::ImportOptions& options)> import_drawing;
     std::function<bool(const std::string& file)> is_photo;  // PNG or JPEG, by its ending
     PhotoReader read_photo;
     // Writes a pattern for the cutting table (.pdf, .svg, .dxf), and says what was written.
-    std::function<std::string(const sim::Pattern& pattern, const std::string& file)> print;
+    std::function<std::string(const sim::Pattern& pattern, const std::string& file, const sim::PrintSettings& settings)>
+        print;
     std::function<void(const std::string& file, const std::string& text)> save;  // atomic
     std::function<FolderListing(const std::string& folder)> list_folder;         // empty: the working directory
     std::function<bool(const std::string& file)> exists;
+    // The SHA-256 of what the file holds; none: there is no such file, or it cannot be read. Unset: it is not known.
+    std::function<std::optional<std::string>(const std::string& file)> hash_of{};
     std::function<std::string(const std::string& file)> full_path;  // from the root folder
     std::function<void(const ExportRequest& request)> write_export;
     BodyMaker make_body = make_mannequin_body;
     MotionFinder find_motion = sim::find_motion;
     FabricReader read_fabric = sim::read_fabric_file;
 
-    // The user's choice of keys, kept from one start to the next. Unset: it is not kept.
-    std::function<KeyMap()> load_key_map{};
-    std::function<void(KeyMap map)> save_key_map{};
+    // The user's choices, kept from one start to the next. Unset: they are not kept.
+    std::function<UserSettings()> load_settings{};
+    std::function<void(const UserSettings& settings)> save_settings{};
+
+    std::string manual{};  // of the editor, as Markdown; empty: there is none
 
     std::function<std::vector<std::string>()> recent_files;  // newest first
     std::function<void(const std::string& file)> remember_file;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "editor/frame/item.h"
 #include "editor/viewport3d/viewport_overlay.h"
 
 namespace selvedge::editor {
@@ -51,6 +52,11 @@ ImTextureID image_of(UiTexture texture) {
 
 }  // namespace
 
+void Viewport::set_colours(const ViewportColours& colours) {
+    colours_ = colours;
+    scene_ = ViewportScene(colours);
+}
+
 std::optional<Vec2f> Viewport::world_to_px(const Vec3f& x) const {
     std::optional<Vec2f> px = px_of(controller_.viewing(), x);
     if (px) *px += low_px_;
@@ -92,6 +98,7 @@ void Viewport::make_scene(const ViewportContext& context) {
     const Message* message = workspace.messages.shown();
     ViewportMarks marks{.selection = document.selection(), .hover = workspace.hover};
     if (message && message->kind != MessageKind::Note) marks.wrong = message->places;
+    marks.wrong.insert(marks.wrong.end(), workspace.lit.parts.begin(), workspace.lit.parts.end());
     marks.undrawn = undrawn_panels(document.pattern(), workspace.look, document.panel_states());
     marks.has_seam_lines = workspace.look.has_seam_lines;
     marks.has_points = controller_.shows_points();
@@ -162,6 +169,7 @@ void Viewport::show(const ViewportContext& context) {
     constexpr ImGuiButtonFlags kAll =
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
     ImGui::InvisibleButton("viewport", {size_px_.x(), size_px_.y()}, kAll);
+    if (context.show_findings) ImGui::SetItemAllowOverlap();
     controller_.update(context.workspace, take_input(context), context.choice);
     context.workspace.drape.look_from(camera().eye);
     make_scene(context);
@@ -181,6 +189,18 @@ void Viewport::show(const ViewportContext& context) {
     }
     draw_overlay(list, {.low_px = low_px_, .scale = context.scale}, context.workspace, controller_, colours_);
     list.PopClipRect();
+    if (context.show_findings) show_badge_button(context);
+}
+
+// Over the badge, which the overlay has drawn.
+void Viewport::show_badge_button(const ViewportContext& context) {
+    const BadgeBox box = stage_badge_box(context.workspace, controller_, context.scale);
+    if (box.size.x() <= 0) return;
+    ImGui::SetCursorScreenPos({low_px_.x() + box.low.x(), low_px_.y() + box.low.y()});
+    if (ImGui::InvisibleButton("badge", {box.size.x(), box.size.y()})) context.show_findings();
+    if (context.widgets != nullptr) note_widget(*context.widgets, "viewport.badge");
+    show_tip("What is right and wrong with it");
+    if (ImGui::IsItemHovered()) context.output.cursor = MouseCursor::Hand;
 }
 
 }  // namespace selvedge::editor

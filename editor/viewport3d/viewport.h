@@ -24,11 +24,15 @@ struct ViewportContext {
     ClothChoice choice = ClothChoice::Panels;
     KeyMap key_map = KeyMap::Selvedge;
     bool may_refine = true;  // false: a request of this frame may be replaced before it is drawn, so it is no sample
+    WidgetMap* widgets = nullptr;           // receives the position of the badge; may be null
+    std::function<void()> show_findings{};  // the badge was clicked; unset: it is no button
 };
 
 class Viewport {
  public:
     explicit Viewport(ViewportColours colours = {}) : colours_(colours), scene_(colours) {}
+
+    void set_colours(const ViewportColours& colours);
 
     // Fills the remaining region of the current ImGui window. Requests a new rendering of the scene only if something
     // in it has changed, and then, once it rests, one sample after the other of a smooth picture.
@@ -60,6 +64,7 @@ class Viewport {
     };
 
     ViewportInput take_input(const ViewportContext& context);
+    void show_badge_button(const ViewportContext& context);
     bool wants_curved(const Workspace& workspace) const;
     void make_scene(const ViewportContext& context);
     void request_rendering(const ViewportContext& context);

@@ -268,6 +268,18 @@ std::vector<const sim::Panel*> panels_by_mesh(const sim::DrawMesh& mesh, const s
 
 }  // namespace
 
+ViewportColours dark_viewport_colours() {
+    ViewportColours dark;
+    dark.background = {.centre = {0x4A, 0x4D, 0x52}, .edge = {0x2C, 0x2E, 0x32}};
+    dark.ink = {0xEC, 0xEA, 0xE5};
+    dark.faint = {0xA2, 0xA4, 0xA8};
+    dark.badge = {0x2A, 0x2C, 0x30};
+    dark.badge_line = {0x4A, 0x4D, 0x53};
+    dark.good = {0x63, 0xB8, 0x86};
+    dark.error = {0xF0, 0x72, 0x68};
+    return dark;
+}
+
 sim::DrawMesh placed_mesh(const sim::DrawMesh& mesh, const sim::Pattern& pattern) {
     const std::vector<const sim::Panel*> panels = panels_by_mesh(mesh, pattern);
     sim::DrawMesh placed = mesh;

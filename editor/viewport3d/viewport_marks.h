@@ -41,6 +41,8 @@ struct ViewportColours {
     sim::Rgb8 busy{0xD0, 0x8B, 0x2E};  // and sewing or draping
 };
 
+ViewportColours dark_viewport_colours();
+
 // The garment as the 3D view shows it: draped, or its panels as placed, before sewing.
 
 enum class GarmentState {

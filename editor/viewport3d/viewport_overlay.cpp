@@ -259,6 +259,23 @@ void draw_point_name(Overlay& overlay, const std::vector<sim::ArrangementPoint>&
     draw_name(overlay, point.name, *px);
 }
 
+// The place of a finding about the drape, through what is before it.
+void draw_lit_cloth(Overlay& overlay, const Workspace& workspace, const ViewportController& controller) {
+    if (workspace.lit.is_empty() || controller.garment().is_placed()) return;
+    const ImU32 colour = ink(overlay.colours().error);
+    for (const auto& [from, to] : lit_cloth(workspace.lit, controller.garment().mesh()).in_space) {
+        if (from != to) {
+            overlay.path({from, to}, colour, 2.4F);
+            continue;
+        }
+        const std::optional<Vec2f> px = px_of(overlay.viewing(), from);
+        if (!px) continue;
+        overlay.list().AddCircle(overlay.at(*px), 14 * overlay.scale(), overlay.rim_of(colour), 0, 5 * overlay.scale());
+        overlay.list().AddCircle(overlay.at(*px), 14 * overlay.scale(), colour, 0, 2.6F * overlay.scale());
+        overlay.list().AddCircleFilled(overlay.at(*px), 3 * overlay.scale(), colour);
+    }
+}
+
 // At the lower left. Draws the axis that points most towards the eye last.
 void draw_axis_cross(Overlay& overlay) {
     const float reach = 24 * overlay.scale();
@@ -278,10 +295,23 @@ void draw_axis_cross(Overlay& overlay) {
     }
 }
 
+sim::Rgb8 verdict_colour(const sim::SessionFrame& frame, const ViewportColours& colours) {
+    if (!frame.report) return colours.faint;  // it was not looked at yet
+    switch (verdict_of(*frame.report).verdict) {
+        case Verdict::Good:
+            return colours.good;
+        case Verdict::Tight:
+            return colours.busy;
+        case Verdict::Wrong:
+            break;
+    }
+    return colours.error;
+}
+
 sim::Rgb8 stage_colour(const sim::SessionFrame& frame, const ViewportColours& colours) {
     switch (frame.stage) {
         case sim::SessionStage::Settled:
-            return colours.good;
+            return verdict_colour(frame, colours);
         case sim::SessionStage::Sewing:
         case sim::SessionStage::Draping:
         case sim::SessionStage::Moving:
@@ -295,20 +325,25 @@ sim::Rgb8 stage_colour(const sim::SessionFrame& frame, const ViewportColours& co
     return colours.faint;
 }
 
-void draw_stage(Overlay& overlay, const Workspace& workspace, const ViewportController& controller) {
+std::string stage_text(const Workspace& workspace, const ViewportController& controller) {
     const sim::SessionFrame& frame = controller.garment().frame();
     std::string text = stage_badge(frame);
     const bool is_sewn = frame.stage == sim::SessionStage::Draping || frame.stage == sim::SessionStage::Moving ||
                          frame.stage == sim::SessionStage::Settled;
     if (is_sewn && controller.garment().is_placed()) text += " \u00B7 shown as placed";
     if (workspace.drape.is_making_body()) text += text.empty() ? "Making the body" : " \u00B7 making the body";
+    return text;
+}
+
+void draw_stage(Overlay& overlay, const Workspace& workspace, const ViewportController& controller) {
+    const std::string text = stage_text(workspace, controller);
     if (text.empty()) return;
     const float scale = overlay.scale();
-    const Vec2f low(10 * scale, 10 * scale), size = overlay.badge_size(text) + Vec2f(14 * scale, 0);
+    const auto [low, size] = stage_badge_box(workspace, controller, scale);
     overlay.list().AddRectFilled(overlay.at(low), overlay.at(low + size), ink(overlay.colours().badge, 236), 4 * scale);
     overlay.list().AddRect(overlay.at(low), overlay.at(low + size), ink(overlay.colours().badge_line), 4 * scale);
     overlay.list().AddCircleFilled(overlay.at(low + Vec2f(12 * scale, size.y() / 2)), 4 * scale,
-                                   ink(stage_colour(frame, overlay.colours())));
+                                   ink(stage_colour(controller.garment().frame(), overlay.colours())));
     overlay.list().AddText(overlay.at(low + Vec2f(21, 4) * scale), ink(overlay.colours().ink), text.c_str());
 }
 
@@ -329,12 +364,21 @@ std::string stage_badge(const sim::SessionFrame& frame) {
             return frame.is_running ? "Draping" : "Paused";
         case sim::SessionStage::Moving:
             return frame.is_running ? "Moving" : "Paused";
-        case sim::SessionStage::Settled:
-            return "Settled";
+        case sim::SessionStage::Settled: {
+            const std::string wrong = frame.report ? verdict_of(*frame.report).text : "";
+            return wrong.empty() ? "Settled" : "Settled, " + wrong;
+        }
         case sim::SessionStage::Failed:
             return "Failed";
     }
     return "";
+}
+
+BadgeBox stage_badge_box(const Workspace& workspace, const ViewportController& controller, float scale) {
+    const std::string text = stage_text(workspace, controller);
+    if (text.empty()) return {};
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    return {.low = Vec2f(10, 10) * scale, .size = Vec2f(size.x, size.y) + Vec2f(28, 8) * scale};
 }
 
 void draw_overlay(ImDrawList& list, const OverlayFrame& place, const Workspace& workspace,
@@ -346,6 +390,7 @@ void draw_overlay(ImDrawList& list, const OverlayFrame& place, const Workspace& 
     draw_pull(overlay, controller);
     draw_point_name(overlay, workspace.drape.current_body().points, controller);
     draw_axis_cross(overlay);
+    draw_lit_cloth(overlay, workspace, controller);
     draw_stage(overlay, workspace, controller);
     draw_readout(overlay, workspace, controller);
 }

@@ -16,7 +16,15 @@ struct OverlayFrame {
 void draw_overlay(ImDrawList& list, const OverlayFrame& place, const Workspace& workspace,
                   const ViewportController& controller, const ViewportColours& colours);
 
-// The current simulation stage in a few words, for example "Sewing 3 seams".
+// The current simulation stage in a few words, for example "Sewing 3 seams"; of a garment at rest also what is wrong
+// with it: "Settled, too small at the bust by 2.2 cm".
 std::string stage_badge(const sim::SessionFrame& frame);
+
+// Where the overlay draws the stage, px of the view. Size 0: it does not.
+struct BadgeBox {
+    Vec2f low{0, 0};
+    Vec2f size{0, 0};
+};
+BadgeBox stage_badge_box(const Workspace& workspace, const ViewportController& controller, float scale);
 
 }  // namespace selvedge::editor

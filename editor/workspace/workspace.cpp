@@ -122,7 +122,9 @@ CurrentBody make_mannequin_body(const std::string& text) {
 }
 
 Drape::Drape(sim::SessionDrive drive, BodyMaker maker, MotionFinder motions)
-    : drive_(drive), maker_(std::move(maker)), motions_(std::move(motions)), session_(drive) {}
+    : drive_(drive), maker_(std::move(maker)), motions_(std::move(motions)), session_(drive) {
+    options_.reports_faults = true;
+}
 
 void Drape::show_body(std::optional<std::string> text) {
     body_override_ = std::move(text);

@@ -14,6 +14,7 @@
 #include "editor/document/selection.h"
 #include "editor/geometry/draft.h"
 #include "editor/workspace/body_joints.h"
+#include "editor/workspace/drape_verdict.h"
 #include "editor/workspace/fabric_library.h"
 #include "render/scene/scene.h"
 #include "sim/body/body.h"
@@ -248,6 +249,7 @@ struct Workspace {
     Hover hover{};
     Messages messages{};
     ViewOptions look{};
+    FindingPlace lit{};  // of a finding about the drape: shown on the sheet and in the 3D view
 
     // Puts the garments of a file over the document's, moved to the body that this one names. Assumptions become notes.
     // Throws InputError if the document's body cannot be made.

@@ -89,6 +89,10 @@ sim::Sett sett_of(const sim::SurfaceDesign& design) {
     return sett;
 }
 
+sim::SurfaceDesign plain_design() {
+    return {.kind = sim::DesignKind::Colour, .source = kPlainCloth};
+}
+
 const sim::Fabric& ClothLooks::fabric(const std::string& name) {
     const auto known = fabrics_.find(name);
     if (known != fabrics_.end()) return known->second;
@@ -112,7 +116,7 @@ const ClothLook& ClothLooks::look(const sim::SurfaceDesign& design) {
         if (!is_picture) look.sett = sett_of(design);
     } catch (const sim::InputError&) {
         if (unknown_ == Unknown::Fail) throw;
-        look = {.sett = sim::find_tartan(sim::kDefaultTartan)};
+        look = {.sett = sett_of(plain_design())};
     }
     constexpr std::size_t kMostKept = 64;  // a colour that is dragged makes a new one in each frame
     if (looks_.size() >= kMostKept) looks_.erase(looks_.begin());
@@ -121,10 +125,9 @@ const ClothLook& ClothLooks::look(const sim::SurfaceDesign& design) {
 
 sim::SurfaceDesign ClothLooks::design_of(const sim::Pattern& pattern) {
     if (pattern.surface) return *pattern.surface;
-    const sim::SurfaceDesign tartan{
-        .source = pattern.tartan, .size = pattern.sett_size, .position = pattern.sett_position};
-    if (!pattern.tartan.empty()) return tartan;
-    return fabric(pattern.fabric).surface.value_or(tartan);
+    if (!pattern.tartan.empty())
+        return {.source = pattern.tartan, .size = pattern.sett_size, .position = pattern.sett_position};
+    return fabric(pattern.fabric).surface.value_or(plain_design());
 }
 
 sim::SurfaceDesign ClothLooks::design_of(const sim::Pattern& pattern, const sim::Panel& panel) {

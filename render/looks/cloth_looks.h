@@ -30,6 +30,10 @@ Image test_pattern();
 // threadcount. Pre: the kind is Tartan or Colour.
 sim::Sett sett_of(const sim::SurfaceDesign& design);
 
+// What cloth shows that neither panel, garment nor fabric gives a design: plain weave of undyed yarns.
+inline constexpr const char* kPlainCloth = "#EFEADF";
+sim::SurfaceDesign plain_design();
+
 // What one design looks like: woven, or printed.
 struct ClothLook {
     sim::Sett sett{};  // without stripes if a picture is printed
@@ -51,8 +55,7 @@ class ClothLooks {
     void read(const sim::Pattern& pattern);
 
     // The design of a panel, or of the pattern as a whole: of the first of these that has one: the panel, its own
-    // fabric, the pattern, the pattern's fabric; else the pattern's tartan, which counts before its fabric if it is
-    // named.
+    // fabric, the pattern by its surface or its tartan, the pattern's fabric; else plain cloth.
     sim::SurfaceDesign design_of(const sim::Pattern& pattern, const sim::Panel& panel);
     sim::SurfaceDesign design_of(const sim::Pattern& pattern);
 

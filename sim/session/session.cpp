@@ -155,6 +155,8 @@ void Session::Worker::advance(int frames) {
         state_.advance();
         publish();
     }
+    if (state_.may_inspect()) state_.inspect();
+    publish();
 }
 
 // Waits until a request arrives, the session ends, or the given time.
@@ -187,6 +189,10 @@ void Session::Worker::work_until_ended() {
         publish();
         if (!state_.moves()) {
             if (state_.may_prepare()) state_.prepare();
+            if (state_.may_inspect()) {
+                state_.inspect();
+                continue;
+            }
             wait(std::nullopt);
             next = Clock::now();
             continue;

@@ -28,6 +28,7 @@ namespace selvedge::sim {
 class Collider;
 class PreparedBody;
 struct Cloth;
+struct DressReport;
 
 enum class SessionStage {
     Empty,    // no panels, or they cannot be meshed: see SessionFrame::problem
@@ -44,6 +45,7 @@ struct SessionOptions : DressOptions {
     SessionOptions();
 
     bool keeps_real_time = true;       // false: as fast as possible
+    bool reports_faults = false;       // at rest: SessionFrame::report
     bool coarsens_back_faces = false;  // coarse where the fabric's right side faces away from the viewer (look_from)
 
     bool operator==(const SessionOptions&) const = default;
@@ -101,6 +103,10 @@ struct SessionFrame {
     // At rest only: the cloth itself and the collider that it hangs on, for a curved surface over it.
     std::shared_ptr<const Cloth> cloth{};
     std::shared_ptr<const Collider> collider{};
+
+    // What is right and wrong with the garment as it came to rest where it is dressed, as dress() reports it; also
+    // while its body moves from there. Null: it is not at rest, or not looked at yet.
+    std::shared_ptr<const DressReport> report{};
 };
 
 // A point on the displayed cloth: a triangle of a frame's mesh and barycentric weights.

@@ -9,6 +9,8 @@
 #include "sim/core/stopwatch.h"
 #include "sim/dress/carry_over.h"
 #include "sim/inspection/inspection.h"
+#include "sim/inspection/wearing.h"
+#include "sim/place/fit_table.h"
 #include "sim/session/animation.h"
 #include "sim/session/session_frame.h"
 
@@ -134,6 +136,7 @@ void SessionState::operator()(request::Reset) {
     motion_.reset();
     if (mover_) mover_->back_to_start();
     if (start_pose_) mover_->go_to(*body_->own_pose());
+    forget_rest();
     dressing_.reset();
 }
 
@@ -151,6 +154,43 @@ void SessionState::sew() {
 void SessionState::sew_if_running() {
     for (std::string& note : dressing_.take_notes()) say(std::move(note));
     if (is_running_ && stage() == SessionStage::Placed) sew();
+}
+
+// The dressing will hang otherwise.
+void SessionState::forget_rest() {
+    cloth_at_rest_.reset();
+    report_.reset();
+}
+
+bool SessionState::may_inspect() const {
+    return options_.reports_faults && !report_ && !has_failed_ && !motion_ && !dressing_.is_pulled() &&
+           dressing_.body() != nullptr && dressing_.stage() == DressingStage::Done;
+}
+
+// As dress() does it. What was too small when it was sewn may have crumpled since, so that the cloth does not show it.
+void SessionState::inspect() {
+    const Cloth& cloth = *dressing_.cloth();
+    DressReport report;
+    report.options = options_;
+    report.settled = true;
+    DrapeResult result = dressing_.result();
+    result.settled = true;
+    std::optional<TightLevel> too_small;
+    if (too_small_when_sewn_ && (is_too_small(cloth, *dressing_.body()) || is_overstretched(cloth)))
+        too_small = too_small_when_sewn_;
+    try {
+        validate(cloth, dressing_.collider(), dressing_.anchored(), dressing_.open_seams(), result, report,
+                 {.may_cross_itself = !options_.self_collision}, too_small);
+        const WearingCheck wearing(dressing_.sewn_mesh(),
+                                   {.unsewn = dressing_.designed(), .body = &dressing_.designed_for()},
+                                   dressing_.measured());
+        wearing.validate(cloth, report);
+        report.fit = measure_fit(draw_mesh(cloth, names_of(dressing_.pattern())), dressing_.measured());
+    } catch (const InputError& error) {  // the body that the pattern names cannot be made
+        report.notes.push_back(std::string("how it is worn was not checked: ") + error.what());
+    }
+    report_ = std::make_shared<const DressReport>(std::move(report));
+    has_changed_ = true;
 }
 
 void SessionState::advance() {
@@ -177,6 +217,7 @@ void SessionState::advance() {
 }
 
 void SessionState::advance_dressing() {
+    forget_rest();
     const bool was_sewing = !dressing_.is_hanging();
     const DrapeResult before = was_sewing ? DrapeResult() : dressing_.result();
     try {
@@ -193,6 +234,8 @@ void SessionState::advance_dressing() {
         return fail("a value is not finite while it was sewn: do its panels stand where they can be sewn?");
     }
     if (was_sewing) report_sewing();
+    if (was_sewing && options_.reports_faults && !after.bad_vertex)
+        too_small_when_sewn_ = fits_nowhere(*dressing_.cloth(), *dressing_.body());
     if (after.bad_vertex) {
         fail("a value is not finite " +
              describe_place(*dressing_.cloth(), dressing_.drape().pattern, *after.bad_vertex));
@@ -327,7 +370,7 @@ void SessionState::operator()(request::SetBody& request) {
     } catch (const InputError& error) {  // the body that the pattern names is none
         return fail(error.what());
     }
-    cloth_at_rest_.reset();
+    forget_rest();
     sew_if_running();
 }
 
@@ -359,7 +402,7 @@ bool SessionState::take_pattern(Pattern pattern) {
 }
 
 void SessionState::show_changed_cloth(bool is_seen) {
-    if (is_seen) cloth_at_rest_.reset();
+    if (is_seen) forget_rest();
     if (is_seen) leave_motion();
     has_failed_ = false;
     problem_.clear();
@@ -381,7 +424,7 @@ void SessionState::operator()(const request::SetOptions& request) {
         return;
     }
     const DressOptions &was = last, &is = options_;
-    if (is != was) cloth_at_rest_.reset();
+    if (is != was) forget_rest();
     if (is.edge_length != was.edge_length || is.mesh != was.mesh) leave_motion();
     if (motion_ && is != was) motion_->set_options(is);
     update_visibility();
@@ -459,7 +502,7 @@ void SessionState::operator()(const request::RestoreDrape& request) {
     if (!dressing_.restore(found->second))
         return say("'" + request.name + "' was kept of another cut: the pattern's pieces have changed since");
     leave_motion();
-    cloth_at_rest_.reset();
+    forget_rest();
     has_failed_ = false;
     has_changed_ = true;
     problem_.clear();
@@ -518,6 +561,7 @@ std::shared_ptr<SessionFrame> SessionState::make_frame() {
         frame->cloth = cloth_at_rest_;
         frame->collider = motion_ ? collider_at_rest_ : dressing_.shared_collider();
     }
+    frame->report = report_;
     frame->statistics.times = times_.medians();
     return frame;
 }

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "sim/dress/dressing.h"
+#include "sim/inspection/report.h"
+#include "sim/place/fit.h"
 #include "sim/session/live_motion.h"
 #include "sim/session/session.h"
 
@@ -143,6 +145,10 @@ class SessionState {
     bool may_prepare() const;
     void prepare() { dressing_.collider(); }
 
+    // Finds what is wrong with the garment at rest, which takes some tenths of a second: to do while idle.
+    bool may_inspect() const;
+    void inspect();
+
     // Whether anything visible has changed since the last call.
     bool take_change() { return std::exchange(has_changed_, false); }
     std::shared_ptr<SessionFrame> make_frame();
@@ -153,6 +159,7 @@ class SessionState {
     SessionStage stage() const;
     bool take_pattern(Pattern pattern);
     void show_changed_cloth(bool is_seen);
+    void forget_rest();
     void sew();
     void sew_if_running();
     void say(std::string message);
@@ -184,8 +191,10 @@ class SessionState {
     // Copies, made for the first frame at rest; the collider, of a body that has moved.
     std::shared_ptr<const Cloth> cloth_at_rest_;
     std::shared_ptr<const Collider> collider_at_rest_;
-    ViewPoint viewer_, adapted_to_;         // now, and when the cloth adapted last
-    std::optional<Visibility> visibility_;  // while back faces are coarsened
+    std::shared_ptr<const DressReport> report_;      // of the dressing at rest
+    std::optional<TightLevel> too_small_when_sewn_;  // of what was sewn: fits_nowhere()
+    ViewPoint viewer_, adapted_to_;                  // now, and when the cloth adapted last
+    std::optional<Visibility> visibility_;           // while back faces are coarsened
     std::shared_ptr<const PreparedBody> body_;
     std::optional<BodyMover> mover_;  // of a body with bones
     // Where the dressing's body stands, m, and in which pose, if that is not its own; otherwise null.

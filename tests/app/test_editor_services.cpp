@@ -63,14 +63,15 @@ TEST_F(EditorServices, a_folder_is_listed_with_folders_first_and_without_what_is
 }
 
 TEST_F(EditorServices, the_choice_of_keys_is_kept) {
-    EXPECT_EQ(services_.load_key_map(), editor::KeyMap::Selvedge) << "none is stored";
-    services_.save_key_map(editor::KeyMap::MarvelousDesigner);
-    EXPECT_EQ(services_.load_key_map(), editor::KeyMap::MarvelousDesigner);
-    EXPECT_EQ(KeyMapFile(folder_.path() / "state" / "settings.json").load(), editor::KeyMap::MarvelousDesigner);
-    services_.save_key_map(editor::KeyMap::Selvedge);
-    EXPECT_EQ(services_.load_key_map(), editor::KeyMap::Selvedge);
+    EXPECT_EQ(services_.load_settings().keys, editor::KeyMap::Selvedge) << "none is stored";
+    services_.save_settings({.keys = editor::KeyMap::MarvelousDesigner, .is_dark = true});
+    EXPECT_EQ(services_.load_settings().keys, editor::KeyMap::MarvelousDesigner);
+    EXPECT_EQ(SettingsFile(folder_.path() / "state" / "settings.json").load(),
+              (editor::UserSettings{.keys = editor::KeyMap::MarvelousDesigner, .is_dark = true}));
+    services_.save_settings({});
+    EXPECT_EQ(services_.load_settings().keys, editor::KeyMap::Selvedge);
     std::ofstream(folder_.path() / "state" / "settings.json") << "{\"keys\": [";
-    EXPECT_EQ(services_.load_key_map(), editor::KeyMap::Selvedge) << "an invalid file";
+    EXPECT_EQ(services_.load_settings().keys, editor::KeyMap::Selvedge) << "an invalid file";
 }
 
 TEST_F(EditorServices, a_folder_that_is_not_there_is_an_input_error) {
@@ -379,7 +380,8 @@ TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_h
     services_.discard_journal(left[0].id);
     EXPECT_FALSE(fs::exists(journal));
     // What was recovered and is in no file is offered again, though nothing was changed since.
-    std::ofstream(journal) << editor::journal_head("shirt.json", services_.examples[1].text, true) << '\n';
+    std::ofstream(journal) << editor::journal_head("shirt.json", services_.examples[1].text, {.is_unsaved = true})
+                           << '\n';
     ASSERT_EQ(services_.orphaned_journals().size(), 1U);
     EXPECT_TRUE(services_.orphaned_journals()[0].recovery->was_unsaved);
 }

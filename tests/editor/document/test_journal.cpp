@@ -104,6 +104,24 @@ TEST(Journal, gives_back_several_commands_as_one_step) {
     EXPECT_EQ(recover(journaled.text)->text, before);
 }
 
+TEST(Journal, counts_a_drag_as_one_change) {
+    Journaled journaled("tshirt.json");
+    const auto drag = [&](int moves) {
+        for (int i = 1; i <= moves; ++i)
+            journaled.document.preview(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.0005 * i, 0)});
+    };
+    drag(24);
+    journaled.document.commit();
+    EXPECT_EQ(recover(journaled.text)->changes, 1);
+    drag(12);
+    EXPECT_EQ(recover(journaled.text)->changes, 2) << "one and a half";
+    journaled.document.rollback();
+    EXPECT_EQ(recover(journaled.text)->changes, 1);
+    journaled.document.undo();
+    EXPECT_EQ(recover(journaled.text)->changes, 0);
+    EXPECT_TRUE(recover(journaled.text)->has_changes()) << "it may be redone";
+}
+
 TEST(Journal, gives_back_a_drag_that_was_under_way) {
     Journaled journaled("tshirt.json");
     journaled.document.preview(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.01, 0)});

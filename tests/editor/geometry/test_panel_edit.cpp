@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <numbers>
 
 #include "editor/geometry/outline_edit.h"
@@ -231,8 +232,8 @@ TEST(CutPanel, refuses_a_path_that_leaves_the_panel) {
 TEST(MergePanels, takes_back_a_cut) {
     sim::Pattern pattern = two_squares();
     pattern.panels[0].notches = {{.edge = 1, .t = 0.5}, {.edge = 3, .t = 0.5}};
-    cut_panel(pattern, 0, {{0.5, 0}, {0.4, 0.5}, {0.5, 1}}, true);
-    EXPECT_EQ(merge_panels(pattern, 1), 0);
+    cut_panel(pattern, 0, {{0.6, 0}, {0.5, 0.5}, {0.6, 1}}, true);
+    EXPECT_EQ(merge_panels(pattern, 1).panel, 0);
     ASSERT_EQ(pattern.panels.size(), 2U);
     EXPECT_NEAR(outline_area(pattern.panels[0]), 1, 1e-12);
     EXPECT_EQ(pattern.panels[0].edges.size(), 6U);
@@ -244,15 +245,73 @@ TEST(MergePanels, takes_back_a_cut) {
     EXPECT_TRUE(can_be_saved(pattern));
 }
 
-TEST(MergePanels, turns_and_moves_the_second_to_the_first) {
+TEST(MergePanels, turns_and_moves_the_second_of_two_equal_ones_to_the_first) {
     sim::Pattern pattern = two_squares();
     transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Translation2d(3, 1) * Eigen::Rotation2Dd(0.7)));
     pattern.panels[1].pins = {1, 3};
-    EXPECT_EQ(merge_panels(pattern, 0), 0);
+    EXPECT_EQ(merge_panels(pattern, 0).panel, 0);
     EXPECT_NEAR(outline_area(pattern.panels[0]), 2, 1e-9);
     EXPECT_EQ(pattern.panels[0].edges.size(), 6U);
     EXPECT_EQ(pattern.panels[0].pins.size(), 2U);
     EXPECT_TRUE(pattern.seams.empty());
+}
+
+// A small piece, turned by 40 degrees with its grain, and a large one, which is sewn to it as the second side.
+sim::Pattern small_and_large() {
+    sim::Pattern pattern = two_squares();
+    pattern.panels[0] = make_rectangle({0, 0}, {0.2, 1});
+    pattern.panels[0].name = "band";
+    pattern.panels[0].notches = {{.edge = 0, .t = 0.25}};
+    pattern.panels[0].internal_lines = {{.name = "fold", .points = {{0.1, 0.2}, {0.1, 0.8}}}};
+    transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Translation2d(3, 1) * Eigen::Rotation2Dd(0.7)));
+    pattern.panels[1].grain_angle = 0.1;
+    pattern.panels[1].sett_offset = {0.02, 0.03};
+    pattern.panels[1].sheet_position = Vec2d(5, 6);
+    return pattern;
+}
+
+TEST(MergePanels, leaves_the_larger_one_where_it_lies_with_its_grain_sett_and_placement) {
+    sim::Pattern pattern = small_and_large();
+    const sim::Panel large = pattern.panels[1];
+    const Merged merged = merge_panels(pattern, 0);
+    ASSERT_EQ(pattern.panels.size(), 1U);
+    const sim::Panel& joined = pattern.panels[static_cast<std::size_t>(merged.panel)];
+    EXPECT_EQ(joined.name, "right");
+    EXPECT_EQ(joined.translation, large.translation);
+    EXPECT_EQ(joined.grain_angle, 0.1);
+    EXPECT_EQ(joined.sett_offset, large.sett_offset);
+    EXPECT_EQ(joined.sheet_position, large.sheet_position);
+    for (const Vec2d& corner : large.vertices) {
+        const auto is_there = [&](const Vec2d& vertex) { return (vertex - corner).norm() < 1e-12; };
+        EXPECT_TRUE(std::ranges::any_of(joined.vertices, is_there)) << corner.transpose();
+    }
+    ASSERT_EQ(joined.notches.size(), 1U);
+    const sim::Notch& notch = joined.notches[0];
+    EXPECT_TRUE(outline_point(joined, joined.edges[std::size_t(notch.edge)], notch.t).isApprox(Vec2d(-0.15, 0), 1e-9));
+    ASSERT_EQ(joined.internal_lines.size(), 1U);
+    EXPECT_TRUE(joined.internal_lines[0].points[1].isApprox(Vec2d(-0.1, 0.8), 1e-9));
+}
+
+TEST(MergePanels, tells_of_a_grain_that_the_moved_one_had_otherwise) {
+    sim::Pattern pattern = small_and_large();
+    const Merged merged = merge_panels(pattern, 0);
+    ASSERT_EQ(merged.notes.size(), 1U);
+    EXPECT_NE(merged.notes[0].find("its grain ran 5.7 degrees off"), std::string::npos) << merged.notes[0];
+    pattern = small_and_large();
+    pattern.panels[1].grain_angle = 0;
+    EXPECT_TRUE(merge_panels(pattern, 0).notes.empty()) << "it is turned with its grain";
+}
+
+TEST(MergePanels, leaves_the_named_one_where_it_lies) {
+    sim::Pattern pattern = small_and_large();
+    const sim::Panel small = pattern.panels[0];
+    EXPECT_EQ(merge_panels(pattern, 0, 0).panel, 0);
+    EXPECT_EQ(pattern.panels[0].name, "band");
+    EXPECT_EQ(pattern.panels[0].grain_angle, small.grain_angle);
+    EXPECT_NEAR(outline_area(pattern.panels[0]), 1.2, 1e-9);
+    pattern = small_and_large();
+    pattern.panels.push_back(unit_square("other"));
+    EXPECT_THROW(merge_panels(pattern, 0, 2), GeometryError);
 }
 
 TEST(MergePanels, refuses_sides_that_do_not_fit) {

@@ -3,6 +3,8 @@
 #include <array>
 #include <numbers>
 
+#include "editor/geometry/draft.h"
+#include "editor/geometry/panel_edit.h"
 #include "editor/inspectors/body_inspector.h"
 #include "editor/inspectors/drape_inspector.h"
 #include "editor/inspectors/material_inspector.h"
@@ -125,6 +127,57 @@ TEST(GarmentInspector, a_garment_that_is_hidden_can_be_shown_again) {
     EXPECT_TRUE(inspector.workspace.look.hidden_garments.empty());
     inspector.frame();
     EXPECT_FALSE(inspector.widgets.contains("garment.show.tshirt"));
+}
+
+// The lower edge of a trapezium: from (0, 0) to (0.4, 0), between sides that lean out by 45 degrees.
+sim::Pattern trapezium() {
+    sim::Panel panel = make_polygon({{0, 0}, {0.4, 0}, {0.6, 0.2}, {-0.2, 0.2}});
+    panel.name = "trapezium";
+    panel.sheet_position = Vec2d(1, 2);
+    sim::Pattern pattern;
+    pattern.panels = {panel};
+    return pattern;
+}
+
+TEST(EdgeLength, that_is_typed_moves_what_was_chosen) {
+    const auto edge_after = [](LengthMove move) {
+        Document document({.pattern = trapezium(), .json = {}});
+        document.run(command_for_length(document.pattern(), {"trapezium", 0}, move, {.before = 0.4, .after = 0.5}));
+        const sim::Panel& panel = document.pattern().panels[0];
+        return std::pair<Vec2d, Vec2d>{panel.vertices[0], panel.vertices[1]};
+    };
+    const auto expect = [&](LengthMove move, const Vec2d& start, const Vec2d& end) {
+        const auto [now_start, now_end] = edge_after(move);
+        EXPECT_TRUE(now_start.isApprox(start, 1e-9) || (now_start - start).norm() < 1e-9) << now_start.transpose();
+        EXPECT_TRUE(now_end.isApprox(end, 1e-9)) << now_end.transpose();
+    };
+    expect(LengthMove::End, {0, 0}, {0.5, 0});
+    expect(LengthMove::Start, {-0.1, 0}, {0.4, 0});
+    expect(LengthMove::Both, {-0.05, 0}, {0.45, 0});
+    expect(LengthMove::Parallel, {-0.05, 0.05}, {0.45, 0.05});
+}
+
+TEST(EdgeLength, cannot_change_between_parallel_neighbours_by_a_parallel_move) {
+    sim::Pattern pattern;
+    pattern.panels = {make_rectangle({0, 0}, {0.4, 0.2})};
+    EXPECT_THROW(
+        command_for_length(pattern, {pattern.panels[0].name, 0}, LengthMove::Parallel, {.before = 0.4, .after = 0.5}),
+        GeometryError);
+}
+
+TEST(EdgeLength, moves_the_end_of_the_edge_that_is_chosen_in_the_list) {
+    InspectorFixture inspector({.pattern = trapezium(), .json = {}}, draw_properties);
+    Selection selected;
+    selected.edges.insert({"trapezium", 0});
+    inspector.document().select(selected);
+    inspector.state.length_move = LengthMove::Start;
+    inspector.frame();
+    inspector.click("edge.length");
+    inspector.type("50");
+    inspector.key(ImGuiKey_Enter);
+    inspector.frame();
+    EXPECT_NEAR(inspector.panel(0).vertices[0].x(), -0.1, 1e-9);
+    EXPECT_NEAR(inspector.panel(0).vertices[1].x(), 0.4, 1e-9);
 }
 
 TEST(WearOver, takes_a_garment_whose_file_names_a_body_file) {

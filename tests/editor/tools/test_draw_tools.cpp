@@ -1,5 +1,7 @@
 // The drawing tools: polygon, rectangle, ellipse, internal line, cut, mirror.
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <cmath>
 
 #include "sim/pattern/outline.h"
 #include "tests/editor/tools/tool_support.h"
@@ -129,6 +131,58 @@ TEST(CutTool, ends_at_the_second_edge_and_sews_the_cut) {
     user.click({0.05, 0.199});
     EXPECT_EQ(user.pattern().panels.size(), 3U);
     EXPECT_EQ(user.pattern().seams.size(), 1U);
+}
+
+TEST(CutTool, begins_at_the_tip_of_a_dart) {
+    SheetUser user;
+    user.document.run(AddDart{.panel = "left", .edge = 0, .t = 0.5, .width = 0.02, .depth = 0.08});
+    user.choose("cut");
+    user.click({0.102, 0.083});  // beside the tip, at (0.1, 0.08)
+    user.click({0.05, 0.199});
+    ASSERT_EQ(user.pattern().panels.size(), 3U) << user.message();
+    const sim::Panel& cut = user.panel("left");
+    const bool has_tip = std::ranges::any_of(cut.vertices, [&](const Vec2d& vertex) {
+        return (vertex + *cut.sheet_position - Vec2d(0.1, 0.08)).norm() < 1e-9;
+    });
+    EXPECT_TRUE(has_tip);
+    const auto count = [&](const std::string& name) { return user.panel(name).vertices.size(); };
+    EXPECT_EQ(count("left") + count("left_2"), 7U + 1 + 2) << "no second point beside the tip";
+}
+
+TEST(CutTool, ends_at_a_corner) {
+    SheetUser user;
+    user.choose("cut");
+    user.click({0.003, 0.004});
+    user.click({0.196, 0.197});
+    ASSERT_EQ(user.pattern().panels.size(), 3U) << user.message();
+    EXPECT_EQ(user.panel("left").vertices.size(), 3U);
+    EXPECT_EQ(user.panel("left_2").vertices.size(), 3U);
+}
+
+TEST(CutTool, that_leaves_the_panel_says_what_to_do) {
+    SheetUser user;
+    user.choose("cut");
+    user.click({0.05, 0.001});
+    user.click({0.1, -0.1}, {.ctrl = true});
+    user.click({0.15, 0.001});
+    EXPECT_EQ(user.pattern().panels.size(), 2U);
+    EXPECT_NE(user.message().find("click"), std::string::npos) << user.message();
+}
+
+TEST(PathTools, take_a_length_with_its_angle_and_both_its_parts) {
+    SheetUser user{sim::PatternDocument{}};
+    user.choose("polygon");
+    user.move({0.3, 0.3});
+    user.type("10 x 20");  // the first point's place
+    user.type("12 < 30");
+    user.type("-5 x 8");
+    user.key(Key::Enter);
+    ASSERT_EQ(user.pattern().panels.size(), 1U) << user.message();
+    const std::string name = user.pattern().panels[0].name;
+    const Vec2d first(0.1, 0.2), second = first + 0.12 * Vec2d(std::sqrt(3) / 2, 0.5);
+    EXPECT_TRUE(user.vertex(name, 0).isApprox(first, 1e-9)) << user.vertex(name, 0).transpose();
+    EXPECT_TRUE(user.vertex(name, 1).isApprox(second, 1e-9)) << user.vertex(name, 1).transpose();
+    EXPECT_TRUE(user.vertex(name, 2).isApprox(second + Vec2d(-0.05, 0.08), 1e-9));
 }
 
 TEST(CutTool, with_alt_leaves_the_cut_open) {

@@ -405,7 +405,7 @@ TEST(AskedNumber, is_a_length_of_what_is_drawn) {
     user.click({0.25, 0.8});
     user.key(Key::Enter);
     ASSERT_EQ(user.pattern().panels.size(), 3U);
-    EXPECT_NEAR((user.vertex("panel", 1) - user.vertex("panel", 0)).norm(), 0.25, 1e-6);
+    EXPECT_NEAR((user.vertex("polygon", 1) - user.vertex("polygon", 0)).norm(), 0.25, 1e-6);
     user.choose("measure");
     user.click({0, 0});
     user.move({0.2, 0});

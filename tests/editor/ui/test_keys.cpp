@@ -208,14 +208,14 @@ TEST(KeyMaps, bind_no_key_twice) {
 
 TEST(KeyMaps, are_kept_by_the_program) {
     Services services = services_without_files();
-    KeyMap kept = KeyMap::MarvelousDesigner;
-    services.load_key_map = [&] { return kept; };
-    services.save_key_map = [&](KeyMap map) { kept = map; };
+    UserSettings kept{.keys = KeyMap::MarvelousDesigner, .is_dark = true};
+    services.load_settings = [&] { return kept; };
+    services.save_settings = [&](const UserSettings& settings) { kept = settings; };
     Editor editor(services, {.drive = sim::SessionDrive::Caller, .is_steady = true});
     editor.frame({}, {}, 1.0 / 30);
     EXPECT_EQ(chord_text(*find_action(editor.state().actions, "panel.symmetric_copy")), "Ctrl+D");
     choose_key_map(editor.state(), KeyMap::Selvedge);
-    EXPECT_EQ(kept, KeyMap::Selvedge);
+    EXPECT_EQ(kept, (UserSettings{.keys = KeyMap::Selvedge, .is_dark = true}));
 }
 
 }  // namespace

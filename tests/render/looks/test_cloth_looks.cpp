@@ -65,7 +65,7 @@ TEST(ClothLooks, the_nearest_design_counts) {
     sim::Pattern pattern = pattern_of({"a"});
     sim::Panel& panel = pattern.panels[0];
     ClothLooks looks(ClothLooks::Unknown::Fail);
-    EXPECT_EQ(looks.design_of(pattern, panel), SurfaceDesign{}) << "the default tartan";
+    EXPECT_EQ(looks.design_of(pattern, panel), plain_design());
     pattern.tartan = "gingham";
     EXPECT_EQ(looks.design_of(pattern, panel).source, "gingham");
     pattern.surface = SurfaceDesign{.kind = DesignKind::Test};
