@@ -80,8 +80,10 @@ TEST(Topstitch, stays_on_its_side_of_the_cloth_where_a_panel_is_mirrored) {
 
 // A square of 20 cm, whose edge 0 runs along the x axis to the right: its left is above.
 Panel stitched_square() {
-    Panel panel{.name = "square", .vertices = {{0, 0}, {0.2, 0}, {0.2, 0.2}, {0, 0.2}}};
-    panel.edges = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+    Panel panel;
+    panel.name = "square";
+    panel.vertices = {{0, 0}, {0.2, 0}, {0.2, 0.2}, {0, 0.2}};
+    for (int e = 0; e < 4; ++e) panel.edges.push_back({.start = e, .end = (e + 1) % 4});
     return panel;
 }
 
@@ -98,14 +100,16 @@ TEST(TopstitchCheck, finds_rows_off_the_cloth_and_rows_on_each_other) {
     EXPECT_EQ(problem({.distances = {0.006, 0}, .rows = 2}), "the rows of stitches lie on each other");
     EXPECT_EQ(problem({.distances = {0.006, 0.0003}, .rows = 2}), "the rows of stitches lie on each other");
     EXPECT_EQ(problem({.distances = {0.006, 0}, .rows = 1}), "");
-    InternalLine line{.points = {{0.01, 0.1}, {0.01, 0.15}}, .topstitch = Topstitch{.distances = {0.006, 0.006}}};
+    InternalLine line{.name = "", .points = {{0.01, 0.1}, {0.01, 0.15}}};
+    line.topstitch = Topstitch{.distances = {0.006, 0.006}};
     EXPECT_FALSE(topstitch_problem(panel, line));
     line.topstitch->distances.x() = 0.02;
     EXPECT_EQ(topstitch_problem(panel, line), "row 1 of the stitches lies off the cloth");
 }
 
 TEST(TopstitchCheck, of_a_seam_looks_at_the_panel_of_each_side) {
-    Pattern pattern{.panels = {stitched_square(), stitched_square()}};
+    Pattern pattern;
+    pattern.panels = {stitched_square(), stitched_square()};
     pattern.panels[1].vertices[2].y() = pattern.panels[1].vertices[3].y() = 0.02;  // a strip
     Seam seam{{0, 0}, {1, 0}};
     seam.topstitch = Topstitch{.distances = {0.05, 0.006}};
