@@ -43,7 +43,7 @@ void show_action(AppState& state, const Action& action) {
 std::string drape_text(const sim::SessionFrame& frame, bool shows_times) {
     const sim::SessionStatistics& statistics = frame.statistics;
     std::string text = stage_badge(frame) + "   " + std::to_string(statistics.leaf_triangles) + " triangles";
-    if (!shows_times) return text;
+    if (!shows_times || statistics.times.frame == 0) return text;  // nothing was simulated yet
     char time[32];
     std::snprintf(time, sizeof time, "   %.1f ms", statistics.times.frame);
     return text + time;
