@@ -102,11 +102,16 @@ class CutText {
         return std::nullopt;
     }
 
-    // "Do not cut on fold".
+    // "Do not cut on fold": a no beside the word that it is about. "On fold, no seam allowance" says yes.
     bool is_negated() const {
-        return std::ranges::any_of(words_, [](const std::string& word) {
-            return has_word("not don dont never nicht kein ne pas no niet geen", word);
-        });
+        constexpr std::size_t kBeside = 2;  // words
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (!has_word("not don dont never nicht kein niet geen", words_[i])) continue;
+            for (std::size_t k = i + 1; k <= i + kBeside; ++k) {
+                if (is(k, CutWord::Cut) || is(k, CutWord::Fold)) return true;
+            }
+        }
+        return false;
     }
 
     // "Place on fold", "C.F. fold", "1 x im Bruch", "sur la pliure": words that only say where the fold lies. A lone
@@ -224,6 +229,13 @@ bool read_cut_text(std::string_view text, CutInstructions& cut) {
     bool is_read = false;
     for (const std::string_view one : instructions_of(text)) is_read = CutText(one).read(cut) || is_read;
     return is_read;
+}
+
+bool names_fold(std::string_view text) {
+    return std::ranges::any_of(words_of(text), [](const std::string& word) {
+        return std::ranges::any_of(
+            kMeanings, [&](const Meaning& one) { return one.word == CutWord::Fold && has_word(one.words, word); });
+    });
 }
 
 std::vector<std::string> words_of(std::string_view text) {

@@ -16,6 +16,9 @@ namespace selvedge::sim {
 // nothing.
 bool read_cut_text(std::string_view text, CutInstructions& cut);
 
+// Whether a text has a word for a fold, in any of these languages.
+bool names_fold(std::string_view text);
+
 // The words of texts and classes in drawings: runs of letters and digits; ASCII in small letters, other letters as they
 // are.
 std::vector<std::string> words_of(std::string_view text);

@@ -31,7 +31,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr std::size_t kMostEntities = 100000;
+constexpr std::size_t kMostEntities = 2000000;
 
 bool is_outline_layer(int layer) {
     return layer == kBoundaryLayer || layer == kSewLayer;
@@ -113,7 +113,7 @@ class DxfReader {
             } else if (section == "TABLES" || section == "BLOCKS" || section == "ENTITIES") {
                 if (group.code == 0) entities.push_back({.type = group.value, .line = group.line, .groups = {}});
                 if (group.code != 0 && !entities.empty()) entities.back().groups.push_back(group);
-                if (entities.size() > kMostEntities * 20) throw InputError(file_, "", "more than 2 million entities");
+                if (entities.size() > kMostEntities) throw InputError(file_, "", "more than 2 million entities");
             }
         }
         if (!section.empty())
@@ -356,6 +356,13 @@ class DxfReader {
                 part.paths.push_back(is_ours ? as_drawn(line, kind) : path_of(piece, line, kind));
             }
         }
+        const auto others = std::ranges::count_if(piece.lines, [&](const DxfLine& line) {
+            return is_outline_layer(line.layer) && line.is_closed && &line != sewn && &line != boundary;
+        });
+        if (others > 0)
+            drawing_.notes.push_back("line " + std::to_string(piece.line) + ": '" + piece.name + "' has " +
+                                     count_text(static_cast<std::size_t>(others), "more closed outline") +
+                                     ": only the largest is read");
         for (const auto& [layer, at] : piece.points) {
             if (is_notch_layer(layer)) add_notch(part, layer, at, at, sewn ? sewn : boundary);
             if (layer == kDrillLayer) part.marks.push_back({.kind = MarkKind::Drill, .at = at});

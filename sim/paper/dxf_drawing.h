@@ -14,7 +14,7 @@
 namespace selvedge::sim {
 
 // Polylines become lines and cubic Bezier curves between their corners. Throws InputError that names the line of what
-// is wrong, and for a file beyond the limits of parse_dxf() or with more than 100,000 entities or 2 million vertices.
+// is wrong, and for a file beyond the limits of parse_dxf() or with more than 2 million entities or 2 million vertices.
 // rules: of the table beside the file, which makes the other sizes of its pieces; null: there is none.
 Drawing read_dxf(std::string_view text, const std::string& file, const GradeRules* rules = nullptr);
 

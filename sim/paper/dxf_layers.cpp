@@ -18,7 +18,10 @@ int dxf_layer_number(std::string_view name) {
     int number = -1;
     const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (error == std::errc() && stop == digits.data() + digits.size()) return number;
-    constexpr std::array<std::pair<std::string_view, int>, 14> words{{{"cut", kBoundaryLayer},
+    constexpr std::array<std::pair<std::string_view, int>, 17> words{{{"cutout", kCutoutLayer},
+                                                                      {"cut-out", kCutoutLayer},
+                                                                      {"allowance", kBoundaryLayer},
+                                                                      {"cut", kBoundaryLayer},
                                                                       {"boundary", kBoundaryLayer},
                                                                       {"outline", kBoundaryLayer},
                                                                       {"contour", kBoundaryLayer},

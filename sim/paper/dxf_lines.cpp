@@ -12,6 +12,8 @@ namespace {
 
 using PointList = std::vector<Vec2d>;
 
+constexpr std::size_t kMostJoined = 20000;  // open lines of a layer: more are a hatching
+
 // A run of a joined line: consecutive points between two ends that are corners.
 struct Run {
     PointList points;
@@ -82,7 +84,7 @@ std::vector<std::size_t> open_lines(const DxfPiece& piece, int layer) {
 
 void join_layer(DxfPiece& piece, int layer, double gap, DxfJoints& joints) {
     const std::vector<std::size_t> open = open_lines(piece, layer);
-    if (open.empty()) return;
+    if (open.empty() || open.size() > kMostJoined) return;
     std::vector<PointList> lines;
     for (const std::size_t i : open) lines.push_back(piece.lines[i].points);
     replace_with_chains(piece, open, find_closed_chains(lines, {.gap = gap}), joints);
@@ -92,7 +94,7 @@ void join_layer(DxfPiece& piece, int layer, double gap, DxfJoints& joints) {
 void close_along_boundary(DxfPiece& piece, double gap, DxfJoints& joints) {
     const DxfLine* boundary = largest_closed(piece, kBoundaryLayer);
     const std::vector<std::size_t> open = open_lines(piece, kSewLayer);
-    if (!boundary || open.empty() || largest_closed(piece, kSewLayer)) return;
+    if (!boundary || open.empty() || open.size() > kMostJoined || largest_closed(piece, kSewLayer)) return;
     std::vector<PointList> lines{boundary->points};
     for (const std::size_t i : open) lines.push_back(piece.lines[i].points);
     const CutLines cut = cut_where_ends_lie(lines, gap);
@@ -152,7 +154,6 @@ void join_outlines(DxfPiece& piece, double gap, DxfJoints& joints) {
 }
 
 void join_loose(DxfPiece& loose, double gap, DxfJoints& joints) {
-    constexpr std::size_t kMost = 20000;
     std::vector<std::size_t> open;
     std::vector<KeyedLine> lines;
     for (std::size_t i = 0; i < loose.lines.size(); ++i) {
@@ -164,7 +165,7 @@ void join_loose(DxfPiece& loose, double gap, DxfJoints& joints) {
         open.push_back(i);
         lines.push_back({line.points, {line.style}});
     }
-    if (open.empty() || open.size() > kMost) return;
+    if (open.empty() || open.size() > kMostJoined) return;
     replace_with_chains(loose, open, join_in_passes(lines, gap, {Branches::Faces, Branches::Faces}), joints);
 }
 

@@ -67,28 +67,8 @@ struct Worst {
     std::size_t index = 0;
 };
 
-// How far a curve strays from a segment beyond what the turns at its ends allow: a circular arc rises by an eighth of
-// its chord times its angle. A straight end of the points has no turn.
-double strayed(Points points, const CubicPoints& c, const std::vector<double>& s, std::size_t i) {
-    constexpr double kRise = 0.25;  // twice that of an arc
-    const auto turn_at = [&](std::size_t k) {
-        if (k == 0 || k + 1 == points.size()) return 0.0;
-        const Vec2d a = points[k] - points[k - 1], b = points[k + 1] - points[k];
-        return std::abs(std::atan2(cross2(a, b), a.dot(b)));
-    };
-    const Vec2d along = points[i + 1] - points[i];
-    const double length = along.norm();
-    if (!(length > 0)) return 0;
-    const double off = std::abs(cross2(along / length, point_on(c, (s[i] + s[i + 1]) / 2) - points[i]));
-    return off - kRise * length * std::min(turn_at(i), turn_at(i + 1));
-}
-
 Worst worst_of(Points points, const CubicPoints& c, const std::vector<double>& s) {
     Worst worst{.index = points.size() / 2};
-    for (const std::size_t i : {std::size_t{0}, points.size() - 2}) {
-        const double distance = strayed(points, c, s, i);
-        if (distance > worst.distance) worst = {distance, i == 0 ? 1 : i};
-    }
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
         const double distance = (point_on(c, s[i]) - points[i]).norm();
         if (distance > worst.distance) worst = {distance, i};
@@ -123,8 +103,8 @@ Vec2d reversed_tangent(Points points) {
 void fit(Points points, const Vec2d& at_start, const Vec2d& at_end, double tolerance, std::vector<CubicPoints>& out) {
     constexpr int kIterations = 24;
     if (points.size() == 2) {
-        const Vec2d third = (points[1] - points[0]) / 3;
-        out.push_back({points[0], points[0] + third, points[1] - third, points[1]});
+        const double third = (points[1] - points[0]).norm() / 3;
+        out.push_back({points[0], points[0] + third * at_start, points[1] + third * at_end, points[1]});
         return;
     }
     std::vector<double> s = chord_parameters(points);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/core/lower_case.h"
+#include "sim/paper/cut_text.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
@@ -57,7 +57,7 @@ std::optional<int> edge_beside_text(const Panel& panel, const std::vector<Candid
     std::optional<int> found;
     double least = kBeside;
     for (const DrawnText& text : texts) {
-        if (lower_case(text.text).find("fold") == std::string::npos) continue;
+        if (!names_fold(text.text)) continue;
         for (const Candidate& one : candidates) {
             const OutlineEdge& edge = panel.edges[as_size(one.edge)];
             const double distance =

@@ -49,12 +49,8 @@ bool is_ornament_word(const Words& words) {
 }
 
 bool is_test_word(const Words& words) {
-    constexpr std::array<std::string_view, 12> known{"test",  "square", "scale",       "quadrat",
-                                                     "print", "check",  "carré",       "cuadrado",
-                                                     "carre", "cuadro", "calibration", "vierkant"};
-    return std::ranges::any_of(words, [&](const std::string& word) {
-        return std::ranges::any_of(known, [&](std::string_view one) { return word.find(one) != std::string::npos; });
-    });
+    return has_one_of(words, {"test", "testsquare", "square", "scale", "quadrat", "testquadrat", "prüfquadrat",
+                              "kontrollquadrat", "carré", "carre", "cuadrado", "cuadro", "vierkant", "calibration"});
 }
 
 // A text that is nothing but lengths: "10 cm", "4\" / 10 cm".
@@ -182,6 +178,7 @@ class NotPanelFinder {
         bool is_named = is_test_word(own_words(a));
         for (const DrawnText& text : drawing_.texts) {
             if (!reach.contains(text.at)) continue;
+            if (CutInstructions cut; read_cut_text(text.text, cut)) continue;  // of a part
             said += text.text + " ";
             is_named = is_named || is_test_word(words_of(lower_case(text.text))) ||
                        (!lengths_in(text.text).empty() && is_only_lengths(text.text));
@@ -198,7 +195,9 @@ class NotPanelFinder {
         }
         if (!said_length) return;
         const bool is_true = stated > 0 && off(*said_length) < kTrue;
-        if (!is_true && !is_named && stated > 0) return;
+        constexpr double kFarthest =
+            0.45;  // natural logarithm: 72 for 96 pixels is 0.29; more is another thing's label
+        if (!is_true && (!is_named || off(*said_length) > kFarthest)) return;
         if (!(stated > 0) || off(*said_length) > kExact) tell_scale(a, *said_length, side, stated);
         leave_out_whole(a);
         out_.notes.push_back(name_of(a) + ": a test square, left out");
@@ -327,7 +326,7 @@ class NotPanelFinder {
             curved += is_box ? 0 : 1;
             has_large = has_large || (!is_box && areas_[b].area > kLargePart * areas_[a].area);
         }
-        if (is_page_word(own_words(a)) && (inside > 0 || outside > 0)) return true;
+        if (is_page_word(own_words(a)) && (inside > 0 || is_crossed(a))) return true;
         if (has_inset) return false;  // a part with its sewing line
         if (is_on_page(areas_[a]) && (inside > 0 || outside > 0)) return true;
         if (is_paper(areas_[a]) && (parts > 0 || is_crossed(a))) return true;
@@ -448,7 +447,10 @@ std::vector<double> lengths_in(std::string_view text) {
         double metres = 0;
         if (rest.starts_with("mm")) metres = 0.001;
         if (rest.starts_with("cm") || rest.starts_with("zentim") || rest.starts_with("centim")) metres = 0.01;
-        if (rest.starts_with("in") || rest.starts_with("\"") || rest.starts_with("''") || rest.starts_with("zoll") ||
+        const bool is_inch = rest == "in" || rest.starts_with("inch") || rest.starts_with("in ") ||
+                             rest.starts_with("in.") || rest.starts_with("in/") || rest.starts_with("in,") ||
+                             rest.starts_with("in)");
+        if (is_inch || rest.starts_with("\"") || rest.starts_with("''") || rest.starts_with("zoll") ||
             rest.starts_with("pouc") || rest.starts_with("\xE2\x80\xB3") || rest.starts_with("\xE2\x80\x9D"))
             metres = 0.0254;
         if (metres > 0 && number > 0) lengths.push_back(metres * number);

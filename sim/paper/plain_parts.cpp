@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "sim/core/error.h"
@@ -95,8 +96,9 @@ class PlainReader {
         std::ranges::move(left_out.notes, std::back_inserter(drawing_.notes));
         if (left_out.metres_per_unit) drawing_.metres_per_unit = plain_.metres_per_unit = left_out.metres_per_unit;
         nests_ = find_size_nests(plain_, areas_);
+        for (std::size_t a = 0; a < areas_.size(); ++a) around_.push_back(part_around(a));
         for (std::size_t a = 0; a < areas_.size(); ++a) {
-            if (!areas_[a].is_left_out && !parent_of_same_size(a)) add_part(a);
+            if (!areas_[a].is_left_out && !around_[a]) add_part(a);
         }
         if (closed == 0 && drawing_.parts.empty()) refuse_open();
         add_open_shapes();
@@ -151,7 +153,10 @@ class PlainReader {
             open.push_back(i);
         }
         constexpr std::size_t kMost = 20000;
-        if (open.size() > kMost) throw InputError(file_, "", "more than 20,000 open lines: no pattern has as many");
+        if (open.size() > kMost) {
+            drawing_.notes.push_back(count_text(open.size(), "open line") + ": more than 20,000 are not joined");
+            return;
+        }
         if (open.size() < 2) return;
         const bool has_groups = groups_tell_parts(open);
         std::vector<KeyedLine> lines;
@@ -201,7 +206,7 @@ class PlainReader {
         for (std::size_t i = 0; i < plain_.shapes.size(); ++i) {
             if (!used.contains(i)) kept.push_back(std::move(plain_.shapes[i]));
         }
-        // In the order of the file: the largest of what is joined would come first otherwise.
+        // From left to right: the largest of what is joined would come first otherwise.
         std::ranges::stable_sort(outlines, {}, [](const PlainShape& shape) {
             Eigen::AlignedBox2d box;
             for (const Vec2d& v : shape.path.vertices) box.extend(v);
@@ -244,6 +249,17 @@ class PlainReader {
 
     // ---- Parts.
 
+    // The outermost area around it, of its own size: a pocket within the sewing line lies in the part, too.
+    std::optional<std::size_t> part_around(std::size_t a) const {
+        std::optional<std::size_t> part = parent_of_same_size(a);
+        while (part) {
+            const std::optional<std::size_t> outer = parent_of_same_size(*part);
+            if (!outer) break;
+            part = outer;
+        }
+        return part;
+    }
+
     // An area within another size of the same part is a part of its own.
     std::optional<std::size_t> parent_of_same_size(std::size_t a) const {
         std::optional<std::size_t> parent = areas_[a].parent;
@@ -260,7 +276,7 @@ class PlainReader {
         if (is_mark_kind(part.paths.back().kind)) return;
         bool has_sewing_line = false;
         for (std::size_t b = 0; b < areas_.size(); ++b) {
-            if (areas_[b].is_left_out || parent_of_same_size(b) != a) continue;
+            if (areas_[b].is_left_out || around_[b] != a) continue;
             DrawnPath path = plain_.shapes[areas_[b].shape].path;
             if (!has_sewing_line && (path.kind == LineKind::Sew || is_inset(areas_[b], areas_[a]))) {
                 insets_ += path.kind == LineKind::Sew ? 0 : 1;
@@ -353,6 +369,11 @@ class PlainReader {
     }
 
     void add_texts() {
+        constexpr std::size_t kMostTexts = 5000;  // of a drawing with thousands of parts upon each other
+        if (plain_.texts.size() > kMostTexts && part_of_area_.size() > 100) {
+            drawing_.notes.push_back("more than 5,000 texts: not read");
+            return;
+        }
         for (const DrawnText& text : plain_.texts) {
             for (DrawnPart* part : parts_at(text.at)) {
                 read_cut_text(text.text, part->cut);
@@ -407,7 +428,8 @@ class PlainReader {
     std::size_t large_lines_ = 0;  // closed lines in a part that are large
     std::vector<PlainArea> areas_;
     SizeNests nests_;
-    std::vector<std::size_t> part_of_area_;  // per part of this drawing: its outermost area
+    std::vector<std::optional<std::size_t>> around_;  // per area: the outermost around it, of its own size
+    std::vector<std::size_t> part_of_area_;           // per part of this drawing: its outermost area
 };
 
 }  // namespace

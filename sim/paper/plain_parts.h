@@ -8,8 +8,8 @@
 
 namespace selvedge::sim {
 
-// Adds parts, notes and the unit to a drawing. Throws InputError for more than 3,000 closed shapes or 20,000 open
-// lines, and, if nothing is closed, for the largest shape that nearly is; a drawing without shapes gets no parts.
+// Adds parts, notes and the unit to a drawing. Throws InputError for more than 3,000 closed shapes, and, if
+// nothing is closed, for the largest shape that nearly is; a drawing without shapes gets no parts.
 void add_plain_parts(PlainDrawing plain, const std::string& file, Drawing& drawing);
 
 }  // namespace selvedge::sim

@@ -128,6 +128,17 @@ std::optional<std::pair<std::string, std::string>> split_size(std::string_view n
     return std::pair(std::string(behind), *before);
 }
 
+bool has_size_word(std::string_view text) {
+    const std::string small = lower_case(text);
+    for (std::string_view rest = without_blanks(small); !rest.empty();) {
+        std::string_view word = rest;
+        if (take_size_word(word)) return true;
+        const std::size_t blank = rest.find(' ');
+        rest = blank == std::string_view::npos ? std::string_view() : without_blanks(rest.substr(blank));
+    }
+    return false;
+}
+
 std::string size_of_shape(const PlainShape& shape) {
     if (const auto size = size_of_name(shape.path.name)) return *size;
     for (auto group = shape.groups.rbegin(); group != shape.groups.rend(); ++group) {

@@ -15,6 +15,9 @@ namespace selvedge::sim {
 // is. None: no size.
 std::optional<std::string> size_of_name(std::string_view name);
 
+// Whether a text has a word for size: "size", "Gr.", "EU".
+bool has_size_word(std::string_view text);
+
 // The size in a shape's own name, or in that of its nearest group that has one; empty: none has.
 std::string size_of_shape(const PlainShape& shape);
 

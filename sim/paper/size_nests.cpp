@@ -33,8 +33,31 @@ class NestFinder {
             if (!named[a].empty()) different.insert(named[a]);
         }
         if (different.size() < 2) return take_ends_of_names();
+        // Bare numbers may count pieces or layers: sizes of one part lie on each other.
+        const bool are_numbers = std::ranges::all_of(different, [](const std::string& size) {
+            return std::ranges::all_of(size, [](char c) { return c >= '0' && c <= '9'; });
+        });
+        if (are_numbers && !says_size() && !has_alike(named)) return false;
         nests_.sizes = std::move(named);
         return true;
+    }
+
+    // Whether a name has a word for size, too.
+    bool says_size() const {
+        return std::ranges::any_of(drawing_.shapes, [](const PlainShape& shape) {
+            std::string names = shape.path.name;
+            for (const PlainGroup& group : shape.groups) names += " " + group.label + " " + group.id;
+            return has_size_word(names);
+        });
+    }
+
+    bool has_alike(const std::vector<std::string>& named) const {
+        for (std::size_t a = 0; a < areas_.size(); ++a) {
+            for (std::size_t b = 0; b < a; ++b) {
+                if (!named[a].empty() && !named[b].empty() && named[a] != named[b] && are_alike(a, b)) return true;
+            }
+        }
+        return false;
     }
 
     // The shape's own name, or that of its nearest group, whichever divides.

@@ -111,7 +111,7 @@ TEST(Dxf, tells_which_loose_line_is_open_and_how_far) {
               "a.dxf: line 9: open by 2.5 mm, and no other line is closed: nothing that could be a panel");
     const Drawing drawing = read_dxf(head + loose({{500, 0}, {800, 0}, {800, 400}}, true) + open + end, "a.dxf");
     EXPECT_EQ(drawing.parts.size(), 1U);
-    ASSERT_EQ(drawing.notes.size(), 1U);
+    ASSERT_EQ(drawing.notes.size(), 2U);
     EXPECT_TRUE(drawing.notes[0].ends_with(": open by 2.5 mm, left out")) << drawing.notes[0];
     // A gap of 0.1 mm is closed, as in blocks.
     EXPECT_EQ(read_dxf(head + loose({{0, 0}, {300, 0}, {300, 400}, {0, 0.1}}, false) + end, "").parts.size(), 1U);

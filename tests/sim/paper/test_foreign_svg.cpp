@@ -180,6 +180,32 @@ TEST(ForeignSvg, takes_the_scale_from_a_labelled_test_square) {
     EXPECT_NEAR(outline_box(made.pattern.panels[0]).sizes().x(), 0.52 * 50.8 / 50, 1e-3);
 }
 
+TEST(ForeignSvg, takes_no_square_part_for_a_test_square) {
+    const std::string pocket =
+        "<rect id='square pocket' x='570' y='20' width='120' height='120' fill='none' stroke='black'/>";
+    for (const char* words : {"1 cm", "Pocket: cut 2 from print fabric, 1 cm seam allowance", "Cut 2 interfacing"}) {
+        const PanelsOfDrawing made = svg_panels(in_mm(kSkirt + pocket + "<text x='575' y='40'>" + words + "</text>"));
+        ASSERT_GE(made.pattern.panels.size(), 3U) << words;
+        EXPECT_NEAR(outline_box(made.pattern.panels[0]).sizes().x(), 0.52, 1e-3) << words;
+    }
+}
+
+TEST(ForeignSvg, keeps_a_pocket_that_is_drawn_within_the_sewing_line) {
+    const std::string lines =
+        "<rect width='300' height='400'/><rect x='10' y='10' width='280' height='380'/>"
+        "<rect x='100' y='100' width='80' height='90'/>";
+    const PanelsOfDrawing made = svg_panels(in_mm(lines));
+    ASSERT_EQ(made.pattern.panels.size(), 1U);
+    EXPECT_EQ(made.pattern.panels[0].internal_lines.size(), 1U);
+    EXPECT_NEAR(outline_box(made.pattern.panels[0]).sizes().x(), 0.28, 1e-4);
+}
+
+TEST(ForeignSvg, takes_no_numbers_of_pieces_for_sizes) {
+    const PanelsOfDrawing made = svg_panels(in_mm(path("31", kFront) + path("32", kBack)));
+    EXPECT_EQ(made.pattern.panels.size(), 2U);
+    EXPECT_TRUE(made.sizes.empty());
+}
+
 TEST(ForeignSvg, takes_the_length_that_the_unit_makes_true) {
     const std::string square = "<rect x='570' y='20' width='100' height='100' fill='none' stroke='black'/>";
     expect_skirt(svg_panels(in_mm(kSkirt + square + "<text x='575' y='40'>4\" / 10 cm</text>")), "two lengths");
@@ -197,7 +223,9 @@ TEST(ForeignSvg, tells_of_an_outline_that_is_not_closed) {
 TEST(ForeignSvg, reads_a_size_however_it_is_written) {
     for (const char* size : {"width='1300 mm' height='700 mm'", "width='1300MM' height='700MM'",
                              "width='1300,0mm' height='700,0mm'", "style='width: 1300mm; height:700mm'"})
-        expect_skirt(svg_panels(page(kSkirt, std::string(size) + " viewBox='0 0 1300 700'")), size);
+        expect_skirt(svg_panels(page("<g transform='scale(0.5)'>" + kSkirt + "</g>",
+                                     std::string(size) + " viewBox='0 0 650 350'")),
+                     size);
 }
 
 TEST(Lengths, of_a_text_are_those_with_a_unit) {
@@ -280,6 +308,10 @@ TEST(ForeignSvg, unfolds_what_its_text_says_is_cut_on_the_fold) {
     EXPECT_TRUE(has_note(made, "cut on the fold by its text: unfolded over the straight edge of 57.5 cm"));
     for (const char* words :
          {"Place on fold", "Stoffbruch", "1 x im Bruch", "sur la pliure", "op de vouw", "C.F. FOLD"}) {
+        made = svg_panels(in_mm(path("Front", half) + "<text x='80' y='520'>" + words + "</text>"));
+        EXPECT_NEAR(outline_box(made.pattern.panels.at(0)).sizes().x(), 0.49, 1e-4) << words;
+    }
+    for (const char* words : {"Cut 1 on fold, no seam allowance", "No. 3: cut 1 on fold"}) {
         made = svg_panels(in_mm(path("Front", half) + "<text x='80' y='520'>" + words + "</text>"));
         EXPECT_NEAR(outline_box(made.pattern.panels.at(0)).sizes().x(), 0.49, 1e-4) << words;
     }

@@ -135,7 +135,10 @@ TEST(Svg, tells_which_outline_is_open_and_how_far) {
     const Drawing drawing = read_svg(
         svg("<path id='front' d='M0,0H50V50H0Z'/><path id='back' d='M100,0H150V50H100V1.2'/><path d='M0,90H99'/>"), "");
     EXPECT_EQ(drawing.parts.size(), 1U);
-    EXPECT_EQ(drawing.notes, std::vector<std::string>{"<path> 'back': open by 1.2 mm, left out"});
+    EXPECT_EQ(drawing.notes,
+              (std::vector<std::string>{
+                  "<path> 'back': open by 1.2 mm, left out",
+                  "2 open lines in no part, left out: is an outline not closed? The longest is <path> in line 3"}));
 }
 
 TEST(Svg, reads_a_bow_whose_halves_cancel_out) {

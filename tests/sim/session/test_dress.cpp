@@ -321,7 +321,7 @@ class DressABox : public testing::Test {
 };
 
 TEST_F(DressABox, what_has_no_time_to_come_to_rest_is_not_settled_and_says_so) {
-    const DressReport report = put_on(tube(0.40, 0.3, 1.2, 0.15), 0.7);
+    const DressReport report = put_on(tube(0.40, 0.3, 1.2, 0.15), 0.3);
     EXPECT_FALSE(report.settled);
     EXPECT_NE(list_faults(report).find("not_settled"), std::string::npos) << list_faults(report);
 }
