@@ -141,7 +141,7 @@ void Dressing::begin_sewing(std::optional<WornGarments> worn) {
                           .constraints = constraints(),
                           .interrupt = interrupt_,
                           .store = store_,
-                          .limbs = &measured().limbs()};
+                          .limbs = {body_, &measured().limbs()}};
     GarmentSewing sewing(
         std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),
         [this](const GarmentMesh& next, const GarmentMesh& all) {
