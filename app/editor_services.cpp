@@ -51,7 +51,8 @@ editor::FolderListing list_folder(const std::string& folder) {
 }
 
 editor::CurrentBody make_current_body(const std::string& text) {
-    return sim::is_body_file(text) ? editor::current_body(sim::make_body(text)) : editor::make_mannequin_body(text);
+    return sim::is_body_file(text) ? editor::current_body(sim::make_body(text, {.must_be_person = true}))
+                                   : editor::make_mannequin_body(text);
 }
 
 std::string age_text(double seconds) {

@@ -80,7 +80,9 @@ std::optional<int> centred_panel(const sim::Pattern& pattern, const std::string&
 
 std::string tartan_of(const MatchArguments& arguments, const sim::Pattern& pattern) {
     if (!arguments.tartan.empty()) return arguments.tartan;
-    return pattern.tartan.empty() ? sim::kDefaultTartan : pattern.tartan;
+    if (pattern.tartan.empty())
+        throw sim::InputError(arguments.garment.string(), "selvedge.tartan", "names no tartan to match: --tartan");
+    return pattern.tartan;
 }
 
 // m. The pattern's size applies only to the pattern's own tartan.

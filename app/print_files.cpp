@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <string_view>
+#include <system_error>
 
 #include "sim/core/error.h"
 #include "sim/core/file.h"
@@ -80,10 +84,23 @@ std::string write_svg(const sim::Pattern& pattern, const PrintSettings& settings
     return svg_of(pattern, sheet, choose_layers(settings.layers));
 }
 
-// Now, in universal time; or, for builds that are to be repeated, the seconds since 1970 in SOURCE_DATE_EPOCH.
+// Now; or, for builds that are to be repeated, the seconds since 1970 in SOURCE_DATE_EPOCH.
+std::time_t seconds_of_now() {
+    constexpr std::int64_t kLast = 253402300799;  // s, the end of the year 9999
+    const char* given = std::getenv("SOURCE_DATE_EPOCH");
+    if (given == nullptr) return std::time(nullptr);
+    const std::string_view text = given;
+    std::int64_t seconds = -1;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+    if (error != std::errc() || end != text.data() + text.size() || seconds < 0 || seconds > kLast)
+        throw sim::InputError("", "SOURCE_DATE_EPOCH",
+                              "'" + std::string(text.substr(0, 64)) + "' is no number of seconds since 1970");
+    return seconds;
+}
+
+// In universal time.
 sim::DxfStamp stamp_of_now() {
-    std::time_t seconds = std::time(nullptr);
-    if (const char* given = std::getenv("SOURCE_DATE_EPOCH")) seconds = std::strtoll(given, nullptr, 10);
+    const std::time_t seconds = seconds_of_now();
     std::tm parts{};
     gmtime_r(&seconds, &parts);
     std::array<char, 32> date{}, time{};

@@ -211,12 +211,13 @@ Outcome run(sim::Pattern& pattern, const SetEdgeLength& command) {
 }
 
 Outcome run(sim::Pattern& pattern, const MatchSetts& command) {
+    if (pattern.tartan.empty()) throw GeometryError("The garment names no tartan to match");
     const sim::Sett sett = as_geometry_error([&] { return sett_of(pattern); });
     for (const int seam : command.first_seams) check_seam(pattern, seam);
     const sim::SettMatch match = match_sett(pattern, sett, {.first_seams = command.first_seams});
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) pattern.panels[i].sett_offset = match.offsets[i];
-    pattern.matched_sett = sim::MatchedSett{.tartan = pattern.tartan.empty() ? sim::kDefaultTartan : pattern.tartan,
-                                            .repeat = Vec2d(repeat_size(sett), weft_repeat_size(sett))};
+    pattern.matched_sett =
+        sim::MatchedSett{.tartan = pattern.tartan, .repeat = Vec2d(repeat_size(sett), weft_repeat_size(sett))};
     return {};
 }
 

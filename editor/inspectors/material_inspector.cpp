@@ -147,22 +147,19 @@ void draw_tartan_list(InspectorContext& context) {
 void draw_threadcount(InspectorContext& context) {
     const sim::Pattern& pattern = context.pattern();
     const std::optional<sim::Sett> own_sett = valid_sett(pattern);
-    const bool has_name = pattern.tartan.empty() || tartan_error(pattern.tartan).empty();
     const auto typed_now = text_box(
-        context,
-        {.name = "tartan.threadcount",
-         .text = has_name && own_sett && !pattern.tartan.empty() ? threadcount_of(sim::find_tartan(pattern.tartan))
-                                                                 : pattern.tartan,
-         .hint = "None: plain cloth. B/24 W4 B24 R/2",
-         .tip = "Letters of a colour and a number of threads. A slash marks the pivots between which it is "
-                "mirrored. S=#A09060; before it gives a colour of one's own, weft: a weft of its own, weave: "
-                "plain, twill or denim.",
-         .width_px = ImGui::GetContentRegionAvail().x,
-         .wrong = tartan_error});
+        context, {.name = "tartan.threadcount",
+                  .text = own_sett ? threadcount_of(sim::find_tartan(pattern.tartan)) : pattern.tartan,
+                  .hint = "None: plain cloth. B/24 W4 B24 R/2",
+                  .tip = "Letters of a colour and a number of threads. A slash marks the pivots between which it is "
+                         "mirrored. S=#A09060; before it gives a colour of one's own, weft: a weft of its own, weave: "
+                         "plain, twill or denim.",
+                  .width_px = ImGui::GetContentRegionAvail().x,
+                  .wrong = tartan_error});
     const TypedText& typed = context.state.boxes.typed;
     const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("##tartan.threadcount");
     if (is_typing && !typed.wrong.empty()) message_text(context.theme.error, typed.wrong);
-    std::optional<sim::Sett> shown = pattern.tartan.empty() ? std::nullopt : own_sett;
+    std::optional<sim::Sett> shown = own_sett;
     if (is_typing && typed.wrong.empty() && !typed.text.empty()) shown = sim::find_tartan(typed.text);
     if (shown) draw_preview(context, *shown);
     if (typed_now) {
@@ -343,7 +340,8 @@ void draw_match_table(const InspectorContext& context, const std::vector<sim::Se
 void draw_match(InspectorContext& context) {
     const sim::Pattern& pattern = context.pattern();
     const std::optional<sim::Sett> sett = valid_sett(pattern);
-    if (pattern.seams.empty() || !sett) return paragraph(context, "With seams between panels, stripes can be matched.");
+    if (pattern.seams.empty() || !sett)
+        return paragraph(context, "With a tartan and seams between panels, stripes can be matched.");
     if (!pattern.matched_sett) {
         paragraph(context, "Nobody has matched the stripes at the seams yet.");
     } else if (!is_sett_of(*pattern.matched_sett, *sett)) {

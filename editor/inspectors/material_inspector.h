@@ -66,7 +66,7 @@ std::string threadcount_of(const sim::Sett& sett);
 // The reason why the name or threadcount cannot be woven; empty: it can.
 std::string tartan_error(const std::string& name_or_threadcount);
 
-// The garment's sett at its repeat size. None: the name or threadcount is invalid.
+// The garment's sett at its repeat size. None: it names none, or one that is invalid.
 std::optional<sim::Sett> valid_sett(const sim::Pattern& pattern);
 
 // The fabric of the panel: its own, the garment's, or the default.

@@ -18,10 +18,10 @@ std::optional<EdgePoint> edge_point_at(const ToolContext& context, const SheetPo
 // too short.
 EdgePoint at_length(const SheetGeometry& geometry, const EdgePoint& place, double length);
 
-// Base of the tools that act at a position on an edge. Marks the position and its distances to both ends.
 // Why a click at the pointer reaches no edge, and what to do. `use`: what the tool would have done, "notched".
 GeometryError no_edge_error(const ToolContext& context, const SheetPointer& pointer, const std::string& use);
 
+// Base of the tools that act at a position on an edge. Marks the position and its distances to both ends.
 class EdgeTool : public Tool {
  public:
     void hover(ToolContext& context, const SheetPointer& pointer) override;

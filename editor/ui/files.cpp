@@ -526,7 +526,8 @@ void browse_to_print(AppState& state, const std::string& ending) {
                         .option_rows = print_option_rows(ending),
                         .choose =
                             [ending](AppState& current, const std::string& file) {
-                                print_to(current, with_ending(file, ending), current.print_settings);
+                                print_to(current, with_ending(file, ending),
+                                         settings_for(current.print_settings, ending));
                             }},
                        state.services);
 }

@@ -73,9 +73,9 @@ const sim::FitRow* tightest(const sim::DressReport& report) {
     return found;
 }
 
-// Of the notes: that the garment is smaller than the body (sim/inspection/inspection.cpp).
+// Of the notes: that the garment is smaller than the body.
 const std::string* note_of_tightness(const sim::DressReport& report) {
-    const auto is_it = [](const std::string& note) { return note.starts_with("smaller than the body by"); };
+    const auto is_it = [](const std::string& note) { return note.starts_with(sim::kSmallerThanBody); };
     const auto found = std::ranges::find_if(report.notes, is_it);
     return found == report.notes.end() ? nullptr : &*found;
 }

@@ -61,9 +61,9 @@ def mannequin(
 ) -> Body:
     """A mannequin from measurements in metres; those that are not given follow from the others.
 
-    sex: 'female' or 'male'. height, inseam (floor to crotch), waist_height (floor to waist), shoulder (joint to joint) and arm (shoulder joint to
-    wrist) are lengths, the others girths. resolution: steps of subdivision, 1 to 4. stance: angle of each leg outward
-    from the vertical, rad. Body.measures has what was reached, Body.notes what could not be met.
+    sex: 'female' or 'male'. height, inseam (floor to crotch), waist_height (floor to waist), shoulder (joint to joint) and
+    arm (shoulder joint to wrist) are lengths, the others girths. resolution: steps of subdivision, 1 to 4. stance:
+    angle of each leg outward from the vertical, rad. Body.measures has what was reached, Body.notes what could not be met.
     Raises InputError for a measure out of its range.
     """
     measures = {name: value for name, value in locals().items() if name not in ("sex", "resolution", "stance")}

@@ -57,7 +57,6 @@ std::string DrapeResult::stopped_because() const {
     if (bad_vertex) return "bad number";
     if (given_up == GiveUp::TooSmall) return "too small";
     if (given_up == GiveUp::SlipsDown) return "slips down";
-    if (given_up == GiveUp::ComesOff) return "comes off";
     if (given_up == GiveUp::TooMuchWork) return "work limit";
     return settled ? "settled" : "time limit";
 }
@@ -106,6 +105,10 @@ void DrapeRun::give_up(Simulation& simulation, GiveUp why) {
     SELVEDGE_ASSERT(phase_ == DrapePhase::Relax || phase_ == DrapePhase::Fall);
     result_.given_up = why;
     end_fall(simulation);
+}
+
+bool DrapeRun::takes_too_much_work(const Cloth& cloth) const {
+    return result_.work > options_.most_work.value_or(most_work(cloth));
 }
 
 bool DrapeRun::hangs() const {

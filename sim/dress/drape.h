@@ -28,13 +28,13 @@ struct DrapeOptions {
     float rest_offset = kRestOffset;   // m, contact offset of cloth that touches the body; others keep the usual one
     float offset_speed = 0.0054F;      // m/s at which cloth that touches comes nearer: within relax_time, about half of
                                        // rest_speed
+    std::optional<double> most_work{};  // DrapeResult::work, above which it is to be given up; none: see most_work()
 };
 
 // Why the rest of a garment is not waited for.
 enum class GiveUp {
     TooSmall,    // it would crumple and stretch without coming to rest
     SlipsDown,   // it would fall to the floor
-    ComesOff,    // it lies on the floor, where it only crumples
     TooMuchWork  // it takes more work than a drape may, and is not at rest
 };
 
@@ -43,8 +43,8 @@ struct DrapeResult {
     std::optional<GiveUp> given_up{};  // by give_up()
     std::optional<VertexId> bad_vertex;
     float rms_speed = 0;  // m/s, in the last frame
-    // Of all steps: leaf triangles, and pairs of them that contact of the cloth with itself looked at. The same on
-    // every machine, where a time is not.
+    // Of all steps: leaf triangles, and pairs of them that contact of the cloth with itself looked at. Alike
+    // for any number of threads on one type of CPU, where a time is not.
     double work = 0;
     std::optional<VertexId> fastest{};  // at the end of the fall, if the cloth moved
     float fall_speed = 0;  // m/s, rms in the last frame before the finer sub-steps at the end, which set it in motion
@@ -55,12 +55,13 @@ struct DrapeResult {
     std::vector<double> adaptation_ms;  // wall time, one per adaptation
     std::vector<double> step_ms;        // wall time, one per step; without those of the final phase
 
-    // "settled", "too small", "slips down", "comes off", "work limit", "time limit" or "bad number".
+    // "settled", "too small", "slips down", "work limit", "time limit" or "bad number".
     std::string stopped_because() const;
 };
 
 // The most work (DrapeResult::work) of a drape that somebody waits for. What is not at rest by then, as a heap of
-// cloth, does not come to rest soon. Counted, not timed, so that the end is the same on every machine.
+// cloth, does not come to rest soon. Counted, not timed, so that it ends alike for any number of
+// threads on one type of CPU.
 double most_work(const Cloth& cloth);
 
 enum class DrapePhase {
@@ -85,6 +86,7 @@ class DrapeRun {
 
     // Goes on to the end of the fall. Pre: phase() is Relax or Fall.
     void give_up(Simulation& simulation, GiveUp why);
+    bool takes_too_much_work(const Cloth& cloth) const;
     bool falls() const { return phase_ == DrapePhase::Fall; }
     bool hangs() const;         // falls with its full weight
     bool hangs_calmly() const;  // and speeds are low: what the cloth shows now, it will show later

@@ -26,8 +26,9 @@ struct DressOptions {
     double max_seconds = 12;               // of simulated time, without sewing
     double finish_time = kFinishTime;      // s, see DrapeOptions
     bool has_gravity = true;
-    bool self_collision = true;  // whether the cloth collides with itself
-    bool may_rest = false;       // whether steps skip a cloth at rest (sim/cloth/resting.h)
+    bool self_collision = true;         // whether the cloth collides with itself
+    bool may_rest = false;              // whether steps skip a cloth at rest (sim/cloth/resting.h)
+    std::optional<double> most_work{};  // see DrapeOptions
 
     bool operator==(const DressOptions&) const = default;
 };

@@ -141,7 +141,7 @@ void Dressing::begin_sewing(std::optional<WornGarments> worn) {
                           .constraints = constraints(),
                           .interrupt = interrupt_,
                           .store = store_,
-                          .limbs = &measured().limbs()};
+                          .limbs = {body_, &measured().limbs()}};
     GarmentSewing sewing(
         std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),
         [this](const GarmentMesh& next, const GarmentMesh& all) {
@@ -214,7 +214,10 @@ SimulationOptions simulation_options(const DressOptions& options) {
 }
 
 DrapeOptions drape_options(const DressOptions& options) {
-    return {.max_seconds = options.max_seconds, .finish_time = options.finish_time, .may_rest = options.may_rest};
+    return {.max_seconds = options.max_seconds,
+            .finish_time = options.finish_time,
+            .may_rest = options.may_rest,
+            .most_work = options.most_work};
 }
 
 void Dressing::hang(Drape drape, double relax_time) {

@@ -106,6 +106,7 @@ class Dressing {
     bool falls() const { return drape_ && drape_->run->falls(); }
     bool hangs() const { return drape_ && drape_->run->hangs(); }
     bool hangs_calmly() const { return drape_ && drape_->run->hangs_calmly(); }
+    bool takes_too_much_work() const { return drape_ && drape_->run->takes_too_much_work(*cloth()); }
     void give_up(GiveUp why) { drape_->run->give_up(drape_->simulation, why); }  // Pre: Relax or Fall, and see DrapeRun
     void reactivate();                                                           // a drape at rest falls on
     double simulated_seconds() const;                                            // since sewing began

@@ -81,7 +81,7 @@ DrapeResult move_to_own_pose(Simulation& simulation, const Body& body, const Pos
     if (given_up && settling.falls()) settling.give_up(simulation, *given_up);
     while (settling.phase() != DrapePhase::Done && settling.advance(simulation, own)) {
         report(progress, "settling", settling.fraction());
-        if (given_up || !settling.falls() || settling.result().work <= most_work(simulation.cloth())) continue;
+        if (given_up || !settling.falls() || !settling.takes_too_much_work(simulation.cloth())) continue;
         given_up = GiveUp::TooMuchWork;
         settling.give_up(simulation, *given_up);
     }

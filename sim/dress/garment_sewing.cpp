@@ -162,7 +162,7 @@ bool GarmentSewing::sew_again(const BodyCollider& body) {
 }
 
 // Where the cloth crumples round thin limbs, contact with itself takes ever more work: the run ends, which has another
-// to fall back on. Counted, not timed, so that it ends alike on every machine.
+// to fall back on. Counted, not timed, so that it ends alike for any number of threads on one type of CPU.
 bool GarmentSewing::has_too_much_work() const {
     constexpr double kPerTriangle = 2500;  // 300 to 1,000 are usual
     return first_run_ && run_->work() > kPerTriangle * static_cast<double>(run_->triangle_count());

@@ -4,6 +4,7 @@
 // can put seam vertices inside the body.)
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,12 +23,12 @@ struct SewingOptions {
     float closed_gap = 0.006F;   // m, a shorter link is closed: two contact offsets may lie between its ends
     // m; when the time is up, a shorter link is sewn too: limbs are thicker, so what holds it open are folds of gathers
     float sewn_gap = 0.02F;
-    float extra_pull_time = 1.5F;         // s of further pulling after the allowed gap has reached zero
-    SimulationOptions simulation{};       // without self_contact panels pass through each other
-    ClothConstraints constraints{};       // of the cloth, besides the seams
-    std::function<void()> interrupt{};    // called during long preparations: see DistanceField
-    const ContentStore* store = nullptr;  // for their results: see BodyCollider
-    const BodyLimbs* limbs = nullptr;     // of the body, which outlive the run; null: none get out of the way
+    float extra_pull_time = 1.5F;              // s of further pulling after the allowed gap has reached zero
+    SimulationOptions simulation{};            // without self_contact panels pass through each other
+    ClothConstraints constraints{};            // of the cloth, besides the seams
+    std::function<void()> interrupt{};         // called during long preparations: see DistanceField
+    const ContentStore* store = nullptr;       // for their results: see BodyCollider
+    std::shared_ptr<const BodyLimbs> limbs{};  // of the body; null: none get out of the way
 };
 
 struct OpenSeam {

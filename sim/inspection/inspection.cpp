@@ -137,9 +137,8 @@ std::string describe_tight(const std::vector<TightLevel>& tight) {
         std::snprintf(where, sizeof where, "from %.2f to %.2f m up", low, high);
     }
     char text[160];
-    std::snprintf(text, sizeof text, "smaller than the body by up to %.1f cm, %s: it stretches there", most * 100,
-                  where);
-    return text;
+    std::snprintf(text, sizeof text, " up to %.1f cm, %s: it stretches there", most * 100, where);
+    return std::string(kSmallerThanBody) + text;
 }
 
 // Cloth that passes through itself.
@@ -246,8 +245,6 @@ bool is_given_up_as_too_small(const DrapeResult& draped, const DressReport& repo
 void validate_rest(const Cloth& cloth, const Pattern& pattern, const DrapeResult& draped, DressReport& report) {
     if (draped.given_up == GiveUp::SlipsDown) {
         report.notes.emplace_back("its fall was ended early, because it slips down the body");
-    } else if (draped.given_up == GiveUp::ComesOff) {
-        report.notes.emplace_back("its fall was ended early, because it lies on the floor");
     } else if (is_given_up_as_too_small(draped, report)) {
         const long stretch = std::lround(100 * report.stretch.warp_weft_max);
         report.notes.push_back(

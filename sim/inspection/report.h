@@ -101,11 +101,12 @@ inline constexpr std::string_view kPhases = "phases";
 inline constexpr std::string_view kPeakMemoryMb = "peak_memory_mb";
 }  // namespace report_key
 
+inline constexpr std::string_view kWholeGarment = "whole garment";                // a fault's place
+inline constexpr std::string_view kSmallerThanBody = "smaller than the body by";  // how a note of tightness begins
+
 // A fault of a dressed garment, and where it is. Kinds: "not_settled", "open_seam", "inside_body", "through_body",
 // "self_crossing", "wrong_layer_order", "limb_missed", "stuck_in_body", "displaced", "on_floor", "rolled_edge",
 // "overstretched", "not_finite", "broken_mesh", "does_not_fit".
-inline constexpr std::string_view kWholeGarment = "whole garment";  // a fault's place
-
 struct DressFault {
     std::string kind;
     std::string place;   // a seam, panel, opening or point that the user can find
@@ -205,7 +206,7 @@ struct DressReport {
     std::vector<std::string> garments;  // from the innermost to the outermost
     std::string body;
     bool settled = false;
-    std::string stopped_because;  // "settled", "too small", "slips down", "comes off", "work limit", "time limit" or
+    std::string stopped_because;  // "settled", "too small", "slips down", "work limit", "time limit" or
                                   // "bad number"
     double simulated_seconds = 0;
     double work = 0;  // of the drape, see DrapeResult

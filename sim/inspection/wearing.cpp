@@ -569,22 +569,25 @@ std::vector<double> inward_of(const std::vector<Vec3d>& x, const Limb* arm) {
 // over; they have no cloth that was placed above them.
 void validate_edges(const WornGarment& garment, const PanelVertices& panels, const MeantOpenings& meant,
                     const BodyPair& bodies, DressReport& report) {
-    for (const Opening& edge : meant.openings) {
+    for (std::size_t i = 0; i < meant.openings.size(); ++i) {
+        const Opening& edge = meant.openings[i];
         const auto panel = static_cast<std::size_t>(edge.panels.front());
         const auto arm = arm_of(panels[panel], garment.panels.x, bodies.meant_for);
+        const std::string place = place_on_body(bodies.meant_for, centre_of(edge, garment.closed.x));
+        const std::string_view name = call_opening(meant.limbs.through[i], place, arm.has_value());
+        if (name != "hem" && name != "cuff") continue;
         const auto of = [&](const BodyLimbs& body) { return arm ? &body[*arm] : nullptr; };
         if (arm && (!bodies.meant_for[*arm].is_found || !bodies.worn_by[*arm].is_found)) continue;
         const RolledEdge rolled =
             measure_rolled_edge(garment.closed, edge, inward_of(garment.closed.x, of(bodies.meant_for)),
                                 inward_of(garment.closed_draped, of(bodies.worn_by)));
         if (rolled.share == 0) continue;
-        add_fault(report,
-                  {.kind = "rolled_edge",
-                   .place = "the " + std::string(arm ? "cuff" : "hem") + " of '" + garment.panels.panel_names[panel] +
-                            "' is rolled up or folded over by " + in_centimetres(rolled.by) + " over " +
-                            std::to_string(std::lround(100 * rolled.share)) + " % of its length, at the " +
-                            place_on_body(bodies.worn_by, garment.closed_draped[rolled.vertex]),
-                   .value = rolled.share});
+        add_fault(report, {.kind = "rolled_edge",
+                           .place = "the " + std::string(name) + " of '" + garment.panels.panel_names[panel] +
+                                    "' is rolled up or folded over by " + in_centimetres(rolled.by) + " over " +
+                                    std::to_string(std::lround(100 * rolled.share)) + " % of its length, at the " +
+                                    place_on_body(bodies.worn_by, garment.closed_draped[rolled.vertex]),
+                           .value = rolled.share});
     }
 }
 
@@ -651,9 +654,11 @@ void WearingCheck::validate(const Cloth& cloth, DressReport& report) const {
     validate_panels(garment, panels, parts, slipping, bodies, report);
     for (const Slip& slip : slips) add_fault(report, slip.fault);
     validate_floor(garment, panels, parts, slipping, bodies, report);
-    // What does not fit is crumpled.
-    const auto fits_not = [](const DressFault& fault) { return class_of(fault) == FaultClass::DoesNotFit; };
-    if (std::ranges::none_of(report.faults, fits_not)) validate_edges(garment, panels, known_->meant, bodies, report);
+    const auto is_crumpled = [](const DressFault& fault) {
+        return class_of(fault) == FaultClass::DoesNotFit || fault.kind == "on_floor" || fault.kind == "displaced";
+    };
+    if (std::ranges::none_of(report.faults, is_crumpled))
+        validate_edges(garment, panels, known_->meant, bodies, report);
 }
 
 }  // namespace selvedge::sim

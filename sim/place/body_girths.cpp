@@ -267,12 +267,16 @@ std::optional<BodyGirth> bust_girth(const MeasuredBody& body) {
     return widest_of_trunk(body, {std::max(waist, *armpit - kFarthest * height), high});
 }
 
+double highest_hip(const MeasuredBody& body) {
+    return height_on_trunk(body, kHighestHip);
+}
+
 std::optional<BodyGirth> hip_girth(const MeasuredBody& body) {
     constexpr double kAboveCrotch = 0.02;  // m: nearer, its folds are in the section
     constexpr double kUsualCrotch = 0.45;  // of the stature
     const Stature& stature = body.stature();
     const double low = crotch_height(body).value_or(stature.floor + kUsualCrotch * stature.height()) + kAboveCrotch;
-    const double high = height_on_trunk(body, kHighestHip);
+    const double high = highest_hip(body);
     if (high <= low) return std::nullopt;
     return widest_of_trunk(body, {low, high});
 }

@@ -34,6 +34,8 @@ std::optional<BodyGirth> hip_girth(const MeasuredBody& body);                   
 std::optional<BodyGirth> neck_girth(const MeasuredBody& body);                  // square to the neck, the least
 std::optional<BodyGirth> sleeve_girth(const MeasuredBody& body, LimbKind arm);  // square to the upper arm's middle
 
+double highest_hip(const MeasuredBody& body);  // m, the upper end of the range in which hip_girth() looks
+
 // 3 cm under the crotch, as sim/mannequin measures it: level where the leg stands, square to a thigh that leans by more
 // than 30 degrees, as of a body that sits.
 std::optional<BodyGirth> thigh_girth(const MeasuredBody& body, LimbKind leg);

@@ -60,9 +60,8 @@ std::optional<double> chest_under_armholes(const DrawMesh& garment, const Measur
 
 std::optional<double> waist_of_what_hangs_lower(const DrawMesh& garment, const MeasuredBody& body,
                                                 const BodyGirth& waist) {
-    constexpr double kHips = 0.56;  // of the stature
-    const double high = waist.plane.point.y(), hips = body.stature().floor + kHips * body.stature().height();
-    return uppermost_girth(garment, body, {std::min(hips, high), high});
+    const double high = waist.plane.point.y();
+    return uppermost_girth(garment, body, {std::min(highest_hip(body), high), high});
 }
 
 FitRow row_of(std::string_view measure, const std::optional<BodyGirth>& part, const DrawMesh& garment) {

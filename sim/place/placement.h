@@ -20,12 +20,13 @@ class BodyCollider;
 // not change the pattern when both bodies are equal. Returns the stature that `onto` was taken to have.
 Stature anchor_panels(Pattern& pattern, const MeasuredBody& from, const MeasuredBody& onto);
 
-// Moves each panel that intersects the body outward along its front normal until it is clear, by at most 40 cm; also
-// until it is outside of the cloth that is worn and of all panels of lower layers.
 struct ClearedPanels {
     std::vector<std::string> notes;  // one per panel that was moved, or is a tube that meets its limb
     std::vector<std::string> stuck;  // "panel 'collar' stands in the body, and nowhere near is clear of it"
 };
+
+// Moves each panel that intersects the body outward along its front normal until it is clear, by at most 40 cm; also
+// until it is outside of the cloth that is worn and of all panels of lower layers.
 ClearedPanels clear_panels(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn = {});
 
 // The vertical shift of the whole unsewn garment (m, negative: down) with which its seams can close. The body blocks a

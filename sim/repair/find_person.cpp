@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -313,7 +314,8 @@ class PersonFinder {
                      box.max().y() < found.likeness.stature.floor + kUnderfoot * height)
                 fate[i] = Fate::Underfoot;
         }
-        // What touches the person or is in it, as eyes are, belongs to it, and what touches that.
+        // What touches the person or is in it, as eyes are, belongs to it; if it is not whole, also what
+        // touches that.
         std::vector<bool> is_worn(pieces_.size(), false);
         is_worn[main] = true;
         constexpr int kMostRounds = 8;  // from the person outward: a head, its hair, a pin in that
@@ -365,12 +367,17 @@ class PersonFinder {
     void drop_platform(const std::vector<std::size_t>& parts, std::vector<Fate>& fate) const {
         if (parts.size() < 3) return;
         Bounds all;
-        for (const std::size_t i : parts) all.extend(pieces_[i].box);
+        double lowest = std::numeric_limits<double>::infinity(), second = lowest;
         for (const std::size_t i : parts) {
-            double floor = all.max().y();
-            for (const std::size_t k : parts)
-                if (k != i) floor = std::min(floor, pieces_[k].box.min().y());
-            if (pieces_[i].box.max().y() < floor + kUnderfoot * all.sizes().y()) fate[i] = Fate::Underfoot;
+            const double bottom = pieces_[i].box.min().y();
+            second = std::min(second, std::max(lowest, bottom));
+            lowest = std::min(lowest, bottom);
+            all.extend(pieces_[i].box);
+        }
+        for (const std::size_t i : parts) {
+            const Bounds& box = pieces_[i].box;
+            const double others = box.min().y() > lowest ? lowest : second;
+            if (box.max().y() < others + kUnderfoot * all.sizes().y()) fate[i] = Fate::Underfoot;
         }
     }
 

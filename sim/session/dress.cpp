@@ -19,6 +19,7 @@
 #include "sim/mesh/garment_mesh.h"
 #include "sim/place/fit_table.h"
 #include "sim/session/animation.h"
+#include "sim/session/dressed_faults.h"
 #include "sim/session/session_frame.h"
 
 namespace selvedge::sim {
@@ -76,26 +77,14 @@ void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phas
     }
 }
 
-// Whether it lies on the floor, all of it below the knees, though it was placed above them.
-bool has_come_off(const WearingCheck& wearing, const Cloth& cloth, const Stature& wearer) {
-    constexpr double kKnees = 0.25;  // of the stature
-    const double knees = wearer.floor + kKnees * wearer.height();
-    for (const VertexId v : cloth.mesh.leaf_vertices()) {
-        if (static_cast<double>(cloth.x[v.value].y()) > knees) return false;
-    }
-    DressReport found;
-    wearing.validate(cloth, found);
-    return std::ranges::any_of(found.faults, [](const DressFault& fault) { return fault.kind == "on_floor"; });
-}
-
 // A garment that is not part of an outfit.
 bool is_single(const Dressing& dressing) {
     return garments_of(dressing.pattern()).size() == 1;
 }
 
-// Runs the fall to its end, or until the garment slips down the body, lies on the floor, was too small for it at two
-// tests, or took more work than a drape may. What is
-// `known_too_small` is given up at once, for it would only crumple; an outfit hangs first.
+// Runs the fall to its end, or until the garment slips down the body, was too small for it at two tests, or took
+// more work than a drape may. What is `known_too_small` is given up at once, for it would only crumple; an outfit hangs
+// first.
 // Pre: there is a check if it falls.
 void fall_or_give_up(Dressing& dressing, bool known_too_small, const std::optional<WearingCheck>& wearing,
                      const Progress& progress) {
@@ -108,8 +97,8 @@ void fall_or_give_up(Dressing& dressing, bool known_too_small, const std::option
         dressing.advance();
         report(progress, "draping", dressing.fraction());
         if (!dressing.falls()) continue;  // finer sub-steps at the end
-        if (dressing.result().work > most_work(*dressing.cloth())) {
-            dressing.give_up(GiveUp::TooMuchWork);
+        if (dressing.takes_too_much_work()) {
+            dressing.give_up(known_too_small ? GiveUp::TooSmall : GiveUp::TooMuchWork);
             continue;
         }
         const double now = dressing.simulated_seconds();
@@ -119,14 +108,21 @@ void fall_or_give_up(Dressing& dressing, bool known_too_small, const std::option
             dressing.give_up(GiveUp::TooSmall);
         } else if (tests_slip && wearing->slips(*dressing.cloth())) {
             dressing.give_up(GiveUp::SlipsDown);
-        } else if (tests_slip && has_come_off(*wearing, *dressing.cloth(), dressing.measured().stature())) {
-            dressing.give_up(GiveUp::ComesOff);
         } else if (dressing.hangs_calmly() && now >= next_fit_test) {
             next_fit_test = now + kBetweenTests;
             const bool is_small = is_too_small(*dressing.cloth(), *dressing.body());
             if (is_small && was_too_small) dressing.give_up(GiveUp::TooSmall);
             was_too_small = is_small;
         }
+    }
+}
+
+// Whatever it shows.
+void fall_on(Dressing& dressing, const Progress& progress) {
+    while (dressing.stage() == DressingStage::Fall) {
+        dressing.advance();
+        report(progress, "draping", dressing.fraction());
+        if (dressing.falls() && dressing.takes_too_much_work()) dressing.give_up(GiveUp::TooMuchWork);
     }
 }
 
@@ -149,12 +145,12 @@ std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional
     const Cloth& cloth = *dressing.cloth();
     const std::optional<GiveUp> given_up = dressing.result().given_up;
     if (!given_up || dressing.result().bad_vertex) return std::nullopt;
-    if (given_up == GiveUp::ComesOff || given_up == GiveUp::TooMuchWork) return std::nullopt;
+    if (given_up == GiveUp::TooMuchWork) return std::nullopt;
     if (given_up == GiveUp::SlipsDown && wearing->slips(cloth)) return std::nullopt;
     const bool shows_it = is_too_small(cloth, *dressing.body()) || (too_small && is_overstretched(cloth));
     if (given_up == GiveUp::TooSmall && shows_it) return too_small;
     dressing.reactivate();
-    finish_stage(dressing, DressingStage::Fall, "draping", progress);
+    fall_on(dressing, progress);
     return std::nullopt;
 }
 
@@ -170,12 +166,7 @@ void inspect(DressedGarment& dressed, Dressing& dressing, const std::optional<We
              const BodyCollider& collider, const MeasuredBody& measured, const DrapeResult& result,
              const std::optional<TightLevel>& too_small) {
     const Cloth& cloth = dressed.cloth();
-    validate(cloth, collider, dressing.anchored(), dressing.open_seams(), result, dressed.report,
-             {.may_cross_itself = !dressing.options().self_collision}, too_small);
-    for (const std::string& stuck : dressing.stuck_panels()) {
-        std::erase(dressed.report.notes, stuck);
-        dressed.report.faults.push_back({.kind = "stuck_in_body", .place = stuck, .value = 1});
-    }
+    report_faults(cloth, dressing, collider, result, too_small, dressed.report);
     if (result.bad_vertex) return;
     wearing->validate(cloth, dressed.report);
     dressed.report.fit = measure_fit(dressed.mesh, measured);

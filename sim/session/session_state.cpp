@@ -12,6 +12,7 @@
 #include "sim/inspection/wearing.h"
 #include "sim/place/fit_table.h"
 #include "sim/session/animation.h"
+#include "sim/session/dressed_faults.h"
 #include "sim/session/session_frame.h"
 
 namespace selvedge::sim {
@@ -179,8 +180,7 @@ void SessionState::inspect() {
     if (too_small_when_sewn_ && (is_too_small(cloth, *dressing_.body()) || is_overstretched(cloth)))
         too_small = too_small_when_sewn_;
     try {
-        validate(cloth, dressing_.collider(), dressing_.anchored(), dressing_.open_seams(), result, report,
-                 {.may_cross_itself = !options_.self_collision}, too_small);
+        report_faults(cloth, dressing_, dressing_.collider(), result, too_small, report);
         const WearingCheck wearing(dressing_.sewn_mesh(),
                                    {.unsewn = dressing_.designed(), .body = &dressing_.designed_for()},
                                    dressing_.measured());

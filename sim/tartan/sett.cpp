@@ -95,8 +95,8 @@ Rgb8 parse_colour(std::string_view text, const std::string& file, const std::str
 }
 
 Rgb8 parse_named_colour(std::string_view text, const std::string& file, const std::string& place) {
-    const std::string digits = '#' + std::string(text.substr(text.starts_with('#') ? 1 : 0, 6));
-    return parse_colour(digits, file, place);
+    if (text.starts_with('#')) return parse_colour(text, file, place);
+    return parse_colour('#' + std::string(text.substr(0, 6)), file, place);
 }
 
 // The parser of threadcounts: splits the text into words, the words into sections (warp, weft, weave), parses the

@@ -99,6 +99,7 @@ Sett find_sett(const std::string& name_or_threadcount, std::optional<double> rep
 }
 
 Sett sett_of(const Pattern& pattern) {
+    if (pattern.tartan.empty()) throw InputError(pattern.name, "selvedge.tartan", "names no tartan to match");
     return find_sett(pattern.tartan, pattern.sett_size);
 }
 

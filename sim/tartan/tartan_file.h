@@ -22,7 +22,7 @@ Sett find_tartan(const std::string& name_or_threadcount);
 // InputError as find_tartan() does.
 Sett find_sett(const std::string& name_or_threadcount, std::optional<double> repeat_size);
 
-// The sett that a pattern names.
+// The sett that a pattern names, at its size. Throws InputError if it names none, and as find_tartan() does.
 Sett sett_of(const Pattern& pattern);
 
 // The names of the shipped tartans for find_tartan(), in alphabetical order.

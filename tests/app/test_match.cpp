@@ -198,6 +198,18 @@ TEST(MatchCommand, a_wrong_tartan_of_the_garment_is_named_with_its_place) {
     }
 }
 
+TEST(MatchCommand, refuses_a_garment_without_a_tartan_unless_one_is_given) {
+    const Copy copy("two_squares.json");
+    sim::Json json = sim::read_json(copy.path());
+    json.find("selvedge")->erase("tartan");
+    json.find("selvedge")->erase("sett_size");
+    sim::write_file_atomically(copy.path(), write_json(json));
+    const ProgramResult refused = copy.match();
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_EQ(refused.err, "selvedge: " + copy.path() + ": selvedge.tartan: names no tartan to match: --tartan\n");
+    EXPECT_EQ(copy.match("--tartan gordon").exit_code, 0);
+}
+
 TEST(MatchCommand, dressing_says_when_another_tartan_is_drawn_than_was_matched) {
     const Copy copy("two_squares.json");
     ASSERT_EQ(copy.match("--tartan gordon").exit_code, 0);

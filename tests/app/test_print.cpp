@@ -83,6 +83,20 @@ TEST(PrintCommand, a_name_of_a_million_letters_is_printed_in_part) {
     EXPECT_LT(std::filesystem::file_size(file), 1000000U);
 }
 
+TEST(PrintCommand, refuses_a_date_that_is_no_number) {
+    const ScratchFolder folder;
+    const std::string file = folder / "t.dxf";
+    const std::string print = " " + program() + " print " + shipped("two_squares.json") + " -o '" + file + "'";
+    for (const char* wrong : {"''", "today", "12x", "-1", "99999999999999999999"}) {
+        const ProgramResult result = run_command("SOURCE_DATE_EPOCH=" + std::string(wrong) + print);
+        EXPECT_EQ(result.exit_code, 2) << wrong;
+        EXPECT_EQ(result.err.rfind("selvedge: SOURCE_DATE_EPOCH: '", 0), 0U) << result.err;
+        EXPECT_FALSE(std::filesystem::exists(file)) << wrong;
+    }
+    EXPECT_EQ(run_command("SOURCE_DATE_EPOCH=0" + print).exit_code, 0);
+    EXPECT_NE(sim::read_file(file).find("01-01-1970"), std::string::npos);
+}
+
 TEST(PrintCommand, more_pages_than_can_be_glued_are_refused_in_a_moment) {
     const ScratchFolder folder;
     const std::string garment = folder / "many.json", file = folder / "many.pdf";

@@ -397,6 +397,8 @@ TEST(Document, what_panels_show_is_checked) {
 
 TEST(Document, matching_at_seams_is_a_command) {
     Document document(shipped("tshirt.json"));
+    document.run(SetTartan{});
+    EXPECT_THROW(document.run(MatchSetts{}), GeometryError) << "plain cloth has no stripes";
     document.run(SetTartan{.tartan = "black_watch"});
     document.run(MatchSetts{});
     ASSERT_TRUE(document.pattern().matched_sett);

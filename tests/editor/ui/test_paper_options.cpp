@@ -100,14 +100,24 @@ TEST_F(PaperOfEditor, with_several_sizes_asks_which_one) {
 
 TEST_F(PaperOfEditor, is_printed_with_the_options_of_the_browser) {
     play(
-        "action file.print\nframes 3\nclick widget browser.one_page\nclick widget browser.on_fold\n"
+        "action file.print\nframes 3\nclick widget browser.one_page\nclick widget browser.all_pieces\n"
         "click widget browser.layout\nframes 2\nclick widget browser.folded\nclick widget browser.choose\nframes 2\n");
     EXPECT_TRUE(printed_.ends_with(".pdf"));
-    EXPECT_TRUE(settings_.is_one_page && settings_.is_on_fold && settings_.is_layout && settings_.is_folded);
-    EXPECT_FALSE(settings_.prints_all || settings_.is_one_way || settings_.is_astm);
+    EXPECT_TRUE(settings_.is_one_page && settings_.prints_all && settings_.is_layout && settings_.is_folded);
+    EXPECT_FALSE(settings_.is_on_fold || settings_.is_one_way || settings_.is_astm);
     play(
         "action file.print\nframes 3\nclick widget browser.paper\nframes 2\nclick widget browser.paper.a0\nframes 2\n");
     EXPECT_EQ(state().print_settings.paper, "a0");
+}
+
+TEST_F(PaperOfEditor, is_printed_without_the_options_of_another_kind_of_file) {
+    play(
+        "action file.print\nframes 3\nclick widget browser.on_fold\nclick widget browser.one_page\n"
+        "click widget browser.cancel\nframes 2\n"
+        "action file.print_svg\nframes 3\nclick widget browser.choose\nframes 2\n");
+    EXPECT_TRUE(printed_.ends_with(".svg")) << printed_;
+    EXPECT_FALSE(settings_.is_on_fold || settings_.is_one_page);
+    EXPECT_TRUE(state().print_settings.is_on_fold) << "kept for the next PDF";
 }
 
 TEST_F(PaperOfEditor, is_printed_without_the_layers_that_were_unchecked) {

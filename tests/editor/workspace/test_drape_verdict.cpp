@@ -30,7 +30,7 @@ TEST(DrapeVerdict, names_the_part_and_the_length_by_which_it_is_too_small) {
 
 TEST(DrapeVerdict, is_tight_where_the_cloth_only_stretches) {
     sim::DressReport report;
-    report.notes = {"smaller than the body by up to 2.2 cm, from 1.14 to 1.26 m up: it stretches there"};
+    report.notes = {std::string(sim::kSmallerThanBody) + " up to 2.2 cm, from 1.14 to 1.26 m up: it stretches there"};
     report.fit = {{.measure = "bust", .body_girth = 0.92, .garment_girth = 0.898},
                   {.measure = "waist", .body_girth = 0.70, .garment_girth = 0.80}};
     EXPECT_EQ(verdict_of(report).verdict, Verdict::Tight);

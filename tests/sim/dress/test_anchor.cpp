@@ -144,5 +144,23 @@ TEST(Dressing, is_designed_for_its_body_after_an_equal_one_has_replaced_it) {
     EXPECT_EQ(&dressing.designed_for(), &dressing.measured());
 }
 
+TEST(Dressing, sews_on_after_an_equal_body_has_replaced_its_own) {
+    Pattern pattern = tube(0.5, 0.4, 0.9, 0.2);
+    pattern.body = "mannequin:resolution=1";
+    const auto body = std::make_shared<const Body>(make_mannequin(parse_mannequin(pattern.body)).body);
+    std::shared_ptr<const PreparedBody> first = PreparedBody::in_given_pose(body);
+    const std::weak_ptr<const PreparedBody> watched = first;
+    Dressing dressing;
+    dressing.set_body(std::move(first));
+    dressing.set_pattern(pattern);
+    for (int i = 0; i < 2; ++i) dressing.advance();
+    ASSERT_EQ(dressing.stage(), DressingStage::Sew);
+    dressing.set_body(PreparedBody::in_given_pose(std::make_shared<const Body>(*body)));
+    EXPECT_FALSE(watched.expired()) << "its limbs are looked at when the seams have closed";
+    while (dressing.stage() == DressingStage::Sew) dressing.advance();
+    EXPECT_TRUE(dressing.is_hanging());
+    EXPECT_TRUE(watched.expired());
+}
+
 }  // namespace
 }  // namespace selvedge::sim::test

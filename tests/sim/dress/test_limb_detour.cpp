@@ -136,7 +136,7 @@ const BodyLimbs& limbs_of_mannequin() {
 
 SewingOptions options() {
     SewingOptions options;
-    options.limbs = &limbs_of_mannequin();
+    options.limbs = std::make_shared<const BodyLimbs>(limbs_of_mannequin());
     options.simulation.self_contact.emplace();
     return options;
 }

@@ -74,6 +74,7 @@ TEST(Threadcount, what_is_wrong_is_named_with_its_stripe) {
     EXPECT_NE(fault_of("B/3000 W2000 B/4").find("more than"), std::string::npos);
     EXPECT_NE(fault_of("B=#12345 B4").find("hexadecimal"), std::string::npos);
     EXPECT_NE(fault_of("B=#12345G B4").find("hexadecimal"), std::string::npos);
+    EXPECT_NE(fault_of("S=#A090601 S4").find("hexadecimal"), std::string::npos) << "a digit too many";
     EXPECT_NE(fault_of("").find("no stripes"), std::string::npos);
     EXPECT_NE(fault_of("K=#000000").find("no stripes"), std::string::npos);
 }
