@@ -21,13 +21,6 @@ constexpr std::size_t kMostEdges = 2000000;
 constexpr int kDeepestElement = 256;
 constexpr double kLargestUnits = 1e9;  // user units
 
-// The name without its namespace prefix.
-std::string_view local_name(const char* name) {
-    const std::string_view full(name);
-    const std::size_t colon = full.find(':');
-    return colon == std::string_view::npos ? full : full.substr(colon + 1);
-}
-
 std::string_view attribute(const pugi::xml_node& node, const char* name) {
     return node.attribute(name).value();
 }
@@ -74,7 +67,7 @@ std::string decoded_id(std::string_view id) {
 class Walker {
  public:
     Walker(const pugi::xml_document& document, std::string_view text, const std::string& file)
-        : document_(document), text_(text), file_(file) {
+        : document_(document), text_(text), styles_(file), file_(file) {
         for (const pugi::xml_node& node : document.children()) collect_ids(node, 0);
     }
 
