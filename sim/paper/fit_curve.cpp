@@ -67,20 +67,12 @@ struct Worst {
     std::size_t index = 0;
 };
 
-// How far a curve strays from a segment beyond what the turns at its ends allow: a circular arc rises by an eighth of
-// its chord times its angle. A straight end of the points has no turn.
+// How far a curve strays from the middle of a segment.
 double strayed(Points points, const CubicPoints& c, const std::vector<double>& s, std::size_t i) {
-    constexpr double kRise = 0.25;  // twice that of an arc
-    const auto turn_at = [&](std::size_t k) {
-        if (k == 0 || k + 1 == points.size()) return 0.0;
-        const Vec2d a = points[k] - points[k - 1], b = points[k + 1] - points[k];
-        return std::abs(std::atan2(cross2(a, b), a.dot(b)));
-    };
     const Vec2d along = points[i + 1] - points[i];
     const double length = along.norm();
     if (!(length > 0)) return 0;
-    const double off = std::abs(cross2(along / length, point_on(c, (s[i] + s[i + 1]) / 2) - points[i]));
-    return off - kRise * length * std::min(turn_at(i), turn_at(i + 1));
+    return std::abs(cross2(along / length, point_on(c, (s[i] + s[i + 1]) / 2) - points[i]));
 }
 
 Worst worst_of(Points points, const CubicPoints& c, const std::vector<double>& s) {
