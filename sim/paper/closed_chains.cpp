@@ -5,6 +5,8 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
+#include <unordered_map>
 #include <utility>
 
 #include "sim/core/disjoint_sets.h"
@@ -41,7 +43,14 @@ Vec2d point_along(const PointLine& line, double length) {
 class Nodes {
  public:
     Nodes(const std::vector<PointLine>& lines, double gap) : sets_(2 * lines.size()) {
-        std::map<std::pair<long, long>, std::vector<int>> cells;
+        struct Place {
+            Vec2d at = Vec2d::Zero();
+            double reach = 0;  // the widest of the ends that lie there
+            int end = 0;       // the first of them
+        };
+        std::vector<Place> places;
+        std::map<std::pair<double, double>, std::size_t> known;
+        std::map<std::pair<long, long>, std::vector<std::size_t>> cells;
         const double cell = std::max(gap, std::numeric_limits<double>::min());
         const auto cell_of = [&](const Vec2d& p) {
             constexpr double kFar = 1e15;  // cells: coordinates have no finer digits there
@@ -49,24 +58,31 @@ class Nodes {
                              std::lround(std::clamp(p.y() / cell, -kFar, kFar)));
         };
         constexpr double kShare = 0.3;  // of the shorter line: the ends of one never meet
-        std::vector<double> reach;
-        for (const PointLine& line : lines) reach.push_back(std::min(gap, kShare * length_of_line(line)));
         for (std::size_t end = 0; end < 2 * lines.size(); ++end) {
             const Vec2d p = place(lines, end);
+            const double reach = std::min(gap, kShare * length_of_line(lines[end / 2]));
+            const auto [found, is_new] = known.emplace(std::pair(p.x(), p.y()), places.size());
+            if (is_new) {
+                places.push_back({p, reach, static_cast<int>(end)});
+            } else {
+                Place& same = places[found->second];
+                sets_.join(same.end, static_cast<int>(end));
+                if (reach <= same.reach) continue;
+                same.reach = reach;
+            }
+            if (!(gap > 0)) continue;
             const auto [x, y] = cell_of(p);
             for (long dx = -1; dx <= 1; ++dx) {
                 for (long dy = -1; dy <= 1; ++dy) {
-                    const auto found = cells.find({x + dx, y + dy});
-                    if (found == cells.end()) continue;
-                    for (const int other : found->second) {
-                        const double apart = (place(lines, as_size(other)) - p).norm();
-                        if (apart > std::min(reach[end / 2], reach[as_size(other) / 2])) continue;
-                        sets_.join(other, static_cast<int>(end));
-                        widest_gap_ = std::max(widest_gap_, apart);
+                    const auto near = cells.find({x + dx, y + dy});
+                    if (near == cells.end()) continue;
+                    for (const std::size_t other : near->second) {
+                        if ((places[other].at - p).norm() <= std::min(reach, places[other].reach))
+                            sets_.join(places[other].end, static_cast<int>(end));
                     }
                 }
             }
-            cells[{x, y}].push_back(static_cast<int>(end));
+            if (is_new) cells[{x, y}].push_back(found->second);
         }
     }
 
@@ -81,7 +97,6 @@ class Nodes {
     }
 
     DisjointSets sets_;
-    double widest_gap_ = 0;
 };
 
 // ---- The lines as a plane graph. A line has two sides, which are numbered 2 line and 2 line + 1: run through as it is
@@ -239,18 +254,18 @@ class LineGraph {
                 leaving[start(side)].emplace_back(direction(side), side);
         }
         for (auto& [node, sides] : leaving) std::ranges::sort(sides);
-        const auto next = [&](std::size_t side) {
-            const std::vector<std::pair<double, std::size_t>>& sides = leaving.at(end(side));
-            const auto back = std::ranges::find(sides, side ^ 1U, [](const auto& one) { return one.second; });
-            return back == sides.begin() ? sides.back().second : std::prev(back)->second;
-        };
+        std::unordered_map<std::size_t, std::size_t> next;
+        for (const auto& [node, sides] : leaving) {
+            for (std::size_t i = 0; i < sides.size(); ++i)
+                next[sides[i].second ^ 1U] = (i == 0 ? sides.back() : sides[i - 1]).second;
+        }
         std::vector<std::vector<std::size_t>> rings;
         std::map<std::size_t, bool> is_done;
         for (const std::size_t line : component) {
             for (const std::size_t first : {2 * line, 2 * line + 1}) {
                 if (is_done[first]) continue;
                 std::vector<std::size_t> ring;
-                for (std::size_t side = first; !is_done[side]; side = next(side)) {
+                for (std::size_t side = first; !is_done[side]; side = next.at(side)) {
                     is_done[side] = true;
                     ring.push_back(side);
                 }
@@ -263,12 +278,16 @@ class LineGraph {
     std::vector<std::vector<std::size_t>> simple_rings(const std::vector<std::size_t>& ring) const {
         std::vector<std::vector<std::size_t>> simple;
         std::vector<std::size_t> path;
+        std::unordered_map<int, std::size_t> index_of;  // of the side of the path that starts at a node
         for (const std::size_t side : ring) {
+            index_of[start(side)] = path.size();
             path.push_back(side);
-            const auto met = std::ranges::find(path, end(side), [&](std::size_t one) { return start(one); });
-            if (met == path.end()) continue;
-            simple.emplace_back(met, path.end());
-            path.erase(met, path.end());
+            const auto met = index_of.find(end(side));
+            if (met == index_of.end()) continue;
+            const auto first = path.begin() + static_cast<std::ptrdiff_t>(met->second);
+            simple.emplace_back(first, path.end());
+            for (auto one = first; one != path.end(); ++one) index_of.erase(start(*one));
+            path.erase(first, path.end());
         }
         return simple;
     }
@@ -309,11 +328,8 @@ std::vector<Face> outer_faces(std::vector<Face> faces) {
 }
 
 // The lines that a face has in common with its neighbour of the longest common border; none: it has no neighbour.
-std::vector<std::size_t> longest_border(const LineGraph& graph, const std::vector<Face>& faces, std::size_t of) {
-    std::map<std::size_t, std::size_t> face_of;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-        for (const std::size_t side : faces[f].sides) face_of[side] = f;
-    }
+std::vector<std::size_t> longest_border(const LineGraph& graph, const std::vector<Face>& faces,
+                                        const std::unordered_map<std::size_t, std::size_t>& face_of, std::size_t of) {
     std::map<std::size_t, std::pair<double, std::vector<std::size_t>>> borders;
     for (const std::size_t side : faces[of].sides) {
         const auto other = face_of.find(side ^ 1U);
@@ -333,12 +349,16 @@ std::vector<Face> inner_faces(const LineGraph& graph, std::vector<std::size_t> c
     while (true) {
         std::vector<Face> faces = graph.faces(component);
         double largest = 0;
-        for (const Face& face : faces) largest = std::max(largest, face.area);
+        std::unordered_map<std::size_t, std::size_t> face_of;  // by side
+        for (std::size_t f = 0; f < faces.size(); ++f) {
+            largest = std::max(largest, faces[f].area);
+            for (const std::size_t side : faces[f].sides) face_of[side] = f;
+        }
         std::vector<std::size_t> border;
         double least = least_share * largest;
         for (std::size_t f = 0; f < faces.size(); ++f) {
             if (faces[f].area <= 0 || faces[f].area >= least) continue;
-            std::vector<std::size_t> lines = longest_border(graph, faces, f);
+            std::vector<std::size_t> lines = longest_border(graph, faces, face_of, f);
             if (lines.empty()) continue;
             least = faces[f].area;
             border = std::move(lines);
@@ -347,7 +367,8 @@ std::vector<Face> inner_faces(const LineGraph& graph, std::vector<std::size_t> c
             std::erase_if(faces, [](const Face& face) { return face.area <= 0; });
             return faces;
         }
-        std::erase_if(component, [&](std::size_t line) { return std::ranges::find(border, line) != border.end(); });
+        const std::set<std::size_t> gone(border.begin(), border.end());
+        std::erase_if(component, [&](std::size_t line) { return gone.contains(line); });
     }
 }
 
@@ -415,22 +436,37 @@ CutLines cut_where_ends_lie(const std::vector<std::vector<Vec2d>>& lines, double
         double fraction = 0;
         Vec2d place = Vec2d::Zero();
     };
+    struct End {
+        Vec2d at = Vec2d::Zero();
+        std::size_t line = 0;
+    };
+    std::vector<End> ends;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        ends.push_back({lines[i].front(), i});
+        ends.push_back({lines[i].back(), i});
+    }
+    const auto x_of = [](const End& end) { return end.at.x(); };
+    std::ranges::stable_sort(ends, {}, x_of);
     CutLines out;
+    std::vector<std::size_t> cut_line(ends.size(), lines.size());  // the last one that each end cut
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const PointLine& line = lines[i];
         std::vector<Cut> cuts;
-        for (std::size_t k = 0; k < lines.size(); ++k) {
-            if (k == i) continue;
-            for (const Vec2d& p : {lines[k].front(), lines[k].back()}) {
+        for (std::size_t s = 0; s + 1 < line.size(); ++s) {
+            const Vec2d low = line[s].cwiseMin(line[s + 1]).array() - gap;
+            const Vec2d high = line[s].cwiseMax(line[s + 1]).array() + gap;
+            const auto first = std::ranges::lower_bound(ends, low.x(), {}, x_of);
+            for (auto end = first; end != ends.end() && end->at.x() <= high.x(); ++end) {
+                const Vec2d& p = end->at;
+                std::size_t& last_cut = cut_line[static_cast<std::size_t>(end - ends.begin())];
+                if (p.y() < low.y() || p.y() > high.y() || end->line == i || last_cut == i) continue;
                 if ((p - line.front()).norm() <= gap || (p - line.back()).norm() <= gap) continue;
-                for (std::size_t s = 0; s + 1 < line.size(); ++s) {
-                    if (distance_to_segment(p, line[s], line[s + 1]) > gap) continue;
-                    cuts.push_back({s, nearest_fraction(p, line[s], line[s + 1]), p});
-                    break;
-                }
+                if (distance_to_segment(p, line[s], line[s + 1]) > gap) continue;
+                cuts.push_back({s, nearest_fraction(p, line[s], line[s + 1]), p});
+                last_cut = i;
             }
         }
-        std::ranges::sort(cuts, {}, [](const Cut& cut) { return std::pair(cut.segment, cut.fraction); });
+        std::ranges::stable_sort(cuts, {}, [](const Cut& cut) { return std::pair(cut.segment, cut.fraction); });
         PointLine rest;
         std::size_t next = 0;
         for (std::size_t s = 0; s < line.size(); ++s) {

@@ -36,7 +36,7 @@ struct ChainOptions {
 };
 
 struct ClosedChains {
-    std::vector<ClosedChain> chains;    // the largest first
+    std::vector<ClosedChain> chains;    // the largest first; of several passes, those of the first pass first
     std::vector<std::size_t> repeated;  // lines that lie on an earlier one from end to end: taken once
     double widest_gap = 0;              // between ends that were taken for one
     int shared = 0;                     // lines that two chains have

@@ -25,8 +25,9 @@ class BlockPlacer {
         std::vector<DxfPiece> pieces;
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
             const auto found = maps_.find(b);
-            if (is_layout(blocks_[b]) || blocks_[b].lines.empty()) continue;  // what a layout places is a piece itself
-            if (found == maps_.end() && hidden_.contains(b)) continue;
+            // What a layout places is a piece itself.
+            if (is_space(blocks_[b]) || blocks_[b].lines.empty()) continue;
+            if (found == maps_.end() && (is_unnamed(blocks_[b]) || hidden_.contains(b))) continue;
             if (found == maps_.end()) {
                 if (!is_any_placed || says_piece_name(blocks_[b])) {
                     add(b, Eigen::Affine2d::Identity(), pieces);
@@ -44,7 +45,15 @@ class BlockPlacer {
  private:
     static constexpr int kDeepest = 16;
 
-    static bool is_layout(const DxfPiece& block) { return block.name.starts_with('*') || block.name.starts_with('$'); }
+    // Of the drawing itself, or of a sheet of paper.
+    static bool is_space(const DxfPiece& block) {
+        const std::string name = lower_case(block.name);
+        if (!is_unnamed(block)) return false;
+        return name.substr(1).starts_with("model_space") || name.substr(1).starts_with("paper_space");
+    }
+
+    // By the program that wrote the file, as a dimension is: it counts only where it is placed.
+    static bool is_unnamed(const DxfPiece& block) { return block.name.starts_with('*') || block.name.starts_with('$'); }
 
     static bool says_piece_name(const DxfPiece& block) {
         return std::ranges::any_of(block.texts, [](const DxfLayerText& text) {
@@ -53,12 +62,12 @@ class BlockPlacer {
     }
 
     void check_depth(int depth, const DxfInsert& insert) {
-        if (depth > kDeepest || ++steps_ > kMostSteps)
-            throw InputError(file_, "line " + std::to_string(insert.line),
-                             "INSERT: blocks place each other without end");
+        const std::string place = "line " + std::to_string(insert.line);
+        if (depth > kDeepest) throw InputError(file_, place, "INSERT: blocks place each other without end");
+        if (++steps_ > kMostSteps) throw InputError(file_, place, "INSERT: more than 200,000 blocks are placed");
     }
 
-    // The block that an INSERT means; of several that share a name, one after the other. Null: there is none.
+    // The block that an INSERT means; of several that share a name, one after the other. None: it is not in the file.
     std::optional<std::size_t> block_of(const DxfInsert& insert, std::size_t nth = 0) const {
         const auto found = by_name_.find(insert.block);
         if (found == by_name_.end()) return std::nullopt;
@@ -82,8 +91,9 @@ class BlockPlacer {
             for (const DxfInsert& inner : block.inserts) collect(inner, map, depth + 1);
             return;
         }
-        maps_[*found].push_back(map);
-        note_parts(block, depth + 1);
+        std::vector<Eigen::Affine2d>& maps = maps_[*found];
+        maps.push_back(map);
+        if (maps.size() == 1) note_parts(block, depth + 1);
     }
 
     // Blocks that are drawn as parts of others.
@@ -92,13 +102,17 @@ class BlockPlacer {
             check_depth(depth, insert);
             const auto found = block_of(insert);
             if (!found) continue;
-            is_part_.insert(*found);
-            note_parts(blocks_[*found], depth + 1);
+            if (is_part_.insert(*found).second) note_parts(blocks_[*found], depth + 1);
         }
     }
 
     // A block with all that it places.
     DxfPiece whole(std::size_t b, int depth) {
+        vertices_ += blocks_[b].points.size() + blocks_[b].texts.size();
+        for (const DxfLine& line : blocks_[b].lines) vertices_ += line.points.size();
+        if (vertices_ > kMostDxfVertices)
+            throw InputError(file_, "line " + std::to_string(blocks_[b].line),
+                             "the blocks that are placed have more than 2 million vertices");
         DxfPiece piece = blocks_[b];
         const std::vector<DxfInsert> inserts = std::exchange(piece.inserts, {});
         for (const DxfInsert& insert : inserts) {
@@ -115,30 +129,44 @@ class BlockPlacer {
     void add(std::size_t b, const Eigen::Affine2d& map, std::vector<DxfPiece>& pieces) {
         DxfPiece piece = whole(b, 0);
         transform(piece, Eigen::Affine2d(map.linear()));
+        const auto is_placed_well = [](const DxfLine& line) { return std::ranges::all_of(line.points, is_dxf_place); };
+        if (!std::ranges::all_of(piece.lines, is_placed_well) ||
+            !std::ranges::all_of(piece.points, is_dxf_place, &std::pair<int, Vec2d>::second) ||
+            !std::ranges::all_of(piece.texts, is_dxf_place, &DxfLayerText::at))
+            throw InputError(file_, "line " + std::to_string(piece.line),
+                             "block '" + piece.name + "': where it is placed, a point is not a number, or too large");
         pieces.push_back(std::move(piece));
     }
 
-    static bool is_equal(double a, double b) {
+    // Whether one map gives what another does, turned.
+    static bool is_turned(const Eigen::Matrix2d& a, const Eigen::Matrix2d& b) {
         constexpr double kSame = 1e-6;
-        return std::abs(a - b) <= kSame * std::max(std::abs(a), std::abs(b));
+        const Eigen::Matrix2d one = a.transpose() * a, other = b.transpose() * b;
+        return (one - other).norm() <= 2 * kSame * std::max(one.norm(), other.norm()) &&
+               (a.determinant() < 0) == (b.determinant() < 0);
     }
 
     // One piece per size and side: a block that is laid twice is one piece. What is laid as drawn and mirrored is a
     // pair.
     void add_placed(std::size_t b, const std::vector<Eigen::Affine2d>& maps, std::vector<DxfPiece>& pieces) {
-        std::vector<double> areas;  // with their sides as signs
+        constexpr std::size_t kMostSizes = 1000;
+        std::vector<Eigen::Matrix2d> taken;
         for (const Eigen::Affine2d& map : maps) {
-            const double area = map.linear().determinant();
-            if (std::ranges::any_of(areas, [&](double other) { return is_equal(area, other); })) continue;
-            areas.push_back(area);
+            const Eigen::Matrix2d linear = map.linear();
+            if (std::ranges::any_of(taken, [&](const auto& other) { return is_turned(linear, other); })) continue;
+            if (taken.size() == kMostSizes)
+                throw InputError(file_, "line " + std::to_string(blocks_[b].line),
+                                 "block '" + blocks_[b].name + "' is placed in more than 1,000 sizes");
+            taken.push_back(linear);
             add(b, map, pieces);
         }
-        if (maps.size() > areas.size()) {
+        if (maps.size() > taken.size()) {
             notes_.push_back("block '" + blocks_[b].name + "' is placed " + std::to_string(maps.size()) +
-                             " times: taken once" + (areas.size() > 1 ? " per size and side" : ""));
+                             " times: taken once" + (taken.size() > 1 ? " per size and side" : ""));
         }
         constexpr double kScaled = 1e-3;
-        if (std::abs(std::abs(areas.front()) - 1) > kScaled) ++scaled_;
+        const Eigen::Matrix2d gram = taken.front().transpose() * taken.front();
+        if ((gram - Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff() > kScaled) ++scaled_;
     }
 
  public:
@@ -156,6 +184,7 @@ class BlockPlacer {
     std::set<std::size_t> is_part_;
     std::set<std::size_t> hidden_;
     std::set<std::string> missing_;
+    std::size_t vertices_ = 0;
     int steps_ = 0;
     int scaled_ = 0;
 };

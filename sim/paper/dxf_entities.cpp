@@ -13,9 +13,6 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr std::size_t kMostVertices = 2000000;
-constexpr double kLargestNumber = 1e7;  // drawing units
-
 std::string layer_of(const DxfEntity& entity) {
     return dxf_string(entity.text(8).value_or(""));
 }
@@ -53,11 +50,13 @@ void draw_vertices(const std::vector<std::pair<Vec2d, double>>& vertices, bool i
     out.is_closed = is_closed || out.points.front() == out.points.back();
 }
 
-// Points of a B-spline by de Boor's recursion. (de Boor 1972)
-Vec2d spline_point(const std::vector<Vec2d>& control, const std::vector<double>& knots, std::size_t degree, double t) {
-    std::size_t span = degree;
-    while (span + 1 < control.size() && knots[span + 1] <= t) ++span;
-    std::vector<Vec2d> d(control.begin() + static_cast<std::ptrdiff_t>(span - degree),
+// Points of a rational B-spline by de Boor's recursion of its control points as (weight x, weight y, weight).  (de Boor
+// 1972)
+Vec2d spline_point(const std::vector<Vec3d>& control, const std::vector<double>& knots, std::size_t degree, double t) {
+    const auto first = knots.begin() + static_cast<std::ptrdiff_t>(degree) + 1;
+    const auto last = knots.begin() + static_cast<std::ptrdiff_t>(control.size());
+    const std::size_t span = degree + static_cast<std::size_t>(std::upper_bound(first, last, t) - first);
+    std::vector<Vec3d> d(control.begin() + static_cast<std::ptrdiff_t>(span - degree),
                          control.begin() + static_cast<std::ptrdiff_t>(span) + 1);
     for (std::size_t r = 1; r <= degree; ++r) {
         for (std::size_t j = degree; j >= r; --j) {
@@ -66,7 +65,7 @@ Vec2d spline_point(const std::vector<Vec2d>& control, const std::vector<double>&
             d[j] = (1 - s) * d[j - 1] + s * d[j];
         }
     }
-    return d[degree];
+    return d[degree].head<2>() / d[degree].z();
 }
 
 // The cubic spline through points, with parameters by their distances; a long list of points is a line already.
@@ -108,7 +107,12 @@ std::string plain_text(const std::string& text) {
 
 }  // namespace
 
+bool is_dxf_place(const Vec2d& p) {
+    return p.allFinite() && p.cwiseAbs().maxCoeff() <= kLargestDxfNumber;
+}
+
 void transform(DxfPiece& piece, const Eigen::Affine2d& map) {
+    piece.turn = map.linear() * piece.turn;
     for (DxfLine& line : piece.lines) {
         for (Vec2d& p : line.points) p = map * p;
     }
@@ -130,7 +134,7 @@ void DxfEntityReader::fail(const DxfEntity& entity, const std::string& problem) 
 
 double DxfEntityReader::coordinate(const DxfEntity& entity, std::string_view text) const {
     const auto value = dxf_number(text);
-    if (!value || std::abs(*value) > kLargestNumber)
+    if (!value || std::abs(*value) > kLargestDxfNumber)
         fail(entity, "'" + std::string(text.substr(0, 40)) + "' is no coordinate");
     return *value;
 }
@@ -170,8 +174,9 @@ void DxfEntityReader::add(DxfPiece& piece, DxfLine line, const DxfEntity& entity
     if (is_flat && entity.number(230).value_or(1) < 0) {
         for (Vec2d& p : line.points) p.x() = -p.x();
     }
+    if (!std::ranges::all_of(line.points, is_dxf_place)) fail(entity, "a point is not a number, or too large");
     vertices_ += line.points.size();
-    if (vertices_ > kMostVertices) throw InputError(file_, "", "more than 2 million vertices");
+    if (vertices_ > kMostDxfVertices) throw InputError(file_, "", "more than 2 million vertices");
     if (line.points.size() >= 2) piece.lines.push_back(std::move(line));
 }
 
@@ -263,7 +268,7 @@ void DxfEntityReader::read_lwpolyline(const DxfEntity& entity, DxfPiece& piece) 
 void DxfEntityReader::read_arc(const DxfEntity& entity, DxfPiece& piece) {
     const Vec2d centre = point(entity, 10);
     const double radius = entity.number(40).value_or(0);
-    if (!(radius > 0) || radius > kLargestNumber) fail(entity, "the radius is wrong");
+    if (!(radius > 0) || radius > kLargestDxfNumber) fail(entity, "the radius is wrong");
     const bool is_circle = entity.type == "CIRCLE";
     const double from = is_circle ? 0 : std::fmod(entity.number(50).value_or(0), 360) * kDegree;
     double to = is_circle ? 2 * std::numbers::pi : std::fmod(entity.number(51).value_or(360), 360) * kDegree;
@@ -314,10 +319,13 @@ void DxfEntityReader::read_spline(const DxfEntity& entity, DxfPiece& piece) {
         line.points = line_through(std::move(fit));
         return add(piece, std::move(line), entity);
     }
-    std::vector<double> knots;
+    std::vector<double> knots, weights;
     for (const DxfGroup& group : entity.groups) {
-        if (group.code == 40) knots.push_back(dxf_number(group.value).value_or(0));
+        if (group.code == 40) knots.push_back(coordinate(entity, group.value));
+        if (group.code == 41) weights.push_back(coordinate(entity, group.value));
     }
+    if (weights.size() != control.size()) weights.assign(control.size(), 1);
+    if (!(std::ranges::min(weights) > 0)) fail(entity, "a weight is not more than 0");
     const auto degree = static_cast<std::size_t>(std::clamp(entity.number(71).value_or(3), 1.0, 10.0));
     if (control.size() <= degree || knots.size() != control.size() + degree + 1 || !std::ranges::is_sorted(knots))
         fail(entity, "its knots do not fit its control points");
@@ -327,10 +335,13 @@ void DxfEntityReader::read_spline(const DxfEntity& entity, DxfPiece& piece) {
         line.is_closed = control.size() > 3 && control.front() == control.back();
         return add(piece, std::move(line), entity);
     }
+    std::vector<Vec3d> weighted;
+    for (std::size_t i = 0; i < control.size(); ++i)
+        weighted.emplace_back(weights[i] * control[i].x(), weights[i] * control[i].y(), weights[i]);
     const std::size_t steps = std::min<std::size_t>(16 * control.size(), 20000);
     for (std::size_t i = 0; i <= steps; ++i) {
         const double t = from + (to - from) * static_cast<double>(i) / static_cast<double>(steps);
-        line.points.push_back(spline_point(control, knots, degree, t));
+        line.points.push_back(spline_point(weighted, knots, degree, t));
     }
     line.is_closed = closes(entity) || (line.points.front() - line.points.back()).norm() == 0;
     if (line.is_closed) line.points.push_back(line.points.front());
@@ -352,7 +363,7 @@ void DxfEntityReader::read_text(const DxfEntity& entity, DxfPiece& piece) {
 void DxfEntityReader::read_insert(const DxfEntity& entity, DxfPiece& piece) {
     const auto factor = [&](int code) {
         const double value = entity.number(code).value_or(1);
-        if (value == 0 || std::abs(value) > kLargestNumber) fail(entity, "the scale is wrong");
+        if (value == 0 || std::abs(value) > kLargestDxfNumber) fail(entity, "the scale is wrong");
         return value;
     };
     DxfInsert insert{.block = dxf_string(entity.text(2).value_or("")), .line = entity.line};

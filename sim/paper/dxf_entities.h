@@ -13,6 +13,9 @@
 
 namespace selvedge::sim {
 
+inline constexpr double kLargestDxfNumber = 1e7;  // drawing units
+inline constexpr std::size_t kMostDxfVertices = 2000000;
+
 struct DxfLine {
     int layer = -1;
     std::vector<Vec2d> points = {};
@@ -41,13 +44,17 @@ struct DxfInsert {
 struct DxfPiece {
     std::string name;
     int line = 0;
-    Vec2d base = Vec2d::Zero();  // of the block
+    Vec2d base = Vec2d::Zero();                          // of the block
+    Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();  // of what it draws, since it was read
     std::vector<DxfLine> lines = {};
     std::vector<std::pair<int, Vec2d>> points = {};  // with their layers
     std::vector<DxfLayerText> texts = {};
     std::vector<DxfInsert> inserts = {};
     DxfRecords records = {};  // of files of Selvedge
 };
+
+// Whether a point is a number, and not too large.
+bool is_dxf_place(const Vec2d& p);
 
 // What a piece draws, moved. Its records stay as they are.
 void transform(DxfPiece& piece, const Eigen::Affine2d& map);

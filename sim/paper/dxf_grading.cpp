@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "sim/core/lower_case.h"
 #include "sim/paper/dxf_layers.h"
 #include "sim/paper/dxf_lines.h"
+#include "sim/pattern/segment_distance.h"
 
 namespace selvedge::sim {
 namespace {
@@ -39,7 +43,8 @@ class PieceGrader {
         double extent = 0;
         for (const DxfLine& line : piece.lines) extent = std::max(extent, extent_of(line));
         constexpr double kOnPoint = 1e-4;  // of the piece's size
-        reach_ = kOnPoint * extent;
+        reach_ = std::max(kOnPoint * extent, std::numeric_limits<double>::min());
+        for (std::size_t n = 0; n < numbered_.size(); ++n) cells_[cell_of(numbered_[n].at)].push_back(n);
     }
 
     std::vector<DxfPiece> grade() const {
@@ -54,13 +59,36 @@ class PieceGrader {
     }
 
  private:
+    using Cell = std::pair<double, double>;
+
+    Cell cell_of(const Vec2d& p) const { return {std::floor(p.x() / reach_), std::floor(p.y() / reach_)}; }
+
+    // How far the point moves that has a number and lies at a place; of several, the last. None: there is none.
+    std::optional<Vec2d> own_move(const Vec2d& p, std::size_t size) const {
+        const NumberedPoint* found = nullptr;
+        const auto [x, y] = cell_of(p);
+        for (int dx = -1; dx <= 1; ++dx) {
+            for (int dy = -1; dy <= 1; ++dy) {
+                const auto cell = cells_.find({x + dx, y + dy});
+                if (cell == cells_.end()) continue;
+                // Many numbers at one place: the last one on it counts.
+                for (auto n = cell->second.rbegin(); n != cell->second.rend(); ++n) {
+                    const NumberedPoint& point = numbered_[*n];
+                    if ((point.at - p).norm() > reach_) continue;
+                    if (!found || found < &point) found = &point;
+                    break;
+                }
+            }
+        }
+        if (!found) return std::nullopt;
+        return Vec2d(piece_.turn * (scale_ * (*found->moves)[size]));
+    }
+
     // The moves of the points of a line that have numbers.
     std::map<std::size_t, Vec2d> moves_on(const DxfLine& line, std::size_t size) const {
         std::map<std::size_t, Vec2d> moves;
-        for (const NumberedPoint& point : numbered_) {
-            for (std::size_t i = 0; i < line.points.size(); ++i) {
-                if ((line.points[i] - point.at).norm() <= reach_) moves[i] = scale_ * (*point.moves)[size];
-            }
+        for (std::size_t i = 0; i < line.points.size(); ++i) {
+            if (const auto move = own_move(line.points[i], size)) moves[i] = *move;
         }
         return moves;
     }
@@ -72,13 +100,17 @@ class PieceGrader {
         const std::map<std::size_t, Vec2d> edge_moves = moves_on(boundary, size);
         if (!edge_moves.empty()) grade_line(edge, edge_moves, true);
         const auto moved = [&](const Vec2d& p) -> Vec2d {
-            std::size_t nearest = 0;
+            const std::vector<Vec2d>& drawn = boundary.points;
+            Vec2d move = Vec2d::Zero();
             double least = std::numeric_limits<double>::infinity();
-            for (std::size_t i = 0; i < edge.size(); ++i) {
-                const double distance = (boundary.points[i] - p).squaredNorm();
-                if (distance < least) least = distance, nearest = i;
+            for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
+                const double s = nearest_fraction(p, drawn[i], drawn[i + 1]);
+                const double distance = (drawn[i] + s * (drawn[i + 1] - drawn[i]) - p).squaredNorm();
+                if (!(distance < least)) continue;
+                least = distance;
+                move = (1 - s) * (edge[i] - drawn[i]) + s * (edge[i + 1] - drawn[i + 1]);
             }
-            return p + edge[nearest] - boundary.points[nearest];
+            return p + move;
         };
         for (DxfLine& line : piece.lines) {
             const std::map<std::size_t, Vec2d> moves = moves_on(line, size);
@@ -89,9 +121,8 @@ class PieceGrader {
             }
         }
         for (auto& [layer, at] : piece.points) {
-            const auto own = std::ranges::find_if(
-                numbered_, [&, place = at](const NumberedPoint& one) { return (one.at - place).norm() <= reach_; });
-            at = own != numbered_.end() ? Vec2d(at + scale_ * (*own->moves)[size]) : moved(at);
+            const auto own = own_move(at, size);
+            at = own ? Vec2d(at + *own) : moved(at);
         }
         std::erase_if(piece.texts, [](const DxfLayerText& text) { return lower_case(text.text).starts_with("size"); });
         piece.texts.push_back({.layer = kBoundaryLayer, .text = "Size: " + rules_.sizes[size]});
@@ -103,6 +134,7 @@ class PieceGrader {
     double scale_;
     double reach_ = 0;
     std::vector<NumberedPoint> numbered_;
+    std::map<Cell, std::vector<std::size_t>> cells_;  // as wide as the reach
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/lower_case.h"
+#include "sim/core/trimmed.h"
 
 namespace selvedge::sim {
 namespace {
@@ -15,19 +16,12 @@ namespace {
 constexpr std::size_t kMostRules = 100000, kMostSizes = 100;
 constexpr double kFarthest = 1e5;  // units of the table
 
-std::string_view bare(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r";
-    const std::size_t first = text.find_first_not_of(blanks);
-    return first == std::string_view::npos ? std::string_view()
-                                           : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 // What stands behind "KEY:"; none: the line begins otherwise.
 std::optional<std::string_view> value_of(std::string_view line, std::string_view key) {
     if (!lower_case(line.substr(0, key.size())).starts_with(key)) return std::nullopt;
-    line = bare(line.substr(key.size()));
+    line = trimmed(line.substr(key.size()));
     if (!line.starts_with(':')) return std::nullopt;
-    return bare(line.substr(1));
+    return trimmed(line.substr(1));
 }
 
 class RuleReader {
@@ -40,7 +34,7 @@ class RuleReader {
             const std::size_t end = std::min(text_.find('\n'), text_.size());
             const std::string_view whole = text_.substr(0, end);
             text_.remove_prefix(std::min(end + 1, text_.size()));
-            const std::string_view line = bare(whole.substr(0, whole.find('#')));  // a comment follows
+            const std::string_view line = trimmed(whole.substr(0, whole.find('#')));  // a comment follows
             if (lower_case(line) == "end") break;
             read_line(line);
         }
@@ -73,9 +67,9 @@ class RuleReader {
         }
     }
 
-    // "DELTA 12"
+    // "DELTA 12", "12"
     void begin_rule(std::string_view text) {
-        const std::string_view digits = bare(text.substr(std::min(text.find_last_of(" \t"), text.size())));
+        const std::string_view digits = text.substr(text.find_last_of(" \t") + 1);  // all of it where there is none
         int number = 0;
         const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
         if (error != std::errc() || stop != digits.data() + digits.size() || number < 0)

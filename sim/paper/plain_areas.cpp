@@ -40,6 +40,15 @@ PlainArea area_of_shape(const DrawnPath& path, std::size_t shape) {
     return area;
 }
 
+// Of many points, evenly chosen ones.
+std::vector<Vec2d> sampled(const std::vector<Vec2d>& points) {
+    constexpr std::size_t kMost = 2000;
+    const std::size_t step = (points.size() + kMost - 1) / kMost;
+    std::vector<Vec2d> some;
+    for (std::size_t i = 0; i < points.size(); i += step) some.push_back(points[i]);
+    return some;
+}
+
 // The same outline, drawn again.
 bool repeats(const PlainArea& area, const PlainArea& other) {
     constexpr double kSame = 5e-4;  // of its size: a curve, and the lines of which another program made it
@@ -47,7 +56,7 @@ bool repeats(const PlainArea& area, const PlainArea& other) {
     if ((area.box.min() - other.box.min()).norm() > near || (area.box.max() - other.box.max()).norm() > near ||
         std::abs(area.area - other.area) > 4 * kSame * other.area)
         return false;
-    return std::ranges::all_of(area.points,
+    return std::ranges::all_of(sampled(area.points),
                                [&](const Vec2d& p) { return distance_to_outline(p, other.points) <= 2 * near; });
 }
 
@@ -82,9 +91,10 @@ std::vector<PlainArea> find_areas(const std::vector<PlainShape>& shapes, const s
 namespace {
 
 bool is_inset_within(const PlainArea& inner, const PlainArea& outer, double spread) {
+    if (!(inner.area > 0.5 * outer.area)) return false;
     double sum = 0;
     std::vector<double> distances;
-    for (const Vec2d& p : inner.points) {
+    for (const Vec2d& p : sampled(inner.points)) {
         distances.push_back(distance_to_outline(p, outer.points));
         sum += distances.back();
     }
@@ -92,7 +102,7 @@ bool is_inset_within(const PlainArea& inner, const PlainArea& outer, double spre
     std::ranges::sort(distances);
     const double low = distances[distances.size() / 10], high = distances[distances.size() * 9 / 10];
     const double size = std::sqrt(outer.area);
-    return mean > 0 && high - low < spread * mean && mean < 0.15 * size && inner.area > 0.5 * outer.area;
+    return mean > 0 && high - low < spread * mean && mean < 0.15 * size;
 }
 
 }  // namespace

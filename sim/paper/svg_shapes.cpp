@@ -18,15 +18,10 @@ namespace {
 constexpr std::size_t kLargestFile = 64U << 20U;  // bytes
 constexpr int kMostElements = 200000;
 constexpr std::size_t kMostEdges = 2000000;
+constexpr std::size_t kMostPathText = 4 * kLargestFile;  // characters that are read as paths, over all uses
+constexpr std::size_t kMostGroupsHeld = 4000000;         // of all shapes, uses and texts
 constexpr int kDeepestElement = 256;
 constexpr double kLargestUnits = 1e9;  // user units
-
-// The name without its namespace prefix.
-std::string_view local_name(const char* name) {
-    const std::string_view full(name);
-    const std::size_t colon = full.find(':');
-    return colon == std::string_view::npos ? full : full.substr(colon + 1);
-}
 
 std::string_view attribute(const pugi::xml_node& node, const char* name) {
     return node.attribute(name).value();
@@ -71,10 +66,16 @@ std::string decoded_id(std::string_view id) {
     return text;
 }
 
+bool is_shape(std::string_view name) {
+    constexpr std::array<std::string_view, 7> shapes{"path", "rect",     "circle", "ellipse",
+                                                     "line", "polyline", "polygon"};
+    return std::ranges::find(shapes, name) != shapes.end();
+}
+
 class Walker {
  public:
     Walker(const pugi::xml_document& document, std::string_view text, const std::string& file)
-        : document_(document), text_(text), file_(file) {
+        : document_(document), text_(text), styles_(file), file_(file) {
         for (const pugi::xml_node& node : document.children()) collect_ids(node, 0);
     }
 
@@ -219,6 +220,7 @@ class Walker {
         const std::string id(reference(node));
         const Vec2d shift(length(node, "x", place.viewport.x()), length(node, "y", place.viewport.y()));
         const Vec2d at = place.map * shift;
+        count_groups(node, place);
         out_.uses.push_back({id, {at.x(), -at.y()}, place.groups});
         // FreeSewing's marks are drawings of their own: their place is all that counts.
         const auto target = by_id_.find(id);
@@ -274,9 +276,10 @@ class Walker {
         if (is_closed) pen.close();
     }
 
-    // Returns whether the element is a shape.
-    bool draw(const pugi::xml_node& node, std::string_view name, const Place& place, bool keeps_circles,
-              PathBuilder& pen) const {
+    void draw(const pugi::xml_node& node, std::string_view name, const Place& place, bool keeps_circles,
+              PathBuilder& pen) {
+        path_text_ += attribute(node, "d").size() + attribute(node, "points").size();
+        if (path_text_ > kMostPathText) fail(node, "the file uses its own paths too often");
         if (name == "path") {
             const std::string problem = draw_path_data(attribute(node, "d"), keeps_circles, pen);
             if (!problem.empty()) fail(node, problem);
@@ -291,12 +294,15 @@ class Walker {
         } else if (name == "line") {
             pen.move(pair(node, "x1", "y1", place));
             pen.line(pair(node, "x2", "y2", place));
-        } else if (name == "polyline" || name == "polygon") {
-            draw_points(node, name == "polygon", pen);
         } else {
-            return false;
+            draw_points(node, name == "polygon", pen);
         }
-        return true;
+    }
+
+    // Every shape, use and text keeps the groups around it.
+    void count_groups(const pugi::xml_node& node, const Place& place) {
+        groups_held_ += place.groups.size();
+        if (groups_held_ > kMostGroupsHeld) fail(node, "too many shapes lie too deep in groups");
     }
 
     // FreeSewing's classes and the lines of Selvedge say what they are, seen or not.
@@ -306,17 +312,19 @@ class Walker {
     }
 
     void read_shape(const pugi::xml_node& node, std::string_view name, const Place& place) {
+        if (!is_shape(name)) return;
+        if (!is_seen(node, place.look)) {
+            ++hidden_;
+            return;
+        }
         const Eigen::Matrix2d linear = place.map.linear();
         const double a = linear.col(0).squaredNorm(), b = linear.col(1).squaredNorm();
         const bool keeps_circles =
             std::abs(a - b) < 1e-9 * (a + b) && std::abs(linear.col(0).dot(linear.col(1))) < 1e-9 * (a + b);
         PathBuilder pen;
-        if (!draw(node, name, place, keeps_circles, pen)) return;
-        if (!is_seen(node, place.look)) {
-            ++hidden_;
-            return;
-        }
+        draw(node, name, place, keeps_circles, pen);
         for (DrawnPath& path : pen.take(0, 0)) {
+            count_groups(node, place);
             transform(path, place.map);
             flip(path);
             edges_ += path.edges.size();
@@ -357,6 +365,7 @@ class Walker {
 
     void read_text(const pugi::xml_node& node, const Place& place) {
         if (!place.look.is_visible) return;
+        count_groups(node, place);
         SvgText text;
         text.groups = place.groups;
         append_text(node, text.text.text, 0);
@@ -394,6 +403,8 @@ class Walker {
     int visited_ = 0;
     int groups_ = 0;
     std::size_t edges_ = 0;
+    std::size_t path_text_ = 0;
+    std::size_t groups_held_ = 0;
     SvgDocument out_;
 };
 
