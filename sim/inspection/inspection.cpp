@@ -242,6 +242,12 @@ bool is_given_up_as_too_small(const DrapeResult& draped, const DressReport& repo
     return draped.given_up == GiveUp::TooSmall && std::ranges::any_of(report.faults, does_not_fit);
 }
 
+// Whether it hung with its whole weight for as long as it would have to be at rest.
+bool had_time_to_rest(const DrapeResult& draped) {
+    const DrapeOptions usual;
+    return draped.simulated_seconds >= usual.relax_time + usual.lowering_time + usual.rest_time;
+}
+
 void validate_rest(const Cloth& cloth, const Pattern& pattern, const DrapeResult& draped, DressReport& report) {
     if (draped.given_up == GiveUp::SlipsDown) {
         report.notes.emplace_back("its fall was ended early, because it slips down the body");
@@ -255,8 +261,8 @@ void validate_rest(const Cloth& cloth, const Pattern& pattern, const DrapeResult
         DressFault fault{"not_settled",
                          is_known ? describe_place(cloth, pattern, *draped.fastest) : std::string(kWholeGarment),
                          draped.fall_speed};
-        // What was given up, or has no finite positions, tells nothing by being slow.
-        if (draped.given_up || draped.bad_vertex) {
+        // What was given up, had no time to fall, or has no finite positions tells nothing by being slow.
+        if (draped.given_up || draped.bad_vertex || !had_time_to_rest(draped)) {
             report.faults.push_back(std::move(fault));
         } else {
             add_fault(report, std::move(fault));
