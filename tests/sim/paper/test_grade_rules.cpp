@@ -68,7 +68,7 @@ TEST(GradeRules, make_the_sizes_of_a_piece) {
     const GradeRules rules = parse_grade_rules(kTable, "t.rul");
     const Drawing drawing = read_dxf(text, "a.dxf", &rules);
     EXPECT_EQ(drawing.sample_size, "M");
-    const auto width = [&](const std::string& size) {
+    const auto width = [&](const std::string& size) -> Vec2d {
         const PanelsOfDrawing made = make_panels(drawing, "a.dxf", {.size = size});
         EXPECT_EQ(made.pattern.panels.size(), 1U);
         return outline_box(made.pattern.panels.at(0)).sizes();
