@@ -12,22 +12,14 @@
 
 #include "sim/core/gravity.h"
 #include "sim/core/math.h"
+#include "sim/inspection/cloth_neighbours.h"
 
 namespace selvedge::sim {
 namespace {
 
 // Per vertex, m; infinite where the cloth is not connected with the edge. (Dijkstra 1959)
 std::vector<double> distances_from(const GarmentMesh& mesh, const Opening& edge) {
-    std::vector<std::vector<std::pair<std::size_t, double>>> neighbours(mesh.x.size());
-    for (const GarmentTriangle& t : mesh.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto a = static_cast<std::size_t>(t.vertices[k]);
-            const auto b = static_cast<std::size_t>(t.vertices[(k + 1) % 3]);
-            const double length = (t.u[k] - t.u[(k + 1) % 3]).norm();
-            neighbours[a].emplace_back(b, length);
-            neighbours[b].emplace_back(a, length);
-        }
-    }
+    const ClothNeighbours neighbours = cloth_neighbours(mesh);
     std::vector<double> distances(mesh.x.size(), std::numeric_limits<double>::infinity());
     using Reached = std::pair<double, std::size_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;

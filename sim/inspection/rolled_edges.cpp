@@ -6,6 +6,8 @@
 #include <queue>
 #include <utility>
 
+#include "sim/inspection/cloth_neighbours.h"
+
 namespace selvedge::sim {
 namespace {
 
@@ -13,24 +15,8 @@ constexpr double kWithin = 0.3;   // m along the cloth: as deep as a hem rolls
 constexpr double kInward = 0.7;   // of the way along the cloth: placed within 45 degrees of straight inward
 constexpr double kRolled = 0.03;  // m beyond it: a hem of 2 to 3 cm stays where it is folded, wrinkles go less deep
 
-using Neighbours = std::vector<std::vector<std::pair<std::size_t, double>>>;  // and the cloth between, m
-
-Neighbours neighbours_of(const GarmentMesh& mesh) {
-    Neighbours neighbours(mesh.x.size());
-    for (const GarmentTriangle& t : mesh.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto a = static_cast<std::size_t>(t.vertices[k]);
-            const auto b = static_cast<std::size_t>(t.vertices[(k + 1) % 3]);
-            const double length = (t.u[k] - t.u[(k + 1) % 3]).norm();
-            neighbours[a].emplace_back(b, length);
-            neighbours[b].emplace_back(a, length);
-        }
-    }
-    return neighbours;
-}
-
 // The vertices within kWithin of one along the cloth, and how far it is to them, m. (Dijkstra 1959)
-std::map<std::size_t, double> cloth_near(const Neighbours& neighbours, std::size_t from) {
+std::map<std::size_t, double> cloth_near(const ClothNeighbours& neighbours, std::size_t from) {
     std::map<std::size_t, double> reached{{from, 0}};
     using Entry = std::pair<double, std::size_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
@@ -55,7 +41,7 @@ std::map<std::size_t, double> cloth_near(const Neighbours& neighbours, std::size
 
 RolledEdge measure_rolled_edge(const GarmentMesh& sewn, const Opening& edge, std::span<const double> placed,
                                std::span<const double> draped) {
-    const Neighbours neighbours = neighbours_of(sewn);
+    const ClothNeighbours neighbours = cloth_neighbours(sewn);
     RolledEdge rolled;
     int count = 0;
     for (const int vertex : edge.vertices) {
