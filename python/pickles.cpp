@@ -7,6 +7,7 @@
 #include "sim/core/error.h"
 #include "sim/core/flat_bytes.h"
 #include "sim/core/version.h"
+#include "sim/mannequin/mannequin_bytes.h"
 #include "sim/repair/body_bytes.h"
 
 namespace selvedge::python {
@@ -38,49 +39,6 @@ std::vector<std::string> read_texts(sim::FlatReader& reader) {
     const auto count = reader.value<std::uint64_t>();
     for (std::uint64_t i = 0; i < count && reader.is_sound(); ++i) texts.push_back(reader.text());
     return texts;
-}
-
-void write_number(sim::FlatWriter& writer, const std::optional<double>& number) {
-    writer.value(number.has_value());
-    writer.value(number.value_or(0));
-}
-
-std::optional<double> read_number(sim::FlatReader& reader) {
-    const bool has_value = reader.value<bool>();
-    const auto value = reader.value<double>();
-    return has_value ? std::optional(value) : std::nullopt;
-}
-
-// All measures, in the order of measure_names(), or none.
-void write_readings(sim::FlatWriter& writer, const std::optional<sim::MannequinReadings>& readings) {
-    writer.value(readings.has_value());
-    if (!readings) return;
-    for (const sim::MeasureReading& reading : readings->readings) {
-        write_number(writer, reading.requested);
-        writer.value(reading.measured);
-        write_number(writer, reading.level);
-    }
-    write_number(writer, readings->stance.requested);
-    writer.value(readings->stance.made);
-    writer.value(readings->stance.is_opened);
-    writer.value(readings->stance.gap);
-}
-
-std::optional<sim::MannequinReadings> read_readings(sim::FlatReader& reader) {
-    if (!reader.value<bool>()) return std::nullopt;
-    sim::MannequinReadings readings;
-    for (const std::string_view name : sim::measure_names()) {
-        sim::MeasureReading& one = readings.readings.emplace_back();
-        one.name = name;
-        one.requested = read_number(reader);
-        one.measured = reader.value<double>();
-        one.level = read_number(reader);
-    }
-    readings.stance.requested = read_number(reader);
-    readings.stance.made = reader.value<double>();
-    readings.stance.is_opened = reader.value<bool>();
-    readings.stance.gap = reader.value<double>();
-    return readings;
 }
 
 void write_mesh(sim::FlatWriter& writer, const sim::DrawMesh& mesh) {
@@ -123,7 +81,8 @@ std::string bytes_of(const sim::PreparedBody& body) {
     writer.text(made.source);
     writer.text(to_bytes(*made.body));
     write_texts(writer, made.notes);
-    write_readings(writer, made.readings);
+    writer.value(made.readings.has_value());
+    if (made.readings) write(writer, *made.readings);
     writer.value(std::uint64_t(made.clips.size()));
     for (const sim::Clip& clip : made.clips) write(writer, clip);
     return writer.bytes();
@@ -136,7 +95,7 @@ BodyPointer body_from(std::string_view bytes) {
     if (!body) refuse();
     made.body = std::make_shared<const sim::Body>(std::move(*body));
     made.notes = read_texts(reader);
-    made.readings = read_readings(reader);
+    if (reader.value<bool>()) made.readings = sim::read_readings(reader);
     const auto clips = reader.value<std::uint64_t>();
     for (std::uint64_t i = 0; i < clips && reader.is_sound(); ++i) {
         if (!read(reader, made.clips.emplace_back())) refuse();

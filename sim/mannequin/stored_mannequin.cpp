@@ -7,33 +7,17 @@
 #include <utility>
 
 #include "sim/core/flat_bytes.h"
+#include "sim/mannequin/mannequin_bytes.h"
 #include "sim/repair/body_bytes.h"
 
 namespace selvedge::sim {
 namespace {
 
-void write(FlatWriter& writer, const std::optional<double>& number) {
-    writer.value(number.has_value());
-    if (number) writer.value(*number);
-}
-
-std::optional<double> read_optional(FlatReader& reader) {
-    return reader.value<bool>() ? std::optional(reader.value<double>()) : std::nullopt;
-}
-
 std::string bytes_of(const Mannequin& mannequin) {
     const MeasureReport& report = mannequin.report;
     FlatWriter writer;
     writer.text(to_bytes(mannequin.body));
-    for (const MeasureReading& reading : report.readings) {  // of every measure, in the order of measure_names()
-        write(writer, reading.requested);
-        writer.value(reading.measured);
-        write(writer, reading.level);
-    }
-    write(writer, report.stance.requested);
-    writer.value(report.stance.made);
-    writer.value(report.stance.is_opened);
-    writer.value(report.stance.gap);
+    write(writer, report);
     writer.value(std::uint64_t(report.messages.size()));
     for (const std::string& message : report.messages) writer.text(message);
     writer.value(report.iterations);
@@ -46,17 +30,7 @@ std::optional<Mannequin> mannequin_from_bytes(std::string_view bytes) {
     if (!body) return std::nullopt;
     Mannequin mannequin{.body = std::move(*body), .report = {}};
     MeasureReport& report = mannequin.report;
-    for (const std::string_view name : measure_names()) {
-        MeasureReading& reading =
-            report.readings.emplace_back(MeasureReading{.name = name, .requested = {}, .level = {}});
-        reading.requested = read_optional(reader);
-        reading.measured = reader.value<double>();
-        reading.level = read_optional(reader);
-    }
-    report.stance.requested = read_optional(reader);
-    report.stance.made = reader.value<double>();
-    report.stance.is_opened = reader.value<bool>();
-    report.stance.gap = reader.value<double>();
+    static_cast<MannequinReadings&>(report) = read_readings(reader);
     const std::uint64_t messages = reader.value<std::uint64_t>();
     for (std::uint64_t i = 0; i < messages && reader.is_sound(); ++i) report.messages.push_back(reader.text());
     report.iterations = reader.value<int>();
