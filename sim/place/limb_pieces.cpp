@@ -342,6 +342,15 @@ bool is_over_chest(const Vec3d& x, const BodyLimbs& limbs) {
     return is_at_torso && x.y() > limbs.torso[kChest].centre.y();
 }
 
+// Per vertex of a mesh whose seams are open. 0 for one without a triangle.
+std::vector<int> panels_of_vertices(const GarmentMesh& unsewn) {
+    std::vector<int> panel_of(unsewn.x.size(), 0);
+    for (const GarmentTriangle& t : unsewn.triangles) {
+        for (const int v : t.vertices) panel_of[static_cast<std::size_t>(v)] = t.panel;
+    }
+    return panel_of;
+}
+
 // Per panel, whether what it is sewn to goes over a shoulder or round an arm: a bodice without straps does not.
 std::vector<bool> reaches_shoulders(const GarmentMesh& unsewn, const Pattern& pattern, const BodyLimbs& limbs) {
     constexpr double kBelow = 0.03;  // m, from the joint of the shoulder: the upper edge of a bodice lies lower
@@ -350,10 +359,7 @@ std::vector<bool> reaches_shoulders(const GarmentMesh& unsewn, const Pattern& pa
         if (limbs[kind].is_found) shoulder = std::min(shoulder, limbs[kind].joints[kShoulder].centre.y() - kBelow);
     }
     DisjointSets parts(pattern.panels.size());
-    std::vector<int> panel_of(unsewn.x.size(), 0);
-    for (const GarmentTriangle& t : unsewn.triangles) {
-        for (const int v : t.vertices) panel_of[static_cast<std::size_t>(v)] = t.panel;
-    }
+    const std::vector<int> panel_of = panels_of_vertices(unsewn);
     const auto panel_at = [&](int v) { return panel_of[static_cast<std::size_t>(v)]; };
     for (const SeamLink& link : unsewn.links) parts.join(panel_at(link.a), panel_at(link.b));
     std::vector<bool> part_reaches(pattern.panels.size(), false), reaches = part_reaches;
@@ -386,10 +392,7 @@ std::vector<bool> links_along_limbs(const GarmentMesh& unsewn, const BodyLimbs& 
     std::vector<std::optional<LimbKind>> limb_of;
     for (const std::vector<Vec3d>& points : points_of_panels(unsewn))
         limb_of.push_back(points.empty() ? std::nullopt : limb_nearest_to(points, limbs, kinds, kMost));
-    std::vector<int> panel_of(unsewn.x.size(), 0);
-    for (const GarmentTriangle& t : unsewn.triangles) {
-        for (const int v : t.vertices) panel_of[static_cast<std::size_t>(v)] = t.panel;
-    }
+    const std::vector<int> panel_of = panels_of_vertices(unsewn);
     const auto middle = [&](const SeamLink& link) {
         return Vec3d((unsewn.x[static_cast<std::size_t>(link.a)] + unsewn.x[static_cast<std::size_t>(link.b)]) / 2);
     };
