@@ -11,6 +11,7 @@
 #include "editor/ui/script.h"
 #include "sim/core/file.h"
 #include "sim/pattern/pattern_file.h"
+#include "tests/editor/ui/played_script.h"
 #include "tests/editor/ui/services_without_files.h"
 #include "tests/support/checkout.h"
 
@@ -27,13 +28,7 @@ class HelpOfEditor : public testing::Test {
             "# The editor\nIt edits.\n## Keys\n| key | what |\n|---|---|\n| V | selects |\n- one\n  more\n";
         return services;
     }
-    void play(const std::string& script) {
-        const auto step = [&](const std::vector<InputEvent>& events) {
-            editor_.frame(events, {.width_px = 1280, .height_px = 800}, 1.0 / 30);
-        };
-        ScriptPlayer(editor_, {.step = step, .screenshot = {}, .say = {}}, "help.txt")
-            .play(parse_script(script, "help.txt"));
-    }
+    void play(const std::string& script) { play_script(editor_, script, "help.txt"); }
     AppState& state() { return editor_.state(); }
     const sim::Pattern& pattern() { return state().workspace.document->pattern(); }
 

@@ -11,6 +11,7 @@
 #include "editor/ui/script.h"
 #include "sim/core/error.h"
 #include "sim/pattern/pattern_file.h"
+#include "tests/editor/ui/played_script.h"
 #include "tests/editor/ui/services_without_files.h"
 #include "tests/support/checkout.h"
 
@@ -41,13 +42,7 @@ class PaperOfEditor : public testing::Test {
         };
         return services;
     }
-    void play(const std::string& script) {
-        const auto step = [&](const std::vector<InputEvent>& events) {
-            editor_.frame(events, {.width_px = 1280, .height_px = 800}, 1.0 / 30);
-        };
-        ScriptPlayer(editor_, {.step = step, .screenshot = {}, .say = {}}, "paper.txt")
-            .play(parse_script(script, "paper.txt"));
-    }
+    void play(const std::string& script) { play_script(editor_, script, "paper.txt"); }
     AppState& state() { return editor_.state(); }
 
     struct Import {

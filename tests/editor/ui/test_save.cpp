@@ -12,6 +12,7 @@
 #include "sim/core/file.h"
 #include "sim/core/sha256.h"
 #include "sim/pattern/pattern_file.h"
+#include "tests/editor/ui/played_script.h"
 #include "tests/editor/ui/services_without_files.h"
 #include "tests/support/checkout.h"
 #include "tests/support/temporary_folder.h"
@@ -42,13 +43,7 @@ class SavedGarment : public testing::Test {
         services.note_in_journal = [this](std::string_view line) { journal_ += std::string(line) + "\n"; };
         return services;
     }
-    void play(const std::string& script) {
-        const auto step = [&](const std::vector<InputEvent>& events) {
-            editor_.frame(events, {.width_px = 1280, .height_px = 800}, 1.0 / 30);
-        };
-        ScriptPlayer(editor_, {.step = step, .screenshot = {}, .say = {}}, "save.txt")
-            .play(parse_script(script, "save.txt"));
-    }
+    void play(const std::string& script) { play_script(editor_, script, "save.txt"); }
     AppState& state() { return editor_.state(); }
     Document& document() { return *state().workspace.document; }
     void change(const std::string& fabric) { state().workspace.run(SetFabric{.fabric = fabric}); }
