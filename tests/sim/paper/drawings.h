@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <random>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -95,6 +97,15 @@ std::string problem_of(const std::string& text, Read read) {
         return error.what();
     }
     return "nothing";
+}
+
+inline bool has_note(const std::vector<std::string>& notes, std::string_view words) {
+    return std::ranges::any_of(notes, [&](const std::string& note) { return note.find(words) != note.npos; });
+}
+
+// A group of DXF.
+inline std::string dxf_group(int code, const std::string& value) {
+    return std::to_string(code) + "\n" + value + "\n";
 }
 
 // The folder of real patterns; empty: there is none here.

@@ -14,7 +14,7 @@ namespace {
 
 std::string groups(std::initializer_list<std::pair<int, const char*>> pairs) {
     std::string text;
-    for (const auto& [code, value] : pairs) text += std::to_string(code) + "\n" + value + "\n";
+    for (const auto& [code, value] : pairs) text += dxf_group(code, value);
     return text;
 }
 

@@ -12,45 +12,42 @@
 namespace selvedge::sim {
 namespace {
 
-std::string group(int code, const std::string& value) {
-    return std::to_string(code) + "\n" + value + "\n";
-}
-
 std::string at(int code, const Vec2d& p) {
-    return group(code, std::to_string(p.x())) + group(code + 10, std::to_string(p.y()));
+    return dxf_group(code, std::to_string(p.x())) + dxf_group(code + 10, std::to_string(p.y()));
 }
 
 std::string stroke_on(const std::string& layer, const Vec2d& a, const Vec2d& b) {
-    return group(0, "LINE") + group(8, layer) + at(10, a) + at(11, b);
+    return dxf_group(0, "LINE") + dxf_group(8, layer) + at(10, a) + at(11, b);
 }
 
 std::string chain_on(const std::string& layer, const std::vector<Vec2d>& points, bool is_closed = false) {
-    std::string text = group(0, "POLYLINE") + group(8, layer) + group(70, is_closed ? "1" : "0");
-    for (const Vec2d& p : points) text += group(0, "VERTEX") + group(8, layer) + at(10, p);
-    return text + group(0, "SEQEND");
+    std::string text = dxf_group(0, "POLYLINE") + dxf_group(8, layer) + dxf_group(70, is_closed ? "1" : "0");
+    for (const Vec2d& p : points) text += dxf_group(0, "VERTEX") + dxf_group(8, layer) + at(10, p);
+    return text + dxf_group(0, "SEQEND");
 }
 
 std::string label(const std::string& words, const Vec2d& p = {0, 0}) {
-    return group(0, "TEXT") + group(8, "1") + at(10, p) + group(1, words);
+    return dxf_group(0, "TEXT") + dxf_group(8, "1") + at(10, p) + dxf_group(1, words);
 }
 
 std::string section(const std::string& name, const std::string& content) {
-    return group(0, "SECTION") + group(2, name) + content + group(0, "ENDSEC");
+    return dxf_group(0, "SECTION") + dxf_group(2, name) + content + dxf_group(0, "ENDSEC");
 }
 
 std::string block(const std::string& name, const std::string& content) {
-    return group(0, "BLOCK") + group(8, "0") + group(2, name) + at(10, {0, 0}) + content + group(0, "ENDBLK");
+    return dxf_group(0, "BLOCK") + dxf_group(8, "0") + dxf_group(2, name) + at(10, {0, 0}) + content +
+           dxf_group(0, "ENDBLK");
 }
 
 std::string insert(const std::string& name, const std::string& more = "") {
-    return group(0, "INSERT") + group(8, "1") + group(2, name) + at(10, {500, 0}) + more;
+    return dxf_group(0, "INSERT") + dxf_group(8, "1") + dxf_group(2, name) + at(10, {500, 0}) + more;
 }
 
 const std::string kMetric = label("Units: METRIC");
 
 std::string file_of(const std::string& blocks, const std::string& entities, const std::string& tables = "") {
     return (tables.empty() ? "" : section("TABLES", tables)) + section("BLOCKS", blocks) +
-           section("ENTITIES", entities) + group(0, "EOF");
+           section("ENTITIES", entities) + dxf_group(0, "EOF");
 }
 
 PanelsOfDrawing dxf_panels(const std::string& content, const MakePanelsOptions& options = {}) {
@@ -59,10 +56,6 @@ PanelsOfDrawing dxf_panels(const std::string& content, const MakePanelsOptions& 
 
 Vec2d size_of_first(const PanelsOfDrawing& made) {
     return outline_box(made.pattern.panels.at(0), 1e-5).sizes();
-}
-
-bool is_noted(const std::vector<std::string>& notes, std::string_view words) {
-    return std::ranges::any_of(notes, [&](const std::string& note) { return note.find(words) != note.npos; });
 }
 
 // A trapezoid 520 wide below, 344 above and 560 high, on one layer, each edge in a direction of its own.
@@ -80,7 +73,7 @@ TEST(ForeignDxf, joins_outlines_that_are_drawn_in_pieces) {
     EXPECT_NEAR(size_of_first(made).x(), 0.5, 1e-6);
     EXPECT_NEAR(panel.allowance.value_or(0), 0.01, 1e-3);
     EXPECT_EQ(panel.edges.size(), 5U);  // the upper polyline has a corner of its own
-    EXPECT_TRUE(is_noted(made.notes, "2 outlines drawn in pieces"));
+    EXPECT_TRUE(has_note(made.notes, "2 outlines drawn in pieces"));
 }
 
 TEST(ForeignDxf, reads_the_other_blocks_where_one_is_open) {
@@ -88,7 +81,7 @@ TEST(ForeignDxf, reads_the_other_blocks_where_one_is_open) {
     const PanelsOfDrawing made = dxf_panels(file_of(open + block("FRONT", in_pieces("1")), kMetric));
     ASSERT_EQ(made.pattern.panels.size(), 1U);
     EXPECT_EQ(made.pattern.panels[0].name, "FRONT");
-    EXPECT_TRUE(is_noted(made.notes, "the outline of 'OPEN' is open by 400 mm, left out"));
+    EXPECT_TRUE(has_note(made.notes, "the outline of 'OPEN' is open by 400 mm, left out"));
     EXPECT_EQ(problem_of(file_of(open, kMetric), [](const std::string& content) { return read_dxf(content, "a.dxf"); }),
               "a.dxf: line 15: the outline of 'OPEN' is open by 400 mm");
 }
@@ -105,14 +98,14 @@ TEST(ForeignDxf, leads_a_sewing_line_along_the_fold_on_which_it_ends) {
 
 TEST(ForeignDxf, makes_pieces_of_loose_lines_arcs_and_splines) {
     const auto fit = [](const std::vector<Vec2d>& points) {
-        std::string all = group(0, "SPLINE") + group(8, "0") + group(70, "8") + group(71, "3") +
-                          group(74, std::to_string(points.size()));
+        std::string all = dxf_group(0, "SPLINE") + dxf_group(8, "0") + dxf_group(70, "8") + dxf_group(71, "3") +
+                          dxf_group(74, std::to_string(points.size()));
         for (const Vec2d& p : points) all += at(11, p);
         return all;
     };
     // A half circle of 400 above, a wave below: a parabola of fit points through (0, 0), (200, -50), (400, 0).
-    const std::string arc =
-        group(0, "ARC") + group(8, "0") + at(10, {200, 300}) + group(40, "200") + group(50, "0") + group(51, "180");
+    const std::string arc = dxf_group(0, "ARC") + dxf_group(8, "0") + at(10, {200, 300}) + dxf_group(40, "200") +
+                            dxf_group(50, "0") + dxf_group(51, "180");
     const std::string loose = arc + stroke_on("0", {0, 300}, {0, 0}) + stroke_on("0", {400, 0}, {400, 300}) +
                               fit({{0, 0}, {100, -37.5}, {200, -50}, {300, -37.5}, {400, 0}}) +
                               label("Apron", {200, 100});
@@ -136,15 +129,15 @@ TEST(ForeignDxf, places_blocks_as_the_drawing_does) {
     const std::string front = block("FRONT", in_pieces("1"));
     EXPECT_NEAR(size_of_first(dxf_panels(file_of(front, kMetric + insert("FRONT")))).x(), 0.52, 1e-6);
     const PanelsOfDrawing large =
-        dxf_panels(file_of(front, kMetric + insert("FRONT", group(41, "2") + group(42, "2"))));
+        dxf_panels(file_of(front, kMetric + insert("FRONT", dxf_group(41, "2") + dxf_group(42, "2"))));
     EXPECT_NEAR(size_of_first(large).x(), 1.04, 1e-6);
-    EXPECT_TRUE(is_noted(large.notes, "a scale of their own (1): applied"));
-    const Drawing turned = read_dxf(file_of(front, kMetric + insert("FRONT", group(50, "90"))), "");
+    EXPECT_TRUE(has_note(large.notes, "a scale of their own (1): applied"));
+    const Drawing turned = read_dxf(file_of(front, kMetric + insert("FRONT", dxf_group(50, "90"))), "");
     Eigen::AlignedBox2d box;
     for (const Vec2d& v : turned.parts.at(0).paths.at(0).vertices) box.extend(v);
     EXPECT_NEAR(box.sizes().x(), 560, 1e-6);
     // As drawn and mirrored: two pieces. Twice as drawn: one.
-    const std::string mirrored = insert("FRONT") + insert("FRONT", group(41, "-1"));
+    const std::string mirrored = insert("FRONT") + insert("FRONT", dxf_group(41, "-1"));
     EXPECT_EQ(read_dxf(file_of(front, kMetric + mirrored), "").parts.size(), 2U);
     EXPECT_EQ(read_dxf(file_of(front, kMetric + insert("FRONT") + insert("FRONT")), "").parts.size(), 1U);
     // A layout of blocks; one that is drawn within another; one that is not placed at all.
@@ -152,14 +145,14 @@ TEST(ForeignDxf, places_blocks_as_the_drawing_does) {
     const Drawing laid = read_dxf(file_of(layout, kMetric + insert("LAYOUT")), "");
     ASSERT_EQ(laid.parts.size(), 1U);
     EXPECT_EQ(laid.parts[0].name, "FRONT");
-    EXPECT_TRUE(is_noted(laid.notes, "block 'TITLE' is not placed in the drawing, left out"));
-    EXPECT_FALSE(is_noted(laid.notes, "'LAYOUT'"));
+    EXPECT_TRUE(has_note(laid.notes, "block 'TITLE' is not placed in the drawing, left out"));
+    EXPECT_FALSE(has_note(laid.notes, "'LAYOUT'"));
     EXPECT_THROW(read_dxf(file_of(block("A", insert("B")) + block("B", insert("A")), insert("A")), ""), InputError);
 }
 
 TEST(ForeignDxf, leaves_out_what_is_hidden) {
     const auto layer = [](const std::string& name, const std::string& flags, const std::string& colour) {
-        return group(0, "LAYER") + group(2, name) + group(70, flags) + group(62, colour);
+        return dxf_group(0, "LAYER") + dxf_group(2, name) + dxf_group(70, flags) + dxf_group(62, colour);
     };
     const std::string tables = layer("OLD", "1", "7") + layer("OFF", "0", "-7") + layer("0", "0", "7");
     const std::string shown = chain_on("0", {{0, 0}, {300, 0}, {320, 500}, {0, 500}}, true);
@@ -168,7 +161,7 @@ TEST(ForeignDxf, leaves_out_what_is_hidden) {
     const PanelsOfDrawing made = dxf_panels(file_of("", hidden + shown, tables));
     ASSERT_EQ(made.pattern.panels.size(), 1U);
     EXPECT_NEAR(size_of_first(made).x(), 0.32, 1e-6);
-    EXPECT_TRUE(is_noted(made.notes, "2 hidden elements left out"));
+    EXPECT_TRUE(has_note(made.notes, "2 hidden elements left out"));
     const std::string problem =
         problem_of(file_of("", hidden, tables), [](const std::string& content) { return read_dxf(content, "a.dxf"); });
     EXPECT_NE(problem.find("2 elements are hidden"), std::string::npos) << problem;
@@ -180,7 +173,7 @@ TEST(ForeignDxf, takes_metric_for_centimetres_where_millimetres_fit_nobody) {
     };
     const PanelsOfDrawing made = dxf_panels(file_of(block("FRONT", small(1)), kMetric));
     EXPECT_NEAR(size_of_first(made).x(), 0.5, 1e-6);
-    EXPECT_TRUE(is_noted(made.notes, "taken as cm"));
+    EXPECT_TRUE(has_note(made.notes, "taken as cm"));
     EXPECT_NEAR(size_of_first(dxf_panels(file_of(block("FRONT", small(10)), kMetric))).x(), 0.5, 1e-6);
 }
 
@@ -248,14 +241,15 @@ TEST(ForeignDxf, refuses_a_file_that_was_cut_off) {
 }
 
 TEST(ForeignDxf, sees_flat_objects_from_below_and_no_sheets) {
-    const std::string below = group(230, "-1");
+    const std::string below = dxf_group(230, "-1");
     const auto square = [](const std::string& more) {
-        std::string text = group(0, "LWPOLYLINE") + group(8, "0") + group(90, "4") + group(70, "1") + more;
+        std::string text =
+            dxf_group(0, "LWPOLYLINE") + dxf_group(8, "0") + dxf_group(90, "4") + dxf_group(70, "1") + more;
         for (const Vec2d& p : {Vec2d(0, 0), Vec2d(300, 0), Vec2d(300, 500), Vec2d(0, 400)}) text += at(10, p);
         return text;
     };
     // Beside each other, not upon each other, once the flat one is turned over.
-    const std::string drawing = square("") + square(below) + square(group(67, "1"));
+    const std::string drawing = square("") + square(below) + square(dxf_group(67, "1"));
     EXPECT_EQ(read_dxf(file_of("", kMetric + drawing), "").parts.size(), 2U);
     const std::string lines = stroke_on("0", {0, 0}, {300, 0}) + below + stroke_on("0", {300, 0}, {300, 400}) +
                               stroke_on("0", {300, 400}, {0, 0});
@@ -265,9 +259,9 @@ TEST(ForeignDxf, sees_flat_objects_from_below_and_no_sheets) {
 TEST(ForeignDxf, reads_damaged_files_or_refuses_them) {
     const std::string whole =
         file_of(block("FRONT", in_pieces("1") + in_pieces("14", 10) + label("Size: M")) + block("A", insert("FRONT")),
-                kMetric + insert("A", group(41, "2")) + stroke_on("0", {900, 0}, {990, 0}) +
+                kMetric + insert("A", dxf_group(41, "2")) + stroke_on("0", {900, 0}, {990, 0}) +
                     stroke_on("0", {990, 0}, {900, 90}) + stroke_on("0", {900, 90}, {900, 0}),
-                group(0, "LAYER") + group(2, "OLD") + group(70, "1"));
+                dxf_group(0, "LAYER") + dxf_group(2, "OLD") + dxf_group(70, "1"));
     const int refused = read_mutants(whole, 3000, [](const std::string& mutant) { return read_dxf(mutant, "m"); });
     EXPECT_GT(refused, 100);
     EXPECT_LT(refused, 2900);

@@ -46,17 +46,13 @@ void expect_skirt(const PanelsOfDrawing& made, const std::string& what) {
     }
 }
 
-bool has_note(const PanelsOfDrawing& made, std::string_view words) {
-    return std::ranges::any_of(made.notes, [&](const std::string& note) { return note.find(words) != note.npos; });
-}
-
 TEST(ForeignSvg, joins_outlines_that_are_drawn_in_pieces) {
     const std::string pieces = "<g id='Front'>" + path("a", "M40,620C200,645 400,645 560,620") +
                                path("b", "M472,60L560,620") + path("c", "M472,60C380,75 220,75 128,60") +
                                path("d", "M128,60L40,620.4") + "</g>" + path("Back", kBack);
     const PanelsOfDrawing made = svg_panels(in_mm(pieces));
     expect_skirt(made, "in pieces");
-    EXPECT_TRUE(has_note(made, "1 outline drawn in pieces: joined where lines meet, up to 0.4 mm apart"));
+    EXPECT_TRUE(has_note(made.notes, "1 outline drawn in pieces: joined where lines meet, up to 0.4 mm apart"));
     EXPECT_EQ(made.pattern.panels[0].name, "Front");
 }
 
@@ -82,7 +78,8 @@ TEST(ForeignSvg, counts_pixels_as_its_program_does) {
     expect_skirt(svg_panels(page(scaled(96), "width='4000px' height='2500px'")), "pixels");
     // A size of the world says it, whoever drew it.
     expect_skirt(svg_panels(page(adobe + kSkirt, "width='1300mm' height='700mm' viewBox='0 0 1300 700'")), "mm");
-    EXPECT_TRUE(has_note(svg_panels(page(scaled(90), size + "inkscape:version='0.48'")), "90 pixels to the inch"));
+    EXPECT_TRUE(
+        has_note(svg_panels(page(scaled(90), size + "inkscape:version='0.48'")).notes, "90 pixels to the inch"));
 }
 
 TEST(ForeignSvg, scales_what_lies_in_viewports_of_its_own) {
@@ -116,7 +113,7 @@ TEST(ForeignSvg, leaves_out_what_is_hidden) {
           std::string("<path d='M0,0H500V600H0Z' fill='none'/>")}) {
         const PanelsOfDrawing made = svg_panels(in_mm(hidden + kSkirt));
         expect_skirt(made, hidden);
-        EXPECT_TRUE(has_note(made, "1 hidden element left out")) << hidden;
+        EXPECT_TRUE(has_note(made.notes, "1 hidden element left out")) << hidden;
     }
     // What is shown again within is seen; a print style is not the screen's.
     const std::string shown =
@@ -136,7 +133,7 @@ TEST(ForeignSvg, takes_no_page_frame_for_a_panel) {
           std::string("<path d='M5,5H1295V600H1180V695H5Z' fill='none' stroke='red'/>")}) {
         const PanelsOfDrawing made = svg_panels(in_mm(frame + kSkirt));
         expect_skirt(made, frame);
-        EXPECT_TRUE(has_note(made, "a page frame, left out")) << frame;
+        EXPECT_TRUE(has_note(made.notes, "a page frame, left out")) << frame;
     }
     // A rectangle with its sewing line is a panel.
     const PanelsOfDrawing scarf =
@@ -154,9 +151,9 @@ TEST(ForeignSvg, leaves_out_letters_logos_legends_and_bars) {
         "<rect x='570' y='400' width='60' height='90' fill='none' stroke='black'/><text x='575' y='410'>Legend</text>";
     const PanelsOfDrawing made = svg_panels(in_mm(kSkirt + letters + logo + legend));
     expect_skirt(made, "ornaments");
-    EXPECT_TRUE(has_note(made, "lettering or marks, left out"));
-    EXPECT_TRUE(has_note(made, "a logo or a legend by its name, left out"));
-    EXPECT_TRUE(has_note(made, "a legend by its text, left out"));
+    EXPECT_TRUE(has_note(made.notes, "lettering or marks, left out"));
+    EXPECT_TRUE(has_note(made.notes, "a logo or a legend by its name, left out"));
+    EXPECT_TRUE(has_note(made.notes, "a legend by its text, left out"));
     // A page that says something is a page, with what lies on it.
     expect_skirt(svg_panels(in_mm("<rect width='1300' height='700' fill='white'/>" + kSkirt +
                                   "<text x='600' y='30'>Legend, test square, copyright</text>")),
@@ -168,13 +165,13 @@ TEST(ForeignSvg, takes_the_scale_from_a_labelled_test_square) {
     // True to its label: only left out.
     PanelsOfDrawing made = svg_panels(in_mm(kSkirt + square + "<text x='595' y='40'>5 cm</text>"));
     expect_skirt(made, "a true square");
-    EXPECT_TRUE(has_note(made, "a test square, left out"));
+    EXPECT_TRUE(has_note(made.notes, "a test square, left out"));
     // Everything is drawn at 90 of 96.
     const std::string small =
         "<g transform='scale(0.9375)'>" + kSkirt + square + "<text x='595' y='40'>Test square 5 cm</text></g>";
     made = svg_panels(in_mm(small));
     expect_skirt(made, "a square that proves the scale");
-    EXPECT_TRUE(has_note(made, "the test square of 5 cm is drawn as 4.688 cm: the scale is taken from it"));
+    EXPECT_TRUE(has_note(made.notes, "the test square of 5 cm is drawn as 4.688 cm: the scale is taken from it"));
     made = svg_panels(page("<g transform='scale(7)'>" + kSkirt + square + "<text x='595' y='40'>2 in</text></g>", ""));
     ASSERT_EQ(made.pattern.panels.size(), 2U);
     EXPECT_NEAR(outline_box(made.pattern.panels[0]).sizes().x(), 0.52 * 50.8 / 50, 1e-3);
@@ -217,7 +214,7 @@ TEST(ForeignSvg, tells_of_an_outline_that_is_not_closed) {
     const PanelsOfDrawing made = svg_panels(
         in_mm(path("Front", kFront) + path("Back", "M640,620C800,645 1000,645 1160,620L1072,60C980,70 820,70 728,60")));
     EXPECT_EQ(made.pattern.panels.size(), 1U);
-    EXPECT_TRUE(has_note(made, "1 open line in no part, left out: is an outline not closed?"));
+    EXPECT_TRUE(has_note(made.notes, "1 open line in no part, left out: is an outline not closed?"));
 }
 
 TEST(ForeignSvg, reads_a_size_however_it_is_written) {
@@ -305,7 +302,7 @@ TEST(ForeignSvg, unfolds_what_its_text_says_is_cut_on_the_fold) {
     PanelsOfDrawing made = svg_panels(in_mm(path("Front", half) + "<text x='80' y='520'>Cut 1 on fold</text>"));
     ASSERT_EQ(made.pattern.panels.size(), 1U);
     EXPECT_NEAR(outline_box(made.pattern.panels[0]).sizes().x(), 0.49, 1e-4);
-    EXPECT_TRUE(has_note(made, "cut on the fold by its text: unfolded over the straight edge of 57.5 cm"));
+    EXPECT_TRUE(has_note(made.notes, "cut on the fold by its text: unfolded over the straight edge of 57.5 cm"));
     for (const char* words :
          {"Place on fold", "Stoffbruch", "1 x im Bruch", "sur la pliure", "op de vouw", "C.F. FOLD"}) {
         made = svg_panels(in_mm(path("Front", half) + "<text x='80' y='520'>" + words + "</text>"));
@@ -323,15 +320,15 @@ TEST(ForeignSvg, unfolds_what_its_text_says_is_cut_on_the_fold) {
     const std::string band = path("Band", "M0,0H400V300H0Z");
     made = svg_panels(in_mm(band + "<text x='200' y='150'>cut 1 on fold</text>"));
     EXPECT_NEAR(outline_box(made.pattern.panels[0]).sizes().x(), 0.4, 1e-4);
-    EXPECT_TRUE(has_note(made, "several edges could be the fold: not unfolded"));
+    EXPECT_TRUE(has_note(made.notes, "several edges could be the fold: not unfolded"));
     made = svg_panels(in_mm(band + "<text x='200' y='150'>cut 1 on fold</text><text x='10' y='150'>FOLD</text>"));
     EXPECT_NEAR(outline_box(made.pattern.panels[0]).sizes().x(), 0.8, 1e-4);
 }
 
 TEST(ForeignSvg, doubts_a_size_that_no_garment_has) {
     const PanelsOfDrawing made = svg_panels(page(kSkirt, "width='130mm' height='70mm' viewBox='0 0 1300 700'"));
-    EXPECT_TRUE(has_note(made, "the largest part is 5.79 cm long: no garment is so small"));
-    EXPECT_TRUE(has_note(made, "--unit mm would make it 57.9 cm"));
+    EXPECT_TRUE(has_note(made.notes, "the largest part is 5.79 cm long: no garment is so small"));
+    EXPECT_TRUE(has_note(made.notes, "--unit mm would make it 57.9 cm"));
 }
 
 }  // namespace

@@ -46,25 +46,21 @@ TEST(GradeLine, moves_points_between_in_proportion_to_their_distance) {
     EXPECT_EQ(ring[3], Vec2d(3, 1));
 }
 
-std::string pair_of(int code, const std::string& value) {
-    return std::to_string(code) + "\n" + value + "\n";
-}
-
 TEST(GradeRules, make_the_sizes_of_a_piece) {
     const std::vector<Vec2d> corners{{0, 0}, {400, 0}, {400, 300}, {400, 600}, {0, 600}};
-    std::string text = pair_of(0, "SECTION") + pair_of(2, "BLOCKS") + pair_of(0, "BLOCK") + pair_of(2, "FRONT") +
-                       pair_of(0, "POLYLINE") + pair_of(8, "1") + pair_of(70, "1");
+    std::string text = dxf_group(0, "SECTION") + dxf_group(2, "BLOCKS") + dxf_group(0, "BLOCK") +
+                       dxf_group(2, "FRONT") + dxf_group(0, "POLYLINE") + dxf_group(8, "1") + dxf_group(70, "1");
     const auto place = [](const Vec2d& p) {
-        return pair_of(10, std::to_string(p.x())) + pair_of(20, std::to_string(p.y()));
+        return dxf_group(10, std::to_string(p.x())) + dxf_group(20, std::to_string(p.y()));
     };
-    for (const Vec2d& p : corners) text += pair_of(0, "VERTEX") + pair_of(8, "1") + place(p);
-    text += pair_of(0, "SEQEND");
+    for (const Vec2d& p : corners) text += dxf_group(0, "VERTEX") + dxf_group(8, "1") + place(p);
+    text += dxf_group(0, "SEQEND");
     const std::vector<std::pair<Vec2d, std::string>> numbers{
         {corners[0], "# 1"}, {corners[1], "# 2"}, {corners[3], "#2"}, {corners[4], "# 1"}};
     for (const auto& [at, number] : numbers)
-        text += pair_of(0, "TEXT") + pair_of(8, "2") + place(at) + pair_of(1, number);
-    text += pair_of(0, "ENDBLK") + pair_of(0, "ENDSEC") + pair_of(0, "SECTION") + pair_of(2, "ENTITIES") +
-            pair_of(0, "TEXT") + pair_of(8, "1") + pair_of(1, "Units: METRIC") + pair_of(0, "ENDSEC");
+        text += dxf_group(0, "TEXT") + dxf_group(8, "2") + place(at) + dxf_group(1, number);
+    text += dxf_group(0, "ENDBLK") + dxf_group(0, "ENDSEC") + dxf_group(0, "SECTION") + dxf_group(2, "ENTITIES") +
+            dxf_group(0, "TEXT") + dxf_group(8, "1") + dxf_group(1, "Units: METRIC") + dxf_group(0, "ENDSEC");
     const GradeRules rules = parse_grade_rules(kTable, "t.rul");
     const Drawing drawing = read_dxf(text, "a.dxf", &rules);
     EXPECT_EQ(drawing.sample_size, "M");
