@@ -10,6 +10,7 @@
 #include "app/options.h"
 #include "sim/core/error.h"
 #include "sim/core/printable.h"
+#include "sim/paper/drawing_unit.h"
 #include "sim/pattern/pattern_file.h"
 
 namespace selvedge::app {

@@ -11,6 +11,7 @@
 #include "editor/ui/app_state.h"
 #include "editor/ui/widgets.h"
 #include "sim/core/error.h"
+#include "sim/paper/drawing_unit.h"
 
 namespace selvedge::editor {
 namespace {

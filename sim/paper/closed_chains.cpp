@@ -1,7 +1,9 @@
 #include "sim/paper/closed_chains.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -10,24 +12,14 @@
 #include <utility>
 
 #include "sim/core/disjoint_sets.h"
+#include "sim/core/printable.h"
+#include "sim/pattern/polyline.h"
 #include "sim/pattern/segment_distance.h"
 
 namespace selvedge::sim {
 namespace {
 
 using PointLine = std::vector<Vec2d>;
-
-double length_of_line(const PointLine& line) {
-    double length = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
-    return length;
-}
-
-double distance_to_line(const Vec2d& p, const PointLine& line) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i < line.size(); ++i) least = std::min(least, distance_to_segment(p, line[i - 1], line[i]));
-    return least;
-}
 
 Vec2d point_along(const PointLine& line, double length) {
     for (std::size_t i = 1; i < line.size(); ++i) {
@@ -60,7 +52,7 @@ class Nodes {
         constexpr double kShare = 0.3;  // of the shorter line: the ends of one never meet
         for (std::size_t end = 0; end < 2 * lines.size(); ++end) {
             const Vec2d p = place(lines, end);
-            const double reach = std::min(gap, kShare * length_of_line(lines[end / 2]));
+            const double reach = std::min(gap, kShare * polyline_length(lines[end / 2]));
             const auto [found, is_new] = known.emplace(std::pair(p.x(), p.y()), places.size());
             if (is_new) {
                 places.push_back({p, reach, static_cast<int>(end)});
@@ -111,7 +103,7 @@ class LineGraph {
         }
         for (std::size_t i = 0; i < lines.size(); ++i) {
             ends_.emplace_back(nodes_.of_start(i), nodes_.of_end(i));
-            is_used_[i] = length_of_line(lines[i]) > 0;
+            is_used_[i] = polyline_length(lines[i]) > 0;
         }
         drop_repeated();
         prune();
@@ -160,7 +152,7 @@ class LineGraph {
         }
     }
 
-    double length(std::size_t line) const { return length_of_line(lines_[line]); }
+    double length(std::size_t line) const { return polyline_length(lines_[line]); }
 
     // Between the ends of neighbours.
     double widest_gap(const ClosedChain& chain) const {
@@ -200,12 +192,12 @@ class LineGraph {
     }
 
     bool lies_on(std::size_t line, std::size_t other) const {
-        const double length = length_of_line(lines_[line]);
-        if (std::abs(length - length_of_line(lines_[other])) > 2 * gap_ + 0.01 * length) return false;
+        const double length = polyline_length(lines_[line]);
+        if (std::abs(length - polyline_length(lines_[other])) > 2 * gap_ + 0.01 * length) return false;
         constexpr int kSamples = 8;
         for (int i = 1; i < kSamples; ++i) {
             const Vec2d p = point_along(lines_[line], length * i / kSamples);
-            if (distance_to_line(p, lines_[other]) > gap_) return false;
+            if (distance_to_polyline(p, lines_[other]) > gap_) return false;
         }
         return true;
     }
@@ -242,7 +234,7 @@ class LineGraph {
     double direction(std::size_t side) const {
         constexpr double kAway = 8;  // gaps
         const PointLine line = points(side);
-        const double length = length_of_line(line);
+        const double length = polyline_length(line);
         const Vec2d along = point_along(line, std::min(length / 3, std::max(kAway * gap_, 1e-6 * length))) - line[0];
         return std::atan2(along.y(), along.x());
     }
@@ -428,6 +420,20 @@ ClosedChains join_in_passes(const std::vector<KeyedLine>& lines, double gap, con
         }
     }
     return all;
+}
+
+double join_gap(const std::optional<double>& metres_per_unit, double size) {
+    constexpr double kShare = 2e-4;
+    return metres_per_unit ? kJoinGap / *metres_per_unit : kShare * size;
+}
+
+std::string joined_note(std::size_t outlines, double widest_gap, const std::optional<double>& metres_per_unit) {
+    constexpr double kToldGap = 1e-5;  // m: narrower ones are rounding
+    std::string note = count_text(outlines, "outline") + " drawn in pieces: joined where lines meet";
+    if (!metres_per_unit || widest_gap * *metres_per_unit <= kToldGap) return note;
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), ", up to %.2g mm apart", 1000 * *metres_per_unit * widest_gap);
+    return note + text.data();
 }
 
 CutLines cut_where_ends_lie(const std::vector<std::vector<Vec2d>>& lines, double gap) {

@@ -1,6 +1,7 @@
 #pragma once
 // Outlines that are drawn in pieces: open lines that meet end to end, each in either direction, and the closed chains
 // that they make. Readers of every format ask it.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct ChainLink {
 // What the ends of lines that are meant to meet may lie apart, m: as wide as a pen draws.
 inline constexpr double kJoinGap = 1e-3;
 
-inline constexpr double kToldGap = 1e-5;  // m: narrower ones are rounding
+// The same in the unit of a file; where it names none, a fraction of the drawing's size, as small on any paper.
+double join_gap(const std::optional<double>& metres_per_unit, double size);
 
 // Links in order, each from where the one before ends; counter-clockwise.
 using ClosedChain = std::vector<ChainLink>;
@@ -56,6 +58,9 @@ struct KeyedLine {
 // First the chains of lines whose first keys are equal, then of those left over whose second keys are, and so on; at
 // last of all that are left over. `branches` has what branching lines mean: per key, and for the last pass.
 ClosedChains join_in_passes(const std::vector<KeyedLine>& lines, double gap, const std::vector<Branches>& branches);
+
+// What is told of outlines that were joined, with the widest gap in the unit of the file.
+std::string joined_note(std::size_t outlines, double widest_gap, const std::optional<double>& metres_per_unit);
 
 // Lines cut where the end of another lies on them, farther than the gap from their own ends. `origin` has, per line
 // that it returns, the index of the line that it is a part of.

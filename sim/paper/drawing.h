@@ -107,7 +107,8 @@ struct Measurement {
 };
 
 struct DrawingUnit {
-    const char* name = "";
+    const char* option = "";  // as --unit names it
+    const char* name = "";    // for people
     double metres = 0;
 
     bool operator==(const DrawingUnit& other) const { return metres == other.metres; }

@@ -5,18 +5,19 @@
 #include <cstdio>
 #include <span>
 
+#include "sim/core/error.h"
 #include "sim/paper/path_builder.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
 namespace {
 
-constexpr std::array kUnits = std::to_array<DrawingUnit>({{"mm", 0.001},
-                                                          {"cm", 0.01},
-                                                          {"inch", 0.0254},
-                                                          {"px (96 to the inch)", 0.0254 / 96},
-                                                          {"pt (72 to the inch)", 0.0254 / 72},
-                                                          {"m", 1}});
+constexpr std::array kUnits = std::to_array<DrawingUnit>({{"mm", "mm", 0.001},
+                                                          {"cm", "cm", 0.01},
+                                                          {"in", "inch", 0.0254},
+                                                          {"px", "px (96 to the inch)", 0.0254 / 96},
+                                                          {"pt", "pt (72 to the inch)", 0.0254 / 72},
+                                                          {"m", "m", 1}});
 
 constexpr double kSmallest = 0.25, kLargest = 1.8;  // m, of a garment's largest panel
 
@@ -30,6 +31,12 @@ double size_of(const DrawnPath& path) {
         for (int i = 0; i <= kSteps; ++i) box.extend(outline_point(shape, edge, i / double(kSteps)));
     }
     return box.isEmpty() ? 0 : box.sizes().maxCoeff();
+}
+
+double metres_of_unit(const std::string& option) {
+    const auto found = std::ranges::find_if(kUnits, [&](const DrawingUnit& unit) { return option == unit.option; });
+    if (found == kUnits.end()) throw InputError("", "--unit", "'" + option + "' is none of mm, cm, m, in, pt, px");
+    return found->metres;
 }
 
 DrawingUnit guess_unit(const Drawing& drawing) {
@@ -48,16 +55,15 @@ DrawingUnit guess_unit(const Drawing& drawing) {
 }
 
 std::string doubt_of_size(double largest, double metres_per_unit) {
-    constexpr double kTooSmall = 0.12, kTooLarge = 3;  // m: between them lie a baby's bonnet and a train
-    if (largest >= kTooSmall && largest <= kTooLarge) return {};
+    if (largest >= kSmallestLargest && largest <= kLargestLargest) return {};
     std::array<char, 160> text{};
     std::snprintf(text.data(), text.size(), "the largest part is %.3g cm long: no garment is so %s", 100 * largest,
-                  largest < kTooSmall ? "small" : "large");
+                  largest < kSmallestLargest ? "small" : "large");
     std::string doubt = text.data();
     for (const DrawingUnit& unit : kUnits) {
         const double length = largest / metres_per_unit * unit.metres;
         if (length < kSmallest || length > kLargest) continue;
-        std::snprintf(text.data(), text.size(), "; --unit %.2s would make it %.3g cm", unit.name, 100 * length);
+        std::snprintf(text.data(), text.size(), "; --unit %s would make it %.3g cm", unit.option, 100 * length);
         return doubt + text.data();
     }
     return doubt;

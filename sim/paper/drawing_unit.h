@@ -4,6 +4,12 @@
 
 namespace selvedge::sim {
 
+// Between these lies the largest part of a garment, m: of a baby's bonnet, and of a train.
+inline constexpr double kSmallestLargest = 0.12, kLargestLargest = 3;
+
+// m. Throws InputError for what is no unit of --unit.
+double metres_of_unit(const std::string& option);
+
 // The first of the units that the file may mean, or of mm, cm, inch, px, pt and m, in which the largest part is as
 // large as panels of a garment are; else the first of them.
 DrawingUnit guess_unit(const Drawing& drawing);

@@ -12,6 +12,7 @@
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/field_moves.h"
 #include "sim/pattern/outline.h"
+#include "sim/pattern/polyline.h"
 
 namespace selvedge::sim {
 namespace {
@@ -51,12 +52,6 @@ DrawnPath without_facets(const DrawnPath& path) {
         corners.push_back(path.vertices[as_size(edge.start)]);
     }
     return has_facets(corners) ? outline_of_points(corners, true, {.tolerance = kTolerance}) : path;
-}
-
-Eigen::AlignedBox2d box_of(const DrawnPath& path) {
-    Eigen::AlignedBox2d box;
-    for (const Vec2d& v : path.vertices) box.extend(v);
-    return box;
 }
 
 }  // namespace
@@ -106,7 +101,7 @@ std::optional<JoinedOutline> joined_outline(const std::vector<DrawnPath>& paths,
         const DrawnPath& path = paths[i];
         if (path.edges.empty()) continue;
         if (path.kind == LineKind::Cut || path.kind == LineKind::Internal || path.kind == LineKind::Unknown)
-            part.extend(box_of(path));
+            part.extend(box_around(path.vertices));
         if (path.kind != LineKind::Internal || path.is_closed) continue;
         open.push_back(i);
         lines.push_back(points_of_path(path));
@@ -122,7 +117,8 @@ std::optional<JoinedOutline> joined_outline(const std::vector<DrawnPath>& paths,
     }
     joined.outline = joined_path(members, found.chains.front());
     joined.outline.kind = LineKind::Sew;
-    if (box_of(joined.outline).diagonal().norm() < kLeastSize * part.diagonal().norm()) return std::nullopt;
+    if (box_around(joined.outline.vertices).diagonal().norm() < kLeastSize * part.diagonal().norm())
+        return std::nullopt;
     return joined;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -13,6 +12,7 @@
 #include "sim/core/printable.h"
 #include "sim/paper/closed_chains.h"
 #include "sim/paper/cut_text.h"
+#include "sim/paper/drawing_unit.h"
 #include "sim/paper/dxf_blocks.h"
 #include "sim/paper/dxf_entities.h"
 #include "sim/paper/dxf_grading.h"
@@ -26,7 +26,7 @@
 #include "sim/paper/polyline_outline.h"
 #include "sim/paper/size_names.h"
 #include "sim/pattern/outline.h"
-#include "sim/pattern/segment_distance.h"
+#include "sim/pattern/polyline.h"
 
 namespace selvedge::sim {
 namespace {
@@ -174,33 +174,28 @@ class DxfReader {
 
     static double largest_side(const DxfPiece& piece) {
         Eigen::AlignedBox2d box;
-        for (const DxfLine& line : piece.lines) {
-            for (const Vec2d& p : line.points) box.extend(p);
-        }
+        for (const DxfLine& line : piece.lines) box.extend(box_around(line.points));
         return box.isEmpty() ? 0 : box.sizes().maxCoeff();
     }
 
     // "METRIC" is mm by the standard. Some programs mean cm: pieces that would fit a doll tell.
     void settle_unit(const std::vector<DxfPiece>& pieces) {
-        constexpr double kTooSmall = 0.12, kMillimetre = 0.001, kCentimetre = 0.01;  // m
+        constexpr double kMillimetre = 0.001, kCentimetre = 0.01;  // m
         if (!is_metric_) return;
-        constexpr double kTooLarge = 3;  // m
         double largest = 0;
         for (const DxfPiece& piece : pieces) largest = std::max(largest, largest_side(piece));
         const bool is_stated = drawing_.metres_per_unit == kCentimetre || drawing_.metres_per_unit == 1.0;
-        if (!is_stated || largest * *drawing_.metres_per_unit > kTooLarge) drawing_.metres_per_unit = kMillimetre;
-        const bool is_small = largest > 0 && largest * kMillimetre < kTooSmall && largest * kCentimetre > 2 * kTooSmall;
+        if (!is_stated || largest * *drawing_.metres_per_unit > kLargestLargest) drawing_.metres_per_unit = kMillimetre;
+        const bool is_small =
+            largest > 0 && largest * kMillimetre < kSmallestLargest && largest * kCentimetre > 2 * kSmallestLargest;
         if (drawing_.metres_per_unit != kMillimetre || !is_small) return;
         drawing_.metres_per_unit = kCentimetre;
         drawing_.notes.emplace_back(
             "'Units: METRIC' is mm by the standard, in which no garment is so small: taken as cm; --unit sets another");
     }
 
-    // What ends that meet may lie apart, file units: where no unit is known, a fraction of the piece.
-    double gap_in(const DxfPiece& piece) const {
-        constexpr double kShare = 2e-4;
-        return drawing_.metres_per_unit ? kJoinGap / *drawing_.metres_per_unit : kShare * largest_side(piece);
-    }
+    // What ends that meet may lie apart, file units.
+    double gap_in(const DxfPiece& piece) const { return join_gap(drawing_.metres_per_unit, largest_side(piece)); }
 
     // ---- Sizes by the table beside the file.
 
@@ -214,9 +209,10 @@ class DxfReader {
         if (vertices * rules_->sizes.size() > kMostGraded)
             throw InputError(file_, "", "more than 20 million vertices in all sizes of its grade table");
         std::size_t without = 0;
-        for (const DxfPiece& piece : drawn) {
-            std::vector<DxfPiece> sizes = graded_pieces(piece, *rules_, unit());
+        for (std::size_t p = 0; p < drawn.size(); ++p) {
+            std::vector<DxfPiece> sizes = graded_pieces(drawn[p], *rules_, unit());
             without += sizes.empty() ? 1 : 0;
+            if (!sizes.empty()) set_size(pieces[p], rules_->sample_size);  // it may not say so
             std::ranges::move(sizes, std::back_inserter(pieces));
         }
         if (without == drawn.size()) {
@@ -225,17 +221,9 @@ class DxfReader {
             return;
         }
         drawing_.sample_size = rules_->sample_size;
-        for (std::size_t p = 0; p < drawn.size(); ++p) set_size(pieces[p], rules_->sample_size);
         if (without > 0)
             drawing_.notes.push_back(count_text(without, "piece") +
                                      " without numbers of grade rules: the same in all sizes");
-    }
-
-    // Of a piece that was drawn in the sample size and may not say so.
-    void set_size(DxfPiece& piece, const std::string& size) {
-        if (graded_pieces(piece, *rules_, unit()).empty()) return;
-        std::erase_if(piece.texts, [](const DxfLayerText& text) { return lower_case(text.text).starts_with("size"); });
-        piece.texts.push_back({.layer = kBoundaryLayer, .text = "Size: " + size});
     }
 
     // ---- Lines that belong to no piece.
@@ -286,16 +274,7 @@ class DxfReader {
 
     void tell_joined() {
         if (joints_.outlines == 0) return;
-        std::array<char, 96> text{};
-        std::snprintf(text.data(), text.size(), "%s drawn in pieces: joined where lines meet",
-                      count_text(joints_.outlines, "outline").c_str());
-        std::string note = text.data();
-        if (drawing_.metres_per_unit && joints_.widest_gap * *drawing_.metres_per_unit > kToldGap) {
-            std::snprintf(text.data(), text.size(), ", up to %.2g mm apart",
-                          1000 * *drawing_.metres_per_unit * joints_.widest_gap);
-            note += text.data();
-        }
-        drawing_.notes.push_back(std::move(note));
+        drawing_.notes.push_back(joined_note(joints_.outlines, joints_.widest_gap, drawing_.metres_per_unit));
         joints_ = {};
     }
 
@@ -417,15 +396,8 @@ class DxfReader {
     // The notch is where its line begins or ends on the outline.
     static void add_notch(DrawnPart& part, int layer, const Vec2d& a, const Vec2d& b, const DxfLine* outline) {
         DrawnMark mark{.kind = MarkKind::Notch, .at = a, .notch = notch_of_layer(layer)};
-        if (outline && distance(b, *outline) < distance(a, *outline)) mark.at = b;
+        if (outline && distance_to_polyline(b, outline->points) < distance_to_polyline(a, outline->points)) mark.at = b;
         part.marks.push_back(mark);
-    }
-
-    static double distance(const Vec2d& p, const DxfLine& line) {
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
-            least = std::min(least, distance_to_segment(p, line.points[i], line.points[i + 1]));
-        return least;
     }
 
     // Files of Selvedge have the curves of outlines as records. Their other lines are polylines, and stay so.

@@ -181,10 +181,10 @@ void DxfEntityReader::add(DxfPiece& piece, DxfLine line, const DxfEntity& entity
 }
 
 void DxfEntityReader::read_comments(const DxfEntity& entity, DxfPiece& piece) {
-    constexpr int kComment = 999, kAnnotation = 15;
+    constexpr int kComment = 999;
     for (const DxfGroup& group : entity.groups) {
         if (group.code != kComment || !group.value.starts_with("SELVEDGE ")) continue;
-        piece.texts.push_back({.layer = kAnnotation, .text = dxf_string(group.value)});
+        piece.texts.push_back({.layer = kAnnotationLayer, .text = dxf_string(group.value)});
     }
 }
 

@@ -124,8 +124,7 @@ class PieceGrader {
             const auto own = own_move(at, size);
             at = own ? Vec2d(at + *own) : moved(at);
         }
-        std::erase_if(piece.texts, [](const DxfLayerText& text) { return lower_case(text.text).starts_with("size"); });
-        piece.texts.push_back({.layer = kBoundaryLayer, .text = "Size: " + rules_.sizes[size]});
+        set_size(piece, rules_.sizes[size]);
         return piece;
     }
 
@@ -138,6 +137,11 @@ class PieceGrader {
 };
 
 }  // namespace
+
+void set_size(DxfPiece& piece, const std::string& size) {
+    std::erase_if(piece.texts, [](const DxfLayerText& text) { return lower_case(text.text).starts_with("size"); });
+    piece.texts.push_back({.layer = kBoundaryLayer, .text = "Size: " + size});
+}
 
 std::vector<DxfPiece> graded_pieces(const DxfPiece& piece, const GradeRules& rules, double metres_per_unit) {
     return PieceGrader(piece, rules, metres_per_unit).grade();

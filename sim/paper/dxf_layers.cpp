@@ -28,13 +28,13 @@ int dxf_layer_number(std::string_view name) {
                                                                       {"sew", kSewLayer},
                                                                       {"stitch", kSewLayer},
                                                                       {"seam", kSewLayer},
-                                                                      {"notch", 4},
-                                                                      {"grain", 7},
+                                                                      {"notch", kNotchLayer},
+                                                                      {"grain", kGrainLayer},
                                                                       {"mirror", kFoldLayer},
                                                                       {"fold", kFoldLayer},
                                                                       {"drill", kDrillLayer},
                                                                       {"internal", kInternalLayer},
-                                                                      {"text", 15}}};
+                                                                      {"text", kAnnotationLayer}}};
     for (const auto& [word, layer] : words) {
         if (small.find(word) != std::string::npos) return layer;
     }
@@ -42,7 +42,7 @@ int dxf_layer_number(std::string_view name) {
 }
 
 bool is_notch_layer(int layer) {
-    return layer == 4 || (layer >= 80 && layer <= 83);
+    return layer == kNotchLayer || (layer >= 80 && layer <= 83);
 }
 
 bool is_quality_layer(int layer) {
@@ -59,7 +59,7 @@ NotchKind notch_of_layer(int layer) {
 
 LineKind kind_of_layer(int layer) {
     if (layer == kFoldLayer) return LineKind::FoldEdge;
-    if (layer == 7) return LineKind::Grain;
+    if (layer == kGrainLayer) return LineKind::Grain;
     if (layer == kInternalLayer) return LineKind::Internal;
     if (layer == kCutoutLayer) return LineKind::Cutout;
     return LineKind::Help;

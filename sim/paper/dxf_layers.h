@@ -6,8 +6,8 @@
 
 namespace selvedge::sim {
 
-inline constexpr int kBoundaryLayer = 1, kTurnLayer = 2, kFoldLayer = 6, kInternalLayer = 8, kCutoutLayer = 11,
-                     kDrillLayer = 13, kSewLayer = 14;
+inline constexpr int kBoundaryLayer = 1, kTurnLayer = 2, kNotchLayer = 4, kFoldLayer = 6, kGrainLayer = 7,
+                     kInternalLayer = 8, kCutoutLayer = 11, kDrillLayer = 13, kSewLayer = 14, kAnnotationLayer = 15;
 
 // The number of a layer; words that other programs use stand for it; -1: neither.
 int dxf_layer_number(std::string_view name);

@@ -6,6 +6,7 @@
 #include "sim/core/error.h"
 #include "sim/paper/dxf_layers.h"
 #include "sim/paper/polyline_outline.h"
+#include "sim/pattern/polyline.h"
 
 namespace selvedge::sim {
 namespace {
@@ -122,8 +123,7 @@ void close_along_boundary(DxfPiece& piece, double gap, DxfJoints& joints) {
 }  // namespace
 
 double extent_of(const DxfLine& line) {
-    Eigen::AlignedBox2d box;
-    for (const Vec2d& p : line.points) box.extend(p);
+    const Eigen::AlignedBox2d box = box_around(line.points);
     return box.isEmpty() ? 0 : box.sizes().norm();
 }
 

@@ -14,7 +14,4 @@ struct ImportOptions {
     std::filesystem::path measurements = {};  // file; empty: those of the drawing; the female mannequin if it has none
 };
 
-// Of "mm", "cm", "m", "in", "pt" or "px". Throws InputError.
-double metres_of_unit(const std::string& unit);
-
 }  // namespace selvedge::sim

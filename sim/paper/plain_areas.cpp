@@ -7,6 +7,7 @@
 #include "sim/paper/path_builder.h"
 #include "sim/paper/size_names.h"
 #include "sim/pattern/outline.h"
+#include "sim/pattern/polyline.h"
 #include "sim/pattern/segment_distance.h"
 
 namespace selvedge::sim {
@@ -29,13 +30,13 @@ bool has_lobes(const std::vector<Vec2d>& points) {
 PlainArea area_of_shape(const DrawnPath& path, std::size_t shape) {
     PlainArea area{.shape = shape};
     const Panel panel = as_panel(path);
-    for (const Vec2d& v : path.vertices) area.box.extend(v);
+    area.box = box_around(path.vertices);
     const double error = std::max(1e-9, 1e-3 * area.box.sizes().maxCoeff());
     for (const OutlineEdge& edge : panel.edges) {
         const std::vector<Vec2d> line = outline_polyline(panel, edge, error);
         area.points.insert(area.points.end(), line.begin(), line.end() - 1);
     }
-    for (const Vec2d& p : area.points) area.box.extend(p);
+    area.box.extend(box_around(area.points));
     area.area = area_within(area.points);
     return area;
 }

@@ -23,9 +23,8 @@ struct PlainShape {
     DrawnPath path;  // of kind Unknown where the file does not say
     std::vector<PlainGroup> groups = {};
     std::string classes = {};
-    std::string style = {};         // equal for lines that are drawn alike: colour, dashes
-    bool is_filled_only = false;    // without a line round it
-    bool is_made_of_lines = false;  // joined from lines that meet
+    std::string style = {};       // equal for lines that are drawn alike: colour, dashes
+    bool is_filled_only = false;  // without a line round it
 };
 
 struct PlainDrawing {

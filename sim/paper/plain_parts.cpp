@@ -1,10 +1,7 @@
 #include "sim/paper/plain_parts.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cstdio>
-#include <map>
 #include <optional>
 #include <set>
 
@@ -20,6 +17,7 @@
 #include "sim/paper/size_names.h"
 #include "sim/paper/size_nests.h"
 #include "sim/pattern/outline.h"
+#include "sim/pattern/polyline.h"
 
 namespace selvedge::sim {
 namespace {
@@ -73,12 +71,6 @@ LineKind kind_for(const PlainShape& shape) {
     return LineKind::Unknown;
 }
 
-double length_of_path(const DrawnPath& path) {
-    double length = 0;
-    for (std::size_t i = 1; i < path.vertices.size(); ++i) length += (path.vertices[i] - path.vertices[i - 1]).norm();
-    return length;
-}
-
 class PlainReader {
  public:
     PlainReader(PlainDrawing plain, const std::string& file, Drawing& drawing)
@@ -112,15 +104,10 @@ class PlainReader {
     }
 
  private:
-    // Where the file has no unit, a fraction of the drawing that is as small on any paper.
     double gap_between_ends() const {
-        constexpr double kShare = 2e-4;
-        if (plain_.metres_per_unit) return kJoinGap / *plain_.metres_per_unit;
         Eigen::AlignedBox2d box;
-        for (const PlainShape& shape : plain_.shapes) {
-            for (const Vec2d& v : shape.path.vertices) box.extend(v);
-        }
-        return box.isEmpty() ? 0 : kShare * box.diagonal().norm();
+        for (const PlainShape& shape : plain_.shapes) box.extend(box_around(shape.path.vertices));
+        return join_gap(plain_.metres_per_unit, box.isEmpty() ? 0 : box.diagonal().norm());
     }
 
     // Ends that nearly meet are one.
@@ -197,7 +184,6 @@ class PlainReader {
             outline.path.place = paths.front()->place + " and what meets it";
             if (!std::ranges::all_of(paths, [&](const DrawnPath* one) { return one->name == outline.path.name; }))
                 outline.path.name.clear();
-            outline.is_made_of_lines = true;
             outline.is_filled_only = false;
             outlines.push_back(std::move(outline));
         }
@@ -207,23 +193,14 @@ class PlainReader {
             if (!used.contains(i)) kept.push_back(std::move(plain_.shapes[i]));
         }
         // From left to right: the largest of what is joined would come first otherwise.
-        std::ranges::stable_sort(outlines, {}, [](const PlainShape& shape) {
-            Eigen::AlignedBox2d box;
-            for (const Vec2d& v : shape.path.vertices) box.extend(v);
-            return box.min().x();
-        });
+        std::ranges::stable_sort(outlines, {},
+                                 [](const PlainShape& shape) { return box_around(shape.path.vertices).min().x(); });
         std::ranges::move(kept, std::back_inserter(outlines));
         plain_.shapes = std::move(outlines);
     }
 
     void tell_joined(const ClosedChains& joined) {
-        std::string note = count_text(joined.chains.size(), "outline") + " drawn in pieces: joined where lines meet";
-        if (drawing_.metres_per_unit && joined.widest_gap * *drawing_.metres_per_unit > kToldGap) {
-            std::array<char, 64> text{};
-            std::snprintf(text.data(), text.size(), ", up to %.2g mm apart",
-                          1000 * *drawing_.metres_per_unit * joined.widest_gap);
-            note += text.data();
-        }
+        std::string note = joined_note(joined.chains.size(), joined.widest_gap, drawing_.metres_per_unit);
         if (joined.shared > 0)
             note += "; " + count_text(static_cast<std::size_t>(joined.shared), "line") +
                     " between two of them: both have it";
@@ -235,8 +212,7 @@ class PlainReader {
         const DrawnPath* largest = nullptr;
         double most = 0;
         for (const PlainShape& shape : plain_.shapes) {
-            Eigen::AlignedBox2d box;
-            for (const Vec2d& v : shape.path.vertices) box.extend(v);
+            const Eigen::AlignedBox2d box = box_around(shape.path.vertices);
             if (shape.path.is_closed || shape.path.vertices.size() < 3 || !(box.sizes().sum() > most)) continue;
             largest = &shape.path;
             most = box.sizes().sum();
@@ -337,11 +313,10 @@ class PlainReader {
 
     // Of lines that lie in no part, the longest: it may be of a part that is not closed.
     void note_outside(const PlainShape& shape) {
-        Eigen::AlignedBox2d box;
-        for (const Vec2d& v : shape.path.vertices) box.extend(v);
+        const double size = box_around(shape.path.vertices).diagonal().norm();
         ++outside_;
-        if (box.diagonal().norm() <= longest_outside_) return;
-        longest_outside_ = box.diagonal().norm();
+        if (size <= longest_outside_) return;
+        longest_outside_ = size;
         place_outside_ = shape.path.place;
     }
 
@@ -356,7 +331,7 @@ class PlainReader {
 
     static void add_open(const PlainShape& shape, double unit, DrawnPart& part) {
         const Vec2d from = shape.path.vertices.front(), to = shape.path.vertices.back();
-        const double length = unit * length_of_path(shape.path);
+        const double length = unit * polyline_length(shape.path.vertices);
         constexpr double kShortest = 0.001, kLongest = 0.016;  // m, of a notch
         const bool is_short = length > kShortest && length < kLongest && shape.path.edges.size() <= 2;
         DrawnPath path = shape.path;

@@ -124,7 +124,7 @@ SvgUnit svg_unit(const pugi::xml_document& document, const pugi::xml_node& root,
         if (is_old) unit.note = "drawn by an Inkscape that counts 90 pixels to the inch: 1 px taken as 0.282 mm";
         if (is_adobe) unit.note = "drawn by Illustrator, which counts 72 pixels to the inch: 1 px taken as 0.353 mm";
     } else if (says_pixels) {
-        unit.likely = {{"px (96 to the inch)", pixel / 96}, {"pt (72 to the inch)", pixel / 72}};
+        unit.likely = {{"px", "px (96 to the inch)", pixel / 96}, {"pt", "pt (72 to the inch)", pixel / 72}};
     }
     return unit;
 }

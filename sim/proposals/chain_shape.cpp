@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "sim/pattern/polyline.h"
+
 namespace selvedge::sim {
 namespace {
 
@@ -62,18 +64,12 @@ std::vector<Vec2d> sampled(const OpenBoundary& boundary, const ChainView& view) 
     return points;
 }
 
-double length_of(const std::vector<Vec2d>& points) {
-    double length = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
-    return length;
-}
-
 double shape_difference(std::vector<Vec2d> a, std::vector<Vec2d> b, bool is_mirrored) {
     const auto centre = [](std::vector<Vec2d>& points) {
         Vec2d mean = Vec2d::Zero();
         for (const Vec2d& p : points) mean += p;
         mean /= static_cast<double>(points.size());
-        const double length = length_of(points);
+        const double length = polyline_length(points);
         for (Vec2d& p : points) p = (p - mean) / std::max(length, 1e-12);
     };
     centre(a);
@@ -91,11 +87,11 @@ double shape_difference(std::vector<Vec2d> a, std::vector<Vec2d> b, bool is_mirr
 }
 
 double straightness(const std::vector<Vec2d>& points) {
-    return (points.back() - points.front()).norm() / std::max(length_of(points), 1e-12);
+    return (points.back() - points.front()).norm() / std::max(polyline_length(points), 1e-12);
 }
 
 double rise(const std::vector<Vec2d>& points) {
-    return (points.back().y() - points.front().y()) / std::max(length_of(points), 1e-12);
+    return (points.back().y() - points.front().y()) / std::max(polyline_length(points), 1e-12);
 }
 
 double facing_up(const OpenBoundary& boundary, const ChainView& view) {
@@ -114,7 +110,7 @@ double bulge(const std::vector<Vec2d>& points) {
     double area = 0;
     for (std::size_t i = 1; i < points.size(); ++i)
         area += cross2(points[i - 1] - points[0], points[i] - points[0]) / 2;
-    const double length = length_of(points);
+    const double length = polyline_length(points);
     return area / std::max(1e-12, length * length);
 }
 

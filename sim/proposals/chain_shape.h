@@ -14,8 +14,6 @@ inline constexpr double kUpright = 0.75;  // least rise of an upright stretch
 // when the dart is closed.
 std::vector<Vec2d> sampled(const OpenBoundary& boundary, const ChainView& view);
 
-double length_of(const std::vector<Vec2d>& points);  // m
-
 // Root mean square distance of two curves over their length, after the best rotation. (Kabsch 1976)
 double shape_difference(std::vector<Vec2d> a, std::vector<Vec2d> b, bool is_mirrored);
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "sim/core/math.h"
+#include "sim/pattern/polyline.h"
 #include "sim/proposals/chain_shape.h"
 
 namespace selvedge::sim {
@@ -55,7 +56,7 @@ double odds_of_band(const OpenBoundary& boundary, const PanelFacts& facts, int o
     if (std::ranges::find(joined, twin) != joined.end()) return kNever;
     if (const auto is_middle = is_towards_middle(facts, points); is_middle && !*is_middle) return kNever;
     if (facts.role.face == Face::Front && facts.role.part == GarmentPart::Collar) return kNever;
-    if (length_of(points) > 0.6 * std::max(facts.width, facts.height)) return kNever;
+    if (polyline_length(points) > 0.6 * std::max(facts.width, facts.height)) return kNever;
     const bool is_square =
         std::abs(chain.angle_before - right) < kSquare && std::abs(chain.angle_after - right) < kSquare;
     if (is_towards_middle(facts, points)) return kSure;
