@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
@@ -23,7 +22,6 @@
 #include "sim/paper/path_builder.h"
 #include "sim/paper/placement_record.h"
 #include "sim/paper/plain_parts.h"
-#include "sim/paper/polyline_outline.h"
 #include "sim/paper/size_names.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/polyline.h"
@@ -241,7 +239,7 @@ class DxfReader {
         std::map<std::string, int> layers;
         for (const DxfLine& line : piece.lines) {
             if (is_quality_layer(line.layer)) continue;
-            PlainShape shape{.path = path_of(piece, line, plain_kind(line.layer))};
+            PlainShape shape{.path = path_of(piece, line, plain_kind(line.layer), drawing_.metres_per_unit)};
             if (is_notch_layer(line.layer) && !line.is_closed) {
                 plain.marks.push_back({.at = line.points.front(), .notch = notch_of_layer(line.layer)});
                 continue;
@@ -332,7 +330,8 @@ class DxfReader {
                 add_notch(part, line.layer, line.points.front(), line.points.back(), sewn ? sewn : boundary);
             } else if (!is_quality_layer(line.layer)) {
                 const bool is_ours = !piece.records.outline.edges.empty() && &line != sewn;
-                part.paths.push_back(is_ours ? as_drawn(line, kind) : path_of(piece, line, kind));
+                part.paths.push_back(is_ours ? as_drawn(line, kind)
+                                             : path_of(piece, line, kind, drawing_.metres_per_unit));
             }
         }
         const auto others = std::ranges::count_if(piece.lines, [&](const DxfLine& line) {
@@ -398,49 +397,6 @@ class DxfReader {
         DrawnMark mark{.kind = MarkKind::Notch, .at = a, .notch = notch_of_layer(layer)};
         if (outline && distance_to_polyline(b, outline->points) < distance_to_polyline(a, outline->points)) mark.at = b;
         part.marks.push_back(mark);
-    }
-
-    // Files of Selvedge have the curves of outlines as records. Their other lines are polylines, and stay so.
-    static DrawnPath as_drawn(const DxfLine& line, LineKind kind) {
-        DrawnPath path;
-        path.kind = kind;
-        path.is_closed = line.is_closed;
-        path.place = "line " + std::to_string(line.line);
-        for (const Vec2d& p : line.points) {
-            if (path.vertices.empty() || p != path.vertices.back()) path.vertices.push_back(p);
-        }
-        if (line.is_closed && path.vertices.size() > 1 && path.vertices.front() == path.vertices.back())
-            path.vertices.pop_back();
-        const int count = static_cast<int>(path.vertices.size());
-        for (int i = 0; i + (line.is_closed ? 0 : 1) < count; ++i)
-            path.edges.push_back({.start = i, .end = line.is_closed ? (i + 1) % count : i + 1});
-        return path;
-    }
-
-    // Corners are the turn points of layer 2, if the piece has them.
-    DrawnPath path_of(const DxfPiece& piece, const DxfLine& line, LineKind kind) const {
-        constexpr double kTolerance = 1e-4;  // m
-        constexpr double kOnLine = 1e-4;     // of the line's size
-        constexpr double kShare = 1e-4;      // of the line's size, where no unit is known
-        PolylineOptions options{.tolerance = drawing_.metres_per_unit ? kTolerance / *drawing_.metres_per_unit
-                                                                      : kShare * extent_of(line)};
-        std::vector<Vec2d> points = line.points;
-        if (line.is_closed && points.front() == points.back()) points.pop_back();
-        const bool is_outline = kind == LineKind::Sew || kind == LineKind::Cut || kind == LineKind::Unknown;
-        const double reach = kOnLine * extent_of(line);
-        const bool has_turns =
-            std::ranges::any_of(piece.points, [](const auto& one) { return one.first == kTurnLayer; });
-        if (!has_turns || !is_outline) options.corners = line.corners;
-        for (const std::pair<int, Vec2d>& point : piece.points) {
-            const Vec2d& at = point.second;
-            if (point.first != kTurnLayer || !is_outline) continue;
-            const auto nearest = std::ranges::min_element(points, {}, [&](const Vec2d& p) { return (p - at).norm(); });
-            if ((*nearest - at).norm() < reach) options.corners.push_back(static_cast<int>(nearest - points.begin()));
-        }
-        DrawnPath path = outline_of_points(points, line.is_closed, options);
-        path.kind = kind;
-        path.place = "line " + std::to_string(line.line);
-        return path;
     }
 
     // ---- Texts: "Piece Name: FRONT", "Size: M", "Quantity: 2".

@@ -169,4 +169,44 @@ void join_loose(DxfPiece& loose, double gap, DxfJoints& joints) {
     replace_with_chains(loose, open, join_in_passes(lines, gap, {Branches::Faces, Branches::Faces}), joints);
 }
 
+DrawnPath as_drawn(const DxfLine& line, LineKind kind) {
+    DrawnPath path;
+    path.kind = kind;
+    path.is_closed = line.is_closed;
+    path.place = "line " + std::to_string(line.line);
+    for (const Vec2d& p : line.points) {
+        if (path.vertices.empty() || p != path.vertices.back()) path.vertices.push_back(p);
+    }
+    if (line.is_closed && path.vertices.size() > 1 && path.vertices.front() == path.vertices.back())
+        path.vertices.pop_back();
+    const int count = static_cast<int>(path.vertices.size());
+    for (int i = 0; i + (line.is_closed ? 0 : 1) < count; ++i)
+        path.edges.push_back({.start = i, .end = line.is_closed ? (i + 1) % count : i + 1});
+    return path;
+}
+
+DrawnPath path_of(const DxfPiece& piece, const DxfLine& line, LineKind kind,
+                  const std::optional<double>& metres_per_unit) {
+    constexpr double kTolerance = 1e-4;  // m
+    constexpr double kOnLine = 1e-4;     // of the line's size
+    constexpr double kShare = 1e-4;      // of the line's size, where no unit is known
+    PolylineOptions options{.tolerance = metres_per_unit ? kTolerance / *metres_per_unit : kShare * extent_of(line)};
+    std::vector<Vec2d> points = line.points;
+    if (line.is_closed && points.front() == points.back()) points.pop_back();
+    const bool is_outline = kind == LineKind::Sew || kind == LineKind::Cut || kind == LineKind::Unknown;
+    const double reach = kOnLine * extent_of(line);
+    const bool has_turns = std::ranges::any_of(piece.points, [](const auto& one) { return one.first == kTurnLayer; });
+    if (!has_turns || !is_outline) options.corners = line.corners;
+    for (const std::pair<int, Vec2d>& point : piece.points) {
+        const Vec2d& at = point.second;
+        if (point.first != kTurnLayer || !is_outline) continue;
+        const auto nearest = std::ranges::min_element(points, {}, [&](const Vec2d& p) { return (p - at).norm(); });
+        if ((*nearest - at).norm() < reach) options.corners.push_back(static_cast<int>(nearest - points.begin()));
+    }
+    DrawnPath path = outline_of_points(points, line.is_closed, options);
+    path.kind = kind;
+    path.place = "line " + std::to_string(line.line);
+    return path;
+}
+
 }  // namespace selvedge::sim

@@ -1,6 +1,9 @@
 #pragma once
-// The outlines of a DXF piece among its lines: closed, or joined of several that meet.
+// The outlines of a DXF piece among its lines: closed, or joined of several that meet; and its lines as drawn paths.
+#include <optional>
+
 #include "sim/paper/closed_chains.h"
+#include "sim/paper/drawing.h"
 #include "sim/paper/dxf_entities.h"
 
 namespace selvedge::sim {
@@ -27,5 +30,13 @@ void join_outlines(DxfPiece& piece, double gap, DxfJoints& joints);
 
 // Joins the open lines of a drawing without blocks, those of one style first.
 void join_loose(DxfPiece& loose, double gap, DxfJoints& joints);
+
+// A line as it is: files of Selvedge have the curves of outlines as records, and their other lines stay polylines.
+DrawnPath as_drawn(const DxfLine& line, LineKind kind);
+
+// A line with curves between its corners: the turn points of layer 2 if the piece has them, else those that the line
+// has, else found by its turns.
+DrawnPath path_of(const DxfPiece& piece, const DxfLine& line, LineKind kind,
+                  const std::optional<double>& metres_per_unit);
 
 }  // namespace selvedge::sim

@@ -66,7 +66,7 @@ TEST(CarryOver, a_seam_that_is_split_joins_the_same_places) {
 TEST(CarryOver, edges_in_another_order_are_the_same_outline) {
     const Pattern whole = sewn_squares();
     Pattern turned = whole;
-    std::ranges::rotate(turned.panels[1].edges, turned.panels[1].edges.begin() + 1);
+    std::rotate(turned.panels[1].edges.begin(), turned.panels[1].edges.begin() + 1, turned.panels[1].edges.end());
     turned.seams[0].second.edge = 2;
     EXPECT_EQ(compare(whole, turned), PatternChange::Outlines);
     std::swap(turned.seams[0].first, turned.seams[0].second);

@@ -183,7 +183,7 @@ TEST(FindCrossing, says_the_same_wherever_an_outline_begins) {
         const bool crosses = find_crossing(outline).has_value();
         crossings += crosses ? 1 : 0;
         for (std::size_t turn = 1; turn < count; ++turn) {
-            std::ranges::rotate(outline, outline.begin() + 1);
+            std::rotate(outline.begin(), outline.begin() + 1, outline.end());
             ASSERT_EQ(find_crossing(outline).has_value(), crosses) << trial;
             for (Vec2d& p : outline) std::swap(p.x(), p.y());  // sorted along the other axis
             ASSERT_EQ(find_crossing(outline).has_value(), crosses) << trial;
