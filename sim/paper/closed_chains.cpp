@@ -436,12 +436,16 @@ std::string joined_note(std::size_t outlines, double widest_gap, const std::opti
     return note + text.data();
 }
 
-CutLines cut_where_ends_lie(const std::vector<std::vector<Vec2d>>& lines, double gap) {
-    struct Cut {
-        std::size_t segment = 0;
-        double fraction = 0;
-        Vec2d place = Vec2d::Zero();
-    };
+namespace {
+
+struct Cut {
+    std::size_t segment = 0;
+    double fraction = 0;
+    Vec2d place = Vec2d::Zero();
+};
+using Cuts = std::vector<std::vector<Cut>>;  // per line
+
+void cut_at_ends(const std::vector<PointLine>& lines, double gap, Cuts& cuts) {
     struct End {
         Vec2d at = Vec2d::Zero();
         std::size_t line = 0;
@@ -453,11 +457,9 @@ CutLines cut_where_ends_lie(const std::vector<std::vector<Vec2d>>& lines, double
     }
     const auto x_of = [](const End& end) { return end.at.x(); };
     std::ranges::stable_sort(ends, {}, x_of);
-    CutLines out;
     std::vector<std::size_t> cut_line(ends.size(), lines.size());  // the last one that each end cut
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const PointLine& line = lines[i];
-        std::vector<Cut> cuts;
         for (std::size_t s = 0; s + 1 < line.size(); ++s) {
             const Vec2d low = line[s].cwiseMin(line[s + 1]).array() - gap;
             const Vec2d high = line[s].cwiseMax(line[s + 1]).array() + gap;
@@ -468,10 +470,59 @@ CutLines cut_where_ends_lie(const std::vector<std::vector<Vec2d>>& lines, double
                 if (p.y() < low.y() || p.y() > high.y() || end->line == i || last_cut == i) continue;
                 if ((p - line.front()).norm() <= gap || (p - line.back()).norm() <= gap) continue;
                 if (distance_to_segment(p, line[s], line[s + 1]) > gap) continue;
-                cuts.push_back({s, nearest_fraction(p, line[s], line[s + 1]), p});
+                cuts[i].push_back({s, nearest_fraction(p, line[s], line[s + 1]), p});
                 last_cut = i;
             }
         }
+    }
+}
+
+// Both lines where their segments cross, unless the end of one lies there.
+void cut_at_crossings(const std::vector<PointLine>& lines, double gap, Cuts& cuts) {
+    struct Segment {
+        std::size_t line = 0, index = 0;
+        double low = 0, high = 0;  // along x
+    };
+    std::vector<Segment> segments;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        for (std::size_t s = 0; s + 1 < lines[i].size(); ++s) {
+            const auto [low, high] = std::minmax(lines[i][s].x(), lines[i][s + 1].x());
+            segments.push_back({i, s, low, high});
+        }
+    }
+    std::ranges::stable_sort(segments, {}, &Segment::low);
+    const auto is_at_end = [&](const Vec2d& p, const PointLine& line) {
+        return (p - line.front()).norm() <= gap || (p - line.back()).norm() <= gap;
+    };
+    for (auto one = segments.begin(); one != segments.end(); ++one) {
+        const PointLine& line = lines[one->line];
+        const Vec2d &a = line[one->index], along = line[one->index + 1] - a;
+        for (auto two = one + 1; two != segments.end() && two->low <= one->high; ++two) {
+            if (two->line == one->line) continue;
+            const PointLine& other = lines[two->line];
+            const Vec2d &b = other[two->index], across = other[two->index + 1] - b;
+            const double turn = cross2(along, across);
+            if (turn == 0) continue;
+            const double t = cross2(b - a, across) / turn, u = cross2(b - a, along) / turn;
+            if (!(t >= 0 && t <= 1 && u >= 0 && u <= 1)) continue;
+            const Vec2d p = a + t * along;
+            if (is_at_end(p, line) || is_at_end(p, other)) continue;
+            cuts[one->line].push_back({one->index, t, p});
+            cuts[two->line].push_back({two->index, u, p});
+        }
+    }
+}
+
+}  // namespace
+
+CutLines cut_where_they_meet(const std::vector<std::vector<Vec2d>>& lines, double gap) {
+    Cuts all(lines.size());
+    cut_at_ends(lines, gap, all);
+    cut_at_crossings(lines, gap, all);
+    CutLines out;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const PointLine& line = lines[i];
+        std::vector<Cut>& cuts = all[i];
         std::ranges::stable_sort(cuts, {}, [](const Cut& cut) { return std::pair(cut.segment, cut.fraction); });
         PointLine rest;
         std::size_t next = 0;

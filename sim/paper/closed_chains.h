@@ -62,12 +62,12 @@ ClosedChains join_in_passes(const std::vector<KeyedLine>& lines, double gap, con
 // What is told of outlines that were joined, with the widest gap in the unit of the file.
 std::string joined_note(std::size_t outlines, double widest_gap, const std::optional<double>& metres_per_unit);
 
-// Lines cut where the end of another lies on them, farther than the gap from their own ends. `origin` has, per line
-// that it returns, the index of the line that it is a part of.
+// Lines cut where the end of another lies on them and where another crosses them, farther than the gap from their own
+// ends. `origin` has, per line that it returns, the index of the line that it is a part of.
 struct CutLines {
     std::vector<std::vector<Vec2d>> lines;
     std::vector<std::size_t> origin;
 };
-CutLines cut_where_ends_lie(const std::vector<std::vector<Vec2d>>& lines, double gap);
+CutLines cut_where_they_meet(const std::vector<std::vector<Vec2d>>& lines, double gap);
 
 }  // namespace selvedge::sim

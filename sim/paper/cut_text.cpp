@@ -61,7 +61,7 @@ class CutText {
         const bool is_on_fold = find(CutWord::Fold).has_value();
         if (is_on_fold && is_negated()) return false;
         if (!at && is_fold_phrase()) {
-            if (!cut.is_on_fold) cut.is_on_fold = true;
+            cut.is_on_fold = true;  // "Cut 1" beside it does not say that it is not
             return true;
         }
         // "Cut on fold" says nothing of the number; "cut here" nothing at all.
@@ -72,7 +72,10 @@ class CutText {
         }
         const std::string material = material_after(*at);
         const bool is_main = material == "fabric" && !cut.material.empty() && cut.material != "fabric";
-        if (cut.pieces && !is_main) return true;
+        if (cut.pieces && !is_main) {
+            if (is_on_fold && !cut.is_on_fold) cut.is_on_fold = true;  // the number stands on a line of its own
+            return true;
+        }
         cut.pieces = count;
         cut.is_on_fold = is_on_fold || (!is_main && cut.is_on_fold.value_or(false));
         // Only FreeSewing, which says "cut 2 from", always says whether pieces are mirrored.

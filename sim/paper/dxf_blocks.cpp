@@ -21,6 +21,7 @@ class BlockPlacer {
 
     std::vector<DxfPiece> place(const std::vector<DxfInsert>& inserts, bool has_loose) {
         for (const DxfInsert& insert : inserts) collect(insert, Eigen::Affine2d::Identity(), 0);
+        for (const auto& placed : maps_) whole_.extend(placed_box(placed.first));
         const bool is_any_placed = has_loose || !maps_.empty();
         std::vector<DxfPiece> pieces;
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -37,6 +38,11 @@ class BlockPlacer {
                 }
                 continue;
             }
+            if (is_sheet(b)) {
+                notes_.push_back("line " + std::to_string(blocks_[b].line) + ": block '" + blocks_[b].name +
+                                 "': a page frame, left out");
+                continue;
+            }
             add_placed(b, found->second, pieces);
         }
         return pieces;
@@ -44,6 +50,29 @@ class BlockPlacer {
 
  private:
     static constexpr int kDeepest = 16;
+
+    Eigen::AlignedBox2d placed_box(std::size_t b) const {
+        Eigen::AlignedBox2d box;
+        for (const Eigen::Affine2d& map : maps_.at(b)) {
+            for (const DxfLine& line : blocks_[b].lines) {
+                for (const Vec2d& p : line.points) box.extend(map * p);
+            }
+        }
+        return box;
+    }
+
+    // Whether all lines of a block run along the axes, and all other blocks that are placed lie within it: a page.
+    bool is_sheet(std::size_t b) const {
+        constexpr double kAlong = 1e-6;  // of a segment's length, off the axis
+        if (maps_.size() < 2 || maps_.at(b).size() != 1) return false;
+        for (const DxfLine& line : blocks_[b].lines) {
+            for (std::size_t i = 1; i < line.points.size(); ++i) {
+                const Vec2d step = (line.points[i] - line.points[i - 1]).cwiseAbs();
+                if (step.minCoeff() > kAlong * step.maxCoeff()) return false;
+            }
+        }
+        return placed_box(b).contains(whole_);
+    }
 
     // Of the drawing itself, or of a sheet of paper.
     static bool is_space(const DxfPiece& block) {
@@ -181,6 +210,7 @@ class BlockPlacer {
     std::map<std::string, std::vector<std::size_t>> by_name_;
     std::map<std::string, std::size_t> placed_;                 // how often each name was placed so far
     std::map<std::size_t, std::vector<Eigen::Affine2d>> maps_;  // where blocks stand in the drawing
+    Eigen::AlignedBox2d whole_;                                 // of all of them
     std::set<std::size_t> is_part_;
     std::set<std::size_t> hidden_;
     std::set<std::string> missing_;

@@ -38,7 +38,10 @@ bool is_outline_layer(int layer) {
 class DxfReader {
  public:
     DxfReader(std::string_view text, const std::string& file, const GradeRules* rules)
-        : file_(file), rules_(rules), groups_(parse_dxf(text, file)) {}
+        : file_(file),
+          rules_(rules),
+          decoded_(decoded_dxf(text)),
+          groups_(parse_dxf(decoded_ ? std::string_view(*decoded_) : text, file)) {}
 
     Drawing read() {
         drawing_.format = "DXF";
@@ -405,7 +408,7 @@ class DxfReader {
         if (!lower_case(text).starts_with(key)) return std::nullopt;
         std::size_t at = key.size();
         while (at < text.size() && (text[at] == ' ' || text[at] == ':')) ++at;
-        std::string value = text.substr(at);
+        std::string value = text.substr(at, text.find('\n', at) - at);
         while (!value.empty() && value.back() == ' ') value.pop_back();
         return value;
     }
@@ -522,6 +525,7 @@ class DxfReader {
 
     const std::string& file_;
     const GradeRules* rules_;
+    std::optional<std::string> decoded_;
     std::vector<DxfGroup> groups_;
     std::vector<DxfEntity> block_entities_, loose_entities_;
     std::set<std::string> hidden_layers_;

@@ -87,7 +87,7 @@ std::vector<Vec2d> line_through(std::vector<Vec2d> points) {
     return line;
 }
 
-// The text of an MTEXT without its formatting: "{\fArial|b0;Cut 2\Pon fold}" is "Cut 2 on fold".
+// The text of an MTEXT without its formatting: "{\fArial|b0;Cut 2\Pon fold}" is two lines, "Cut 2" and "on fold".
 std::string plain_text(const std::string& text) {
     std::string plain;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -97,7 +97,8 @@ std::string plain_text(const std::string& text) {
             continue;
         }
         const char what = text[++i];
-        if (what == 'P' || what == '~') plain += ' ';
+        if (what == 'P') plain += '\n';
+        if (what == '~') plain += ' ';
         if (what == '\\' || what == '{' || what == '}') plain += what;
         constexpr std::string_view kWithValue = "fFHWQTACcp";
         if (kWithValue.find(what) != std::string_view::npos) i = std::min(text.find(';', i), text.size());

@@ -98,7 +98,7 @@ void close_along_boundary(DxfPiece& piece, double gap, DxfJoints& joints) {
     if (!boundary || open.empty() || open.size() > kMostJoined || largest_closed(piece, kSewLayer)) return;
     std::vector<PointList> lines{boundary->points};
     for (const std::size_t i : open) lines.push_back(piece.lines[i].points);
-    const CutLines cut = cut_where_ends_lie(lines, gap);
+    const CutLines cut = cut_where_they_meet(lines, gap);
     const ClosedChains faces =
         find_closed_chains(cut.lines, {.gap = gap, .branches = Branches::Faces, .least_share = 0});
     const auto is_sewn = [&](const ClosedChain& chain) {
@@ -118,6 +118,30 @@ void close_along_boundary(DxfPiece& piece, double gap, DxfJoints& joints) {
     std::erase_if(piece.lines, [](const DxfLine& line) { return line.layer == kSewLayer && !line.is_closed; });
     piece.lines.push_back(std::move(outline));
     ++joints.outlines;
+}
+
+// A boundary that ends at both ends of the fold line goes along it.
+void close_along_fold(DxfPiece& piece, double gap, DxfJoints& joints) {
+    if (largest_closed(piece, kBoundaryLayer)) return;
+    std::vector<std::size_t> open = open_lines(piece, kBoundaryLayer);
+    const std::vector<std::size_t> folds = open_lines(piece, kFoldLayer);
+    if (open.empty() || folds.empty() || open.size() + folds.size() > kMostJoined) return;
+    std::vector<PointList> lines;
+    for (const std::size_t i : open) lines.push_back(piece.lines[i].points);
+    const std::size_t first_copy = piece.lines.size();
+    for (const std::size_t i : folds) {
+        DxfLine copy = piece.lines[i];  // the fold line stays
+        copy.layer = kBoundaryLayer;
+        lines.push_back(copy.points);
+        open.push_back(piece.lines.size());
+        piece.lines.push_back(std::move(copy));
+    }
+    const ClosedChains found = find_closed_chains(lines, {.gap = gap});
+    if (found.chains.empty()) {
+        piece.lines.resize(first_copy);
+        return;
+    }
+    replace_with_chains(piece, open, found, joints);
 }
 
 }  // namespace
@@ -150,6 +174,7 @@ const DxfLine* find_sewing_line(const DxfPiece& piece) {
 
 void join_outlines(DxfPiece& piece, double gap, DxfJoints& joints) {
     for (const int layer : {kBoundaryLayer, kSewLayer, kCutoutLayer}) join_layer(piece, layer, gap, joints);
+    close_along_fold(piece, gap, joints);
     close_along_boundary(piece, gap, joints);
 }
 

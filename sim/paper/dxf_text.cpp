@@ -1,6 +1,8 @@
 #include "sim/paper/dxf_text.h"
 
+#include <iconv.h>
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -54,7 +56,44 @@ bool is_utf8(std::string_view text) {
     return true;
 }
 
+// "ANSI_1251" is CP1251. Empty: not one of Windows, or Latin-1's.
+std::string charset_of(std::string_view code_page) {
+    constexpr std::string_view kAnsi = "ANSI_";
+    std::string name;
+    for (const char c : code_page) name += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    if (!name.starts_with(kAnsi) || name.size() == kAnsi.size() || name.size() > kAnsi.size() + 4) return {};
+    const std::string number = name.substr(kAnsi.size());
+    const bool is_number = std::ranges::all_of(number, [](char c) { return c >= '0' && c <= '9'; });
+    return is_number ? "CP" + number : std::string();
+}
+
+// None: a byte that the character set has not.
+std::optional<std::string> utf8_from(const std::string& charset, std::string_view text) {
+    const iconv_t converter = iconv_open("UTF-8", charset.c_str());
+    if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;
+    std::string in(text), out(4 * text.size(), '\0');
+    char *from = in.data(), *to = out.data();
+    std::size_t left = in.size(), room = out.size();
+    const bool is_good = iconv(converter, &from, &left, &to, &room) != static_cast<std::size_t>(-1) && left == 0;
+    iconv_close(converter);
+    if (!is_good) return std::nullopt;
+    out.resize(out.size() - room);
+    return out;
+}
+
 }  // namespace
+
+std::optional<std::string> decoded_dxf(std::string_view text) {
+    constexpr std::size_t kHeader = 1U << 16U;  // bytes: the variable is one of the first
+    constexpr std::string_view kVariable = "$DWGCODEPAGE";
+    const std::size_t at = text.substr(0, kHeader).find(kVariable);
+    if (at == std::string_view::npos || text.size() > kLargestFile || is_utf8(text)) return std::nullopt;
+    std::string_view rest = text.substr(at);
+    take_line(rest);
+    take_line(rest);
+    const std::string charset = charset_of(trimmed(take_line(rest)));
+    return charset.empty() ? std::nullopt : utf8_from(charset, text);
+}
 
 bool looks_like_dxf(std::string_view text) {
     if (text.starts_with("AutoCAD Binary DXF")) return true;

@@ -30,6 +30,10 @@ struct DxfEntity {
     std::optional<double> number(int code) const;
 };
 
+// The text as UTF-8, where it is in the code page that its header names ($DWGCODEPAGE); none: it is ASCII or UTF-8, or
+// names no page that is known.
+std::optional<std::string> decoded_dxf(std::string_view text);
+
 // Latin-1 or UTF-8 as UTF-8; \U+XXXX as the character that it names.
 std::string dxf_string(std::string_view value);
 

@@ -41,11 +41,16 @@ bool is_legend_word(const Words& words) {
     return has_one_of(words, {"legend", "legende", "légende", "leyenda", "copyright"});
 }
 
+// Words that only a test square has.
+bool is_test_square_word(const Words& words) {
+    return has_one_of(words, {"testsquare", "testquadrat", "prüfquadrat", "kontrollquadrat", "calibration"}) ||
+           (has_one_of(words, {"test", "scale", "control"}) && has_one_of(words, {"square", "box"}));
+}
+
 bool is_ornament_word(const Words& words) {
-    const bool is_test_square = has_one_of(words, {"test"}) && has_one_of(words, {"square"});
-    return is_test_square || is_legend_word(words) ||
+    return is_test_square_word(words) || is_legend_word(words) ||
            has_one_of(words, {"logo", "logos", "watermark", "lettering", "scalebar", "ruler", "lineal", "maßstab",
-                              "massstab", "testsquare", "scalebox", "titleblock"});
+                              "massstab", "scalebox", "titleblock"});
 }
 
 bool is_test_word(const Words& words) {
@@ -148,10 +153,31 @@ class NotPanelFinder {
 
     void leave_out_frame(std::size_t a, const std::string& why) {
         areas_[a].is_left_out = true;
+        leave_out_title_blocks(a);
         for (PlainArea& other : areas_) {
             if (other.parent == a) other.parent = areas_[a].parent;
         }
         out_.notes.push_back(name_of(a) + ": " + why + ", left out");
+    }
+
+    // Rectangles that share a corner with a frame: nobody lays a part there.
+    void leave_out_title_blocks(std::size_t frame) {
+        constexpr double kNear = 2e-3;    // of the frame's size
+        constexpr double kLargest = 0.2;  // of its area
+        const Eigen::AlignedBox2d& outer = areas_[frame].box;
+        const double near = kNear * outer.diagonal().norm();
+        for (std::size_t a = 0; a < areas_.size(); ++a) {
+            if (!is_kept(a) || areas_[a].parent != frame || areas_[a].area > kLargest * areas_[frame].area ||
+                !is_upright_rectangle(areas_[a], shape(areas_[a])))
+                continue;
+            const auto meets = [&](int axis) {
+                return std::min(areas_[a].box.min()[axis] - outer.min()[axis],
+                                outer.max()[axis] - areas_[a].box.max()[axis]) < near;
+            };
+            if (!meets(0) || !meets(1)) continue;
+            leave_out_whole(a);
+            out_.notes.push_back(name_of(a) + ": a title block in a corner of the page frame, left out");
+        }
     }
 
     // ---- Test squares.
@@ -195,9 +221,10 @@ class NotPanelFinder {
         }
         if (!said_length) return;
         const bool is_true = stated > 0 && off(*said_length) < kTrue;
-        constexpr double kFarthest =
-            0.45;  // natural logarithm: 72 for 96 pixels is 0.29; more is another thing's label
-        if (!is_true && (!is_named || off(*said_length) > kFarthest)) return;
+        // Natural logarithms: 72 for 96 pixels is 0.29, millimetres for inches 3.2. More is another thing's label.
+        constexpr double kFarthest = 0.45, kFarthestNamed = 3.5;
+        const double farthest = is_test_square_word(words_of(lower_case(said))) ? kFarthestNamed : kFarthest;
+        if (!is_true && (!is_named || off(*said_length) > farthest)) return;
         if (!(stated > 0) || off(*said_length) > kExact) tell_scale(a, *said_length, side, stated);
         leave_out_whole(a);
         out_.notes.push_back(name_of(a) + ": a test square, left out");

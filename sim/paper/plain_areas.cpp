@@ -61,6 +61,29 @@ bool repeats(const PlainArea& area, const PlainArea& other) {
                                [&](const Vec2d& p) { return distance_to_outline(p, other.points) <= 2 * near; });
 }
 
+// Whether an area lies in another, whose outline it may touch: two of its points, half an outline apart, that lie off
+// that outline are within.
+bool lies_in(const PlainArea& inner, const PlainArea& outer) {
+    constexpr double kTouching = 1e-3;  // of the outer one's size
+    const double near = kTouching * outer.box.diagonal().norm();
+    const Eigen::AlignedBox2d reach(outer.box.min().array() - near, outer.box.max().array() + near);
+    if (!reach.contains(inner.box)) return false;
+    const std::size_t count = inner.points.size();
+    int within = 0;
+    for (std::size_t from : {std::size_t{0}, count / 2}) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const Vec2d& p = inner.points[(from + i) % count];
+            const Vec2d middle = (p + inner.points[(from + i + 1) % count]) / 2;
+            const bool is_off = distance_to_outline(p, outer.points) > near;
+            if (!is_off && !(distance_to_outline(middle, outer.points) > near)) continue;
+            if (!is_inside(is_off ? p : middle, outer.points)) return false;
+            ++within;
+            break;
+        }
+    }
+    return within > 0;
+}
+
 }  // namespace
 
 std::vector<PlainArea> find_areas(const std::vector<PlainShape>& shapes, const std::string& file) {
@@ -80,9 +103,7 @@ std::vector<PlainArea> find_areas(const std::vector<PlainShape>& shapes, const s
     }
     for (std::size_t a = 0; a < areas.size(); ++a) {
         for (std::size_t b = 0; b < areas.size(); ++b) {
-            const bool is_around = a != b && areas[b].area > areas[a].area && areas[b].box.contains(areas[a].box) &&
-                                   is_inside(areas[a].points[0], areas[b].points) &&
-                                   is_inside(areas[a].points[areas[a].points.size() / 2], areas[b].points);
+            const bool is_around = a != b && areas[b].area > areas[a].area && lies_in(areas[a], areas[b]);
             if (is_around && (!areas[a].parent || areas[b].area < areas[*areas[a].parent].area)) areas[a].parent = b;
         }
     }

@@ -1,9 +1,11 @@
 #include "sim/paper/plain_parts.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
 #include <set>
+#include <sstream>
 
 #include "sim/core/error.h"
 #include "sim/core/lower_case.h"
@@ -18,6 +20,7 @@
 #include "sim/paper/size_nests.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/polyline.h"
+#include "sim/pattern/segment_distance.h"
 
 namespace selvedge::sim {
 namespace {
@@ -40,14 +43,26 @@ bool is_generated(const std::string& id) {
     return false;
 }
 
+// What is written along the lines of a part, whole: "Grainline", "Place on fold", "SA included".
+bool is_instruction(const std::vector<std::string>& words) {
+    static constexpr auto kWords = std::to_array<std::string_view>(
+        {"grain",         "grainline", "line",  "straight", "fadenlauf",  "droit",     "fil",       "hilo",
+         "draadrichting", "on",        "the",   "place",    "fold",       "seam",      "allowance", "sa",
+         "incl",          "included",  "notch", "notches",  "nahtzugabe", "inklusive", "enthalten"});
+    return std::ranges::all_of(words, [](const std::string& word) {
+        return std::isdigit(static_cast<unsigned char>(word.front())) != 0 || word == "cm" || word == "mm" ||
+               std::ranges::find(kWords, word) != kWords.end();
+    });
+}
+
 // Whether a text in a part can be its name: no size, number, measure or instruction.
 bool is_name(const std::string& text) {
     CutInstructions cut;
     const bool has_letters = std::ranges::any_of(words_of(text), [](const std::string& word) {
         return word.size() > 2 && !std::isdigit(static_cast<unsigned char>(word.front()));
     });
-    return has_letters && !size_of_name(text) && !says(text, "=") && !text.starts_with('#') &&
-           !read_cut_text(text, cut);
+    return has_letters && !size_of_name(text) && !says(text, "=") && !text.starts_with('#') && !says(text, "www.") &&
+           !is_instruction(words_of(text)) && !read_cut_text(text, cut);
 }
 
 // The words that the file has for a shape: its own, and those of its groups.
@@ -110,13 +125,18 @@ class PlainReader {
         return join_gap(plain_.metres_per_unit, box.isEmpty() ? 0 : box.diagonal().norm());
     }
 
+    // Whether its ends nearly meet, far from all of it: no short piece of an outline.
+    bool meets_itself(const DrawnPath& path) const {
+        constexpr double kLong = 4;  // gaps
+        return gap_of(path) <= gap_ && polyline_length(points_of_path(path)) > kLong * gap_;
+    }
+
     // Ends that nearly meet are one.
     void close_small_gaps() {
         for (PlainShape& shape : plain_.shapes) {
             DrawnPath& path = shape.path;
-            if (path.is_closed || path.edges.size() < 2 || is_mark_kind(path.kind)) continue;
+            if (path.is_closed || path.edges.size() < 2 || !meets_itself(path) || is_mark_kind(path.kind)) continue;
             const double open = gap_of(path);
-            if (open > gap_) continue;
             path.vertices.pop_back();
             path.edges.back().end = 0;
             path.is_closed = true;
@@ -136,7 +156,7 @@ class PlainReader {
         std::vector<std::size_t> open;
         for (std::size_t i = 0; i < plain_.shapes.size(); ++i) {
             const DrawnPath& path = plain_.shapes[i].path;
-            if (path.is_closed || path.edges.empty() || gap_of(path) <= gap_ || is_mark_kind(path.kind)) continue;
+            if (path.is_closed || path.edges.empty() || meets_itself(path) || is_mark_kind(path.kind)) continue;
             open.push_back(i);
         }
         constexpr std::size_t kMost = 20000;
@@ -350,19 +370,40 @@ class PlainReader {
             return;
         }
         for (const DrawnText& text : plain_.texts) {
-            for (DrawnPart* part : parts_at(text.at)) {
+            std::vector<DrawnPart*> parts = parts_at(text.at);
+            if (parts.empty() && names_fold(text.text)) parts = part_beside(text.at);
+            for (DrawnPart* part : parts) {
                 read_cut_text(text.text, part->cut);
                 part->texts.push_back(text);
             }
         }
     }
 
-    // By the path's own name, that of the nearest group of its own, its first text, or its number.
+    // The nearest part, if it is as near as a text that stands along its fold.
+    std::vector<DrawnPart*> part_beside(const Vec2d& p) {
+        constexpr double kBeside = 0.03;  // m
+        double least = kBeside / plain_.metres_per_unit.value_or(0.001);
+        std::vector<DrawnPart*> found;
+        for (std::size_t i = 0; i < part_of_area_.size(); ++i) {
+            const double distance = distance_to_outline(p, areas_[part_of_area_[i]].points);
+            if (!(distance < least)) continue;
+            least = distance;
+            found = {&drawing_.parts[first_part() + i]};
+        }
+        return found;
+    }
+
+    // By the path's own name, that of the nearest group of its own, its first text, or its number. The own name of a
+    // path that several parts use comes behind the groups.
     void name_parts(std::size_t first) {
         for (std::size_t i = 0; i < part_of_area_.size(); ++i) {
             DrawnPart& part = drawing_.parts[first + i];
             const PlainShape& shape = plain_.shapes[areas_[part_of_area_[i]].shape];
-            std::vector<std::string> names{shape.path.name};
+            const auto own_uses = std::ranges::count_if(part_of_area_, [&](std::size_t area) {
+                return plain_.shapes[areas_[area].shape].path.name == shape.path.name;
+            });
+            std::vector<std::string> names;
+            if (own_uses == 1) names.push_back(shape.path.name);
             for (auto group = shape.groups.rbegin(); group != shape.groups.rend(); ++group) {
                 if (is_shared(*group)) continue;
                 names.push_back(group->label);
@@ -370,7 +411,10 @@ class PlainReader {
             }
             for (const DrawnPath& path : part.paths) names.push_back(path.name);
             for (const DrawnText& text : part.texts) {
-                if (is_name(text.text)) names.push_back(text.text);
+                std::istringstream lines(text.text);
+                for (std::string line; std::getline(lines, line);) {
+                    if (is_name(line)) names.push_back(line);
+                }
             }
             const auto name = std::ranges::find_if(names, [&](const std::string& one) {
                 return !is_generated(one) && (part.size.empty() || size_of_name(one) != part.size);
@@ -381,13 +425,15 @@ class PlainReader {
         }
     }
 
-    // Whether a group holds several parts, so that its name is not that of one.
+    // Whether a group holds several parts, or is used by several, so that its name is not that of one.
     bool is_shared(const PlainGroup& group) const {
         int parts = 0;
         for (const std::size_t area : part_of_area_) {
             const std::vector<PlainGroup>& groups = plain_.shapes[areas_[area].shape].groups;
-            parts +=
-                std::ranges::any_of(groups, [&](const PlainGroup& one) { return one.number == group.number; }) ? 1 : 0;
+            const auto is_same = [&](const PlainGroup& one) {
+                return one.number == group.number || (!group.id.empty() && one.id == group.id);
+            };
+            parts += std::ranges::any_of(groups, is_same) ? 1 : 0;
         }
         return parts > 1;
     }

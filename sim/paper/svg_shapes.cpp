@@ -106,6 +106,7 @@ class Walker {
         int uses = 0;  // that lead here
         Vec2d viewport = Vec2d::Zero();
         SvgLook look = {};
+        std::string use_name = {};  // of the use of a shape
     };
 
     [[noreturn]] void fail(const pugi::xml_node& node, const std::string& problem) const {
@@ -183,19 +184,40 @@ class Walker {
         return *map;
     }
 
+    // As its program shows it; empty: it has only an id.
+    static std::string label_of(const pugi::xml_node& node) {
+        for (const std::string_view label : {attribute(node, "inkscape:label"), attribute(node, "data-name"),
+                                             std::string_view(node.child("title").text().get())}) {
+            if (!label.empty()) return std::string(label);
+        }
+        return {};
+    }
+
+    static std::string name_of(const pugi::xml_node& node) {
+        std::string label = label_of(node);
+        return label.empty() ? decoded_id(attribute(node, "id")) : label;
+    }
+
     SvgGroup group_of(const pugi::xml_node& node) {
         SvgGroup group{.number = ++groups_};
         group.id = decoded_id(attribute(node, "id"));
-        group.label = attribute(node, "inkscape:label");
-        if (group.label.empty()) group.label = attribute(node, "data-name");
-        if (group.label.empty()) group.label = node.child("title").text().get();
+        group.label = label_of(node);
         group.is_layer = attribute(node, "inkscape:groupmode") == "layer";
         group.data = own_data(node);
         return group;
     }
 
     void walk_group(const pugi::xml_node& node, Place place) {
-        if (local_name(node.name()) == "svg") enter_viewport(node, {}, place);
+        if (local_name(node.name()) == "svg") {
+            const auto is_nothing = [&](const char* name) {
+                return node.attribute(name) && !(length(node, name, place.viewport.x()) > 0);
+            };
+            if (is_nothing("width") || is_nothing("height")) {
+                ++hidden_;
+                return;
+            }
+            enter_viewport(node, {}, place);
+        }
         place.groups.push_back(group_of(node));
         walk_children(node, place);
     }
@@ -229,9 +251,12 @@ class Walker {
         if (++place.uses > kMostUses) fail(node, "elements use each other without end");
         place.map.translate(shift);
         const std::string_view used = local_name(target->second.name());
+        if (is_shape(used)) place.use_name = name_of(node);
+        place.groups.push_back(group_of(node));
         if (used == "symbol") {
             enter_viewport(target->second, node, place);
             place.look = styles_.look_of(target->second, place.look);
+            place.groups.push_back(group_of(target->second));
             return walk_children(target->second, place);
         }
         walk(target->second, place);
@@ -338,13 +363,7 @@ class Walker {
                       edge.control[1].cwiseAbs().maxCoeff() < kLargestUnits))
                     fail(node, "a coordinate is not a number, or too large");
             }
-            path.name = decoded_id(attribute(node, "id"));
-            for (const std::string_view label : {attribute(node, "inkscape:label"), attribute(node, "data-name"),
-                                                 std::string_view(node.child("title").text().get())}) {
-                if (label.empty()) continue;
-                path.name = label;
-                break;
-            }
+            path.name = place.use_name.empty() ? name_of(node) : place.use_name;
             path.place = "<" + std::string(name) + "> " +
                          (path.name.empty() ? "in line " + std::to_string(line_number(node)) : "'" + path.name + "'");
             SvgShape shape{.path = std::move(path), .groups = place.groups};
@@ -360,7 +379,11 @@ class Walker {
     static void append_text(const pugi::xml_node& node, std::string& text, int depth) {
         if (depth > kDeepestElement) return;
         if (node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata) text += node.value();
-        for (const pugi::xml_node& child : node.children()) append_text(child, text, depth + 1);
+        for (const pugi::xml_node& child : node.children()) {
+            const bool is_moved = child.attribute("x") || child.attribute("y") || child.attribute("dy");
+            if (is_moved && !text.empty() && text.back() != ' ') text += ' ';
+            append_text(child, text, depth + 1);
+        }
     }
 
     void read_text(const pugi::xml_node& node, const Place& place) {

@@ -92,11 +92,18 @@ TEST(ClosedChains, join_relatives_before_strangers) {
 }
 
 TEST(CutLines, end_where_the_end_of_another_lies_on_them) {
-    const CutLines cut = cut_where_ends_lie({{Vec2d(0, 0), Vec2d(3, 0)}, {Vec2d(1, 0), Vec2d(1, 1)}}, 1e-3);
+    const CutLines cut = cut_where_they_meet({{Vec2d(0, 0), Vec2d(3, 0)}, {Vec2d(1, 0), Vec2d(1, 1)}}, 1e-3);
     ASSERT_EQ(cut.lines.size(), 3U);
     EXPECT_EQ(cut.origin, (std::vector<std::size_t>{0, 0, 1}));
     EXPECT_EQ(cut.lines[0].back(), Vec2d(1, 0));
     EXPECT_EQ(cut.lines[1].front(), Vec2d(1, 0));
+}
+
+TEST(CutLines, end_where_another_crosses_them) {
+    const CutLines cut = cut_where_they_meet({{Vec2d(0, 0), Vec2d(3, 0)}, {Vec2d(1, -1), Vec2d(1, 1)}}, 1e-3);
+    ASSERT_EQ(cut.lines.size(), 4U);
+    EXPECT_EQ(cut.origin, (std::vector<std::size_t>{0, 0, 1, 1}));
+    for (const std::size_t second : {1U, 3U}) EXPECT_EQ(cut.lines[second].front(), Vec2d(1, 0));
 }
 
 }  // namespace

@@ -53,6 +53,15 @@ TEST(CutText, of_dxf_has_a_key_and_a_value) {
     EXPECT_EQ(read("Annotation: cut on fold").is_on_fold, true);
 }
 
+TEST(CutText, on_the_fold_counts_on_a_line_of_its_own_before_or_behind_the_number) {
+    for (const auto& [first, second] : {std::pair("Cut 1", "ON FOLD"), std::pair("place on the fold", "Cut 1")}) {
+        CutInstructions cut;
+        read_cut_text(first, cut);
+        read_cut_text(second, cut);
+        EXPECT_EQ(cut, (CutInstructions{1, {}, true, ""})) << first;
+    }
+}
+
 TEST(CutText, about_other_things_changes_nothing) {
     for (const char* text :
          {"Cut here", "cut 1 cm away", "undercut 2", "Size: 40", "Piece Name: cut", "2", "", "cut", "Quantity: many",

@@ -96,6 +96,68 @@ TEST(ForeignDxf, leads_a_sewing_line_along_the_fold_on_which_it_ends) {
     EXPECT_NEAR(size_of_first(made).y(), 0.56, 1e-6);
 }
 
+TEST(ForeignDxf, leads_sewing_lines_that_cross_at_the_corners_from_crossing_to_crossing) {
+    for (const double over : {4.0, 10.0, 14.0}) {  // mm beyond the corners; the boundary lies at 10
+        const auto far = [&](const Vec2d& a, const Vec2d& b) {
+            const Vec2d along = (b - a).normalized() * over;
+            return chain_on("14", {a - along, b + along});
+        };
+        const std::string piece = chain_on("1", {{-10, -10}, {510, -10}, {510, 570}, {-10, 570}, {-10, -10}}) +
+                                  far({0, 0}, {500, 0}) + far({500, 560}, {500, 0}) + far({500, 560}, {0, 560}) +
+                                  far({0, 0}, {0, 560});
+        const PanelsOfDrawing made = dxf_panels(file_of(block("FRONT", piece), kMetric));
+        ASSERT_EQ(made.pattern.panels.size(), 1U) << over;
+        EXPECT_NEAR(size_of_first(made).x(), 0.5, 1e-6) << over;
+        EXPECT_NEAR(size_of_first(made).y(), 0.56, 1e-6) << over;
+    }
+}
+
+TEST(ForeignDxf, takes_no_block_that_frames_the_page_for_a_piece) {
+    const std::string border = chain_on("0", {{-300, -50}, {900, -50}, {900, 700}, {-300, 700}, {-300, -50}}) +
+                               chain_on("0", {{700, -50}, {900, -50}, {900, 50}, {700, 50}, {700, -50}});
+    const std::string strip = chain_on("1", {{0, 0}, {400, 0}, {400, 60}, {0, 60}, {0, 0}});
+    const auto placed_at_0 = [](const std::string& name) {
+        return dxf_group(0, "INSERT") + dxf_group(8, "1") + dxf_group(2, name) + at(10, {0, 0});
+    };
+    const PanelsOfDrawing made =
+        dxf_panels(file_of(block("FRONT", in_pieces("1")) + block("BORDER", border) + block("BAND", strip),
+                           kMetric + placed_at_0("FRONT") + placed_at_0("BORDER") + placed_at_0("BAND")));
+    ASSERT_EQ(made.pattern.panels.size(), 2U);
+    EXPECT_TRUE(has_note(made.notes, "block 'BORDER': a page frame, left out"));
+}
+
+TEST(ForeignDxf, reads_names_in_the_code_page_of_its_header) {
+    const std::string header = section("HEADER", dxf_group(9, "$DWGCODEPAGE") + dxf_group(3, "ANSI_1251"));
+    const std::string piece = block("\xCF\xE5\xF0\xE5\xE4", in_pieces("1"));
+    EXPECT_EQ(dxf_panels(header + file_of(piece, kMetric)).pattern.panels.at(0).name, "\u041F\u0435\u0440\u0435\u0434");
+    EXPECT_EQ(dxf_panels(file_of(piece, kMetric)).pattern.panels.at(0).name, "\u00CF\u00E5\u00F0\u00E5\u00E4");
+}
+
+TEST(ForeignDxf, closes_a_boundary_that_ends_at_the_fold_along_it) {
+    const std::string half = chain_on("1", {{0, 0}, {260, 0}, {260, 560}, {0, 560}}) + stroke_on("6", {0, 560}, {0, 0});
+    const PanelsOfDrawing made = dxf_panels(file_of(block("HALF", half), kMetric));
+    ASSERT_EQ(made.pattern.panels.size(), 1U);
+    EXPECT_NEAR(size_of_first(made).x(), 0.52, 1e-6);  // unfolded
+}
+
+TEST(ForeignDxf, unfolds_what_is_said_to_be_cut_on_the_fold_beside_its_number) {
+    const std::string half = chain_on("1", {{0, 0}, {260, 0}, {172, 560}, {0, 560}, {0, 0}});
+    const std::string texts = label("Quantity: 1", {100, 100}) + label("Annotation: CUT 1 ON FOLD", {100, 120});
+    const PanelsOfDrawing made = dxf_panels(file_of(block("HALF", half + texts), kMetric));
+    ASSERT_EQ(made.pattern.panels.size(), 1U);
+    EXPECT_NEAR(size_of_first(made).x(), 0.52, 1e-6);
+}
+
+TEST(ForeignDxf, names_a_loose_part_by_the_line_of_its_text_that_is_a_name) {
+    const auto words = [](const std::string& text) {
+        return dxf_group(0, "MTEXT") + dxf_group(8, "0") + at(10, {200, 100}) + dxf_group(1, text);
+    };
+    const std::string part = chain_on("0", {{0, 0}, {400, 0}, {400, 500}, {0, 500}, {0, 0}});
+    const PanelsOfDrawing made = dxf_panels(file_of("", part + words("{\\fArial|b1|i0;\\C1;Apron}\\PCut 1")));
+    ASSERT_EQ(made.pattern.panels.size(), 1U);
+    EXPECT_EQ(made.pattern.panels[0].name, "Apron");
+}
+
 TEST(ForeignDxf, makes_pieces_of_loose_lines_arcs_and_splines) {
     const auto fit = [](const std::vector<Vec2d>& points) {
         std::string all = dxf_group(0, "SPLINE") + dxf_group(8, "0") + dxf_group(70, "8") + dxf_group(71, "3") +

@@ -108,8 +108,8 @@ TEST(ForeignSvg, leaves_out_what_is_hidden) {
           "<style>.off{display:none}</style><g class='on off'>" + old + "</g>",
           "<style>#x path{visibility:hidden !important}</style><g id='x'>" + old + "</g>",
           "<style>/* a */ @media screen,print { g > path { opacity: 0.0 } }</style><g>" + old + "</g>",
-          "<g stroke-opacity='0'>" + old + "</g>", "<g stroke-width='0'>" + old + "</g>",
-          std::string("<path d='M0,0H500V600H0Z' fill='rgba(0,0,0,0)'/>"),
+          "<svg width='0' height='0'>" + old + "</svg>", "<g stroke-opacity='0'>" + old + "</g>",
+          "<g stroke-width='0'>" + old + "</g>", std::string("<path d='M0,0H500V600H0Z' fill='rgba(0,0,0,0)'/>"),
           std::string("<path d='M0,0H500V600H0Z' fill='none'/>")}) {
         const PanelsOfDrawing made = svg_panels(in_mm(hidden + kSkirt));
         expect_skirt(made, hidden);
@@ -175,6 +175,65 @@ TEST(ForeignSvg, takes_the_scale_from_a_labelled_test_square) {
     made = svg_panels(page("<g transform='scale(7)'>" + kSkirt + square + "<text x='595' y='40'>2 in</text></g>", ""));
     ASSERT_EQ(made.pattern.panels.size(), 2U);
     EXPECT_NEAR(outline_box(made.pattern.panels[0]).sizes().x(), 0.52 * 50.8 / 50, 1e-3);
+}
+
+TEST(ForeignSvg, takes_the_scale_from_a_named_test_square_however_far_it_is_off) {
+    const std::string square =
+        "<rect x='590' y='20' width='50' height='50' fill='none' stroke='black'/>"
+        "<text x='595' y='40'><tspan x='595' y='40'>Testquadrat</tspan><tspan x='595' y='50'>5x5cm</tspan></text>";
+    const PanelsOfDrawing made = svg_panels(in_mm("<g transform='scale(0.4)'>" + kSkirt + square + "</g>"));
+    expect_skirt(made, "a named square");
+    EXPECT_TRUE(has_note(made.notes, "the test square of 5 cm is drawn as 2 cm: the scale is taken from it"));
+}
+
+TEST(ForeignSvg, leaves_out_title_blocks_in_the_corners_of_a_frame) {
+    const std::string frame = "<path d='M5,5H1295V695H5Z' fill='none' stroke='black'/>";
+    for (const std::string& title : {path("", "M1200,640H1295V695H1200Z"), path("", "M5,5H100V55H5Z")}) {
+        const PanelsOfDrawing made = svg_panels(in_mm(frame + kSkirt + title));
+        expect_skirt(made, title);
+        EXPECT_TRUE(has_note(made.notes, "a title block in a corner of the page frame, left out")) << title;
+    }
+}
+
+TEST(ForeignSvg, names_parts_by_what_uses_them) {
+    const std::string defs = "<defs>" + path("a", kFront) + "<g id='b'><use xlink:href='#a'/></g></defs>";
+    for (const std::string& uses : {defs + "<use id='Front' href='#a'/><use id='Back' href='#a' x='600'/>",
+                                    defs + "<use id='Front' href='#b'/><use id='Back' href='#b' x='600'/>",
+                                    "<symbol id='Front'>" + path("", kFront) + "</symbol><symbol id='Back'>" +
+                                        path("", kBack) + "</symbol><use href='#Front'/><use href='#Back'/>"}) {
+        const PanelsOfDrawing made = svg_panels(in_mm(uses));
+        expect_skirt(made, uses);
+        EXPECT_EQ(made.pattern.panels.at(0).name, "Front") << uses;
+        EXPECT_EQ(made.pattern.panels.at(1).name, "Back") << uses;
+    }
+}
+
+TEST(ForeignSvg, names_no_part_by_what_is_written_along_its_lines) {
+    const std::string texts =
+        "<text x='250' y='240'>Grainline</text><text x='250' y='260'>SA 1 cm included</text>"
+        "<text x='250' y='280'>www.example.com</text><text x='250' y='300'>Skirt Front</text>";
+    const PanelsOfDrawing made = svg_panels(in_mm(path("", kFront) + path("Back", kBack) + texts));
+    ASSERT_EQ(made.pattern.panels.size(), 2U);
+    EXPECT_EQ(made.pattern.panels[0].name, "Skirt Front");
+}
+
+TEST(ForeignSvg, joins_lines_that_are_shorter_than_the_gap) {
+    std::string lines;
+    const auto add = [&](const Vec2d& from, const Vec2d& to) {
+        constexpr int kPieces = 800;
+        for (int i = 0; i < kPieces; ++i) {
+            const Vec2d a = from + (to - from) * i / kPieces, b = from + (to - from) * (i + 1) / kPieces;
+            lines += "<path d='M" + std::to_string(a.x()) + "," + std::to_string(a.y()) + "L" + std::to_string(b.x()) +
+                     "," + std::to_string(b.y()) + "' stroke='black'/>";
+        }
+    };
+    add({100, 100}, {600, 100});
+    add({600, 100}, {600, 500});
+    add({600, 500}, {100, 500});
+    add({100, 500}, {100, 100});
+    const PanelsOfDrawing made = svg_panels(in_mm(lines));
+    ASSERT_EQ(made.pattern.panels.size(), 1U);
+    EXPECT_NEAR(outline_box(made.pattern.panels[0]).sizes().x(), 0.5, 1e-6);
 }
 
 TEST(ForeignSvg, takes_no_square_part_for_a_test_square) {
@@ -323,6 +382,14 @@ TEST(ForeignSvg, unfolds_what_its_text_says_is_cut_on_the_fold) {
     EXPECT_TRUE(has_note(made.notes, "several edges could be the fold: not unfolded"));
     made = svg_panels(in_mm(band + "<text x='200' y='150'>cut 1 on fold</text><text x='10' y='150'>FOLD</text>"));
     EXPECT_NEAR(outline_box(made.pattern.panels[0]).sizes().x(), 0.8, 1e-4);
+}
+
+TEST(ForeignSvg, unfolds_a_part_along_the_edge_beside_which_its_text_stands_outside) {
+    const std::string half = path("Front", "M300,60L470,60L560,620L300,620Z");
+    const std::string beside = "<text x='290' y='400' transform='rotate(-90 290 400)'>place on fold</text>";
+    EXPECT_NEAR(outline_box(svg_panels(in_mm(half + beside)).pattern.panels.at(0)).sizes().x(), 0.52, 1e-4);
+    const std::string far = "<text x='200' y='400'>place on fold</text>";
+    EXPECT_NEAR(outline_box(svg_panels(in_mm(half + far)).pattern.panels.at(0)).sizes().x(), 0.26, 1e-4);
 }
 
 TEST(ForeignSvg, doubts_a_size_that_no_garment_has) {
