@@ -123,14 +123,50 @@ class TileJoiner {
         for (std::size_t p = 0; p < pages_.size(); ++p) {
             for (std::size_t s = 0; s < pages_[p].shapes.size(); ++s) index.add(path(p, s), p, s);
         }
+        std::vector<std::vector<std::size_t>> times;  // per page and shape: on how many other pages it is
+        std::size_t most_pages = 0;
         for (std::size_t p = 0; p < pages_.size(); ++p) {
+            times.emplace_back(pages_[p].shapes.size(), 0);
             for (std::size_t s = 0; s < pages_[p].shapes.size(); ++s) {
+                std::set<std::size_t> others;
                 index.for_each_alike(path(p, s), [&](std::size_t q, std::size_t, const Vec2d& shift) {
-                    if (q != p && shift.norm() < kSamePlace && pages_[p].size == pages_[q].size)
-                        is_furniture_[p][s] = true;
+                    if (q != p && shift.norm() < kSamePlace && pages_[p].size == pages_[q].size) others.insert(q);
                 });
+                times[p][s] = others.size();
+                if (!others.empty() && !is_long_line(p, s)) most_pages = std::max(most_pages, others.size());
             }
         }
+        for (std::size_t p = 0; p < pages_.size(); ++p) {
+            for (std::size_t s = 0; s < pages_[p].shapes.size(); ++s)
+                is_furniture_[p][s] = times[p][s] > 0 && !is_long_line(p, s);
+            for (std::size_t s = 0; s < pages_[p].shapes.size(); ++s) {
+                if (times[p][s] == 0 || !is_long_line(p, s)) continue;
+                is_furniture_[p][s] =
+                    (times[p][s] > 1 && 2 * times[p][s] > most_pages) || is_side_of_frame(p, s, times[p]);
+            }
+        }
+    }
+
+    // A level or upright line across much of a page. A hem may run so across two pages.
+    bool is_long_line(std::size_t p, std::size_t s) const {
+        constexpr double kThin = 0.1, kLong = 0.4;  // mm; of the page
+        const Vec2d extent = pages_[p].shapes[s].box.sizes();
+        return !path(p, s).is_closed && ((extent.y() < kThin && extent.x() > kLong * pages_[p].size.x()) ||
+                                         (extent.x() < kThin && extent.y() > kLong * pages_[p].size.y()));
+    }
+
+    // Whether both ends of such a line meet ends of others that are repeated, as the sides of a frame do.
+    bool is_side_of_frame(std::size_t p, std::size_t s, const std::vector<std::size_t>& times) const {
+        const auto meets = [&](const Vec2d& end) {
+            for (std::size_t r = 0; r < pages_[p].shapes.size(); ++r) {
+                if (r == s || times[r] == 0 || !is_long_line(p, r)) continue;
+                for (const Vec2d& other : {path(p, r).vertices.front(), path(p, r).vertices.back()}) {
+                    if ((other - end).norm() < 2 * kSamePlace) return true;
+                }
+            }
+            return false;
+        };
+        return meets(path(p, s).vertices.front()) && meets(path(p, s).vertices.back());
     }
 
     const DrawnPath& path(std::size_t p, std::size_t s) const { return pages_[p].shapes[s].plain.path; }
