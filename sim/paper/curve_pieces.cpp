@@ -46,11 +46,12 @@ void find_crossings(const CurvePiece& piece, Eigen::Index axis, double value, st
 }
 
 bool is_along_border(const CurvePiece& piece, const Eigen::AlignedBox2d& box) {
-    constexpr double kNear = 0.25;  // mm: half a line's width
+    constexpr double kNear = 0.25, kLevel = 0.02;  // mm: half a line's width; rad
+    const Vec2d along = piece.p[3] - piece.p[0];
     for (const Eigen::Index axis : {Eigen::Index(0), Eigen::Index(1)}) {
+        if (!piece.is_line || std::abs(along[axis]) > kLevel * along.norm()) continue;
         for (const double border : {box.min()[axis], box.max()[axis]}) {
-            if (std::ranges::all_of(piece.p, [&](const Vec2d& p) { return std::abs(p[axis] - border) < kNear; }))
-                return true;
+            if (std::abs(piece.p[0][axis] - border) < kNear && std::abs(piece.p[3][axis] - border) < kNear) return true;
         }
     }
     return false;

@@ -57,7 +57,7 @@ class PdfReader {
             joined.plain.page = Eigen::AlignedBox2d(Vec2d(Vec2d::Zero()), pages[joined.single.front()].size);
         tell_left(pages, joined.left);
         if (joined.plain.shapes.empty()) throw InputError(file_, "", "no line on its " + pages_text() + ": no pattern");
-        add_plain_parts(std::move(joined.plain), file_, drawing_);
+        add_parts(std::move(joined));
         if (drawing_.parts.empty())
             throw InputError(file_, "", "no closed outline on its " + pages_text() + ": nothing that could be a panel");
         tell_scale();
@@ -67,6 +67,18 @@ class PdfReader {
  private:
     std::string pages_text() const {
         return pdf_.pages.size() == 1 ? std::string("page") : count_text(pdf_.pages.size(), "page");
+    }
+
+    // Outlines that end at the borders of pages are open where nothing tells how pages lie.
+    void add_parts(JoinedTiles joined) {
+        try {
+            add_plain_parts(std::move(joined.plain), file_, drawing_);
+        } catch (const InputError& error) {
+            if (!joined.joined.empty() || joined.single.size() < 2) throw;
+            throw InputError(file_, error.place(),
+                             error.problem() + ". Its pages could not be put together: their lines do not go on from " +
+                                 "one to the next in any grid");
+        }
     }
 
     // ---- Layers.
