@@ -46,7 +46,7 @@ void find_crossings(const CurvePiece& piece, Eigen::Index axis, double value, st
 }
 
 bool is_along_border(const CurvePiece& piece, const Eigen::AlignedBox2d& box) {
-    constexpr double kNear = 0.25, kLevel = 0.02;  // mm: half a line's width; rad
+    constexpr double kNear = 0.05, kLevel = 0.002;  // mm; rad
     const Vec2d along = piece.p[3] - piece.p[0];
     for (const Eigen::Index axis : {Eigen::Index(0), Eigen::Index(1)}) {
         if (!piece.is_line || std::abs(along[axis]) > kLevel * along.norm()) continue;
@@ -57,12 +57,12 @@ bool is_along_border(const CurvePiece& piece, const Eigen::AlignedBox2d& box) {
     return false;
 }
 
-// The parts of a piece within a box, and whether each begins and ends with the piece.
+// The parts of a piece of an outline within a box, and whether each begins and ends with the piece.
 struct InsidePart {
     CurvePiece piece;
     bool begins = false, ends = false;
 };
-std::vector<InsidePart> parts_inside(const CurvePiece& piece, const Eigen::AlignedBox2d& box) {
+std::vector<InsidePart> parts_inside(const CurvePiece& piece, const Eigen::AlignedBox2d& box, bool is_outline) {
     std::vector<double> at{0, 1};
     for (const Eigen::Index axis : {Eigen::Index(0), Eigen::Index(1)}) {
         find_crossings(piece, axis, box.min()[axis], at);
@@ -75,7 +75,7 @@ std::vector<InsidePart> parts_inside(const CurvePiece& piece, const Eigen::Align
         if (at[i + 1] - at[i] < kShortest || !box.contains(piece.at((at[i] + at[i + 1]) / 2))) continue;
         CurvePiece part = at[i] > 0 ? split_piece(piece, at[i]).second : piece;
         if (at[i + 1] < 1) part = split_piece(part, (at[i + 1] - at[i]) / (1 - at[i])).first;
-        if (is_along_border(part, box)) continue;
+        if (is_outline && is_along_border(part, box)) continue;
         parts.push_back({part, at[i] <= 0, at[i + 1] >= 1});
     }
     return parts;
@@ -196,7 +196,7 @@ CutRuns cut_to_box(const DrawnPath& path, const Eigen::AlignedBox2d& box) {
     const std::vector<CurvePiece> pieces = pieces_of(path);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         bool reaches_end = false;
-        for (const InsidePart& part : parts_inside(pieces[i], box)) {
+        for (const InsidePart& part : parts_inside(pieces[i], box, path.is_closed)) {
             if (!goes_on || !part.begins) cut.runs.emplace_back();
             if (cut.runs.size() == 1 && cut.runs.front().empty()) begins_at_start = i == 0 && part.begins;
             cut.runs.back().push_back(part.piece);

@@ -22,7 +22,8 @@ std::vector<CurvePiece> pieces_of(const DrawnPath& path);
 // The path with these pieces, each from where the last one ends. All else is that of `like`.
 DrawnPath path_of(const std::vector<CurvePiece>& pieces, bool is_closed, const DrawnPath& like);
 
-// The runs of pieces within a box. Lines along its border are no part of them.
+// The runs of pieces within a box. Of a closed path, lines along the border are no part of them: a program that cuts
+// outlines at a page closes them there.
 struct CutRuns {
     std::vector<std::vector<CurvePiece>> runs = {};
     bool is_whole = false;  // nothing was cut off: there is one run, and it is closed if the path is
