@@ -39,6 +39,7 @@ pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)  # sim/pap
 pkg_check_modules(poppler REQUIRED IMPORTED_TARGET poppler>=22.12)  # sim/paper/pdf_recorder, in a child process
 pkg_check_modules(yaml-cpp REQUIRED IMPORTED_TARGET yaml-cpp>=0.7)  # sim/paper
 pkg_check_modules(pangocairo REQUIRED IMPORTED_TARGET pangocairo>=1.50)  # sim/print, with Cairo
+find_package(ZLIB REQUIRED)                    # sim/print/pdf_layers
 # Its -pthread would define _REENTRANT, with which the precompiled header was not made.
 set_target_properties(PkgConfig::pangocairo PROPERTIES INTERFACE_COMPILE_OPTIONS "")
 pkg_check_modules(glib REQUIRED IMPORTED_TARGET glib-2.0>=2.74)  # sim/proposals: letters of any script
