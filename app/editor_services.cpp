@@ -139,10 +139,10 @@ bool is_photo(const std::string& file) {
     return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
 }
 
-// SVG and DXF by their endings, FreeSewing's data by its content.
+// SVG, DXF and PDF by their endings, FreeSewing's data by its content.
 bool is_drawing(const std::string& file) {
     const std::string ending = lower_ending(file);
-    if (ending == ".svg" || ending == ".dxf") return true;
+    if (ending == ".svg" || ending == ".dxf" || ending == ".pdf") return true;
     if (ending != ".json") return false;
     try {
         sim::read_drawing(file);

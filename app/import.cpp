@@ -67,7 +67,7 @@ void add_import_command(Command& app, int& exit_code) {
     auto arguments = std::make_shared<ImportArguments>();
     Command& command = add_command(app, "import", "Make a garment of patterns that other programs drew");
     add_option(command, "FILES", arguments->files,
-               "SVG, DXF, or a draft of FreeSewing as JSON; several make one garment",
+               "SVG, DXF, PDF, or a draft of FreeSewing as JSON; several make one garment",
                {.type = "FILE", .is_required = true});
     add_option(command, "-o,--output", arguments->output, "Garment file to write",
                {.type = "FILE", .is_required = true});
@@ -97,7 +97,8 @@ void add_import_command(Command& app, int& exit_code) {
         "Exit code: 0 written; 2 wrong input.\n"
         "Examples:\n"
         "  selvedge import teagan.svg -o teagan.json && selvedge dress teagan.json --render teagan.png\n"
-        "  selvedge import drawing.svg -o skirt.json --unit mm --allowance 10");
+        "  selvedge import drawing.svg -o skirt.json --unit mm --allowance 10\n"
+        "  selvedge import blouse.pdf -o blouse.json --size 40");
     set_action(command, [arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

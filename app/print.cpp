@@ -84,6 +84,7 @@ void add_print_command(Command& app, int& exit_code) {
     set_footer(
         command,
         "A PDF has a cover with a 10 cm test square and a map, then pages that overlap by 1 cm. Print at 100 %.\n"
+        "Its layers are the kinds of line, which viewers can hide.\n"
         "SVG and DXF are read back by selvedge import with the same outlines, notches and seams.\n"
         "Exit code: 0 written; 2 wrong input.\n"
         "Examples:\n"

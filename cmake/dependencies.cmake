@@ -30,14 +30,16 @@ if(SELVEDGE_PYTHON)
 endif()
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(nettle REQUIRED IMPORTED_TARGET nettle>=3.7)  # sim/core/sha256
-pkg_check_modules(seccomp REQUIRED IMPORTED_TARGET libseccomp>=2.5)  # sim/repair/system_call_filter
+pkg_check_modules(seccomp REQUIRED IMPORTED_TARGET libseccomp>=2.5)  # sim/core/system_call_filter
 pkg_check_modules(turbojpeg REQUIRED IMPORTED_TARGET libturbojpeg>=2.1)  # render/image
 pkg_check_modules(exif REQUIRED IMPORTED_TARGET libexif>=0.6.24)  # render/image
 pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui>=1.86)  # editor, app/ui_draw
 pkg_check_modules(pugixml REQUIRED IMPORTED_TARGET pugixml>=1.13)  # sim/paper
 pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)  # sim/paper
+pkg_check_modules(poppler REQUIRED IMPORTED_TARGET poppler>=22.12)  # sim/paper/pdf_recorder, in a child process
 pkg_check_modules(yaml-cpp REQUIRED IMPORTED_TARGET yaml-cpp>=0.7)  # sim/paper
 pkg_check_modules(pangocairo REQUIRED IMPORTED_TARGET pangocairo>=1.50)  # sim/print, with Cairo
+find_package(ZLIB REQUIRED)                    # sim/print/pdf_layers
 # Its -pthread would define _REENTRANT, with which the precompiled header was not made.
 set_target_properties(PkgConfig::pangocairo PROPERTIES INTERFACE_COMPILE_OPTIONS "")
 pkg_check_modules(glib REQUIRED IMPORTED_TARGET glib-2.0>=2.74)  # sim/proposals: letters of any script

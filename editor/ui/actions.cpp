@@ -70,7 +70,7 @@ void add_file_actions(std::vector<Action>& actions) {
         {.id = "file.import",
          .menu = "File",
          .title = "Import...",
-         .tip = "A pattern of another program (SVG, DXF, FreeSewing's data), or a photo to trace (PNG, JPEG)",
+         .tip = "A pattern of another program (SVG, DXF, PDF, FreeSewing's data), or a photo to trace (PNG, JPEG)",
          .chords = {ctrl('I')},
          .run = browse_to_import});
     actions.push_back(

@@ -387,7 +387,7 @@ void take_dropped_file(AppState& state, const std::string& file) {
     const auto is_ending = [&](const std::string& ending) { return file.ends_with(ending); };
     if (std::ranges::any_of(body_endings(), is_ending)) return state.workspace.drape.show_body(file);
     state.workspace.messages.warn("'" + file +
-                                  "' is neither a garment (.json), a drawing (.svg, .dxf), a photo (.png, .jpg) "
+                                  "' is neither a garment (.json), a drawing (.svg, .dxf, .pdf), a photo (.png, .jpg) "
                                   "nor a body (.obj, .glb)");
 }
 
@@ -470,14 +470,15 @@ void browse_to_open(AppState& state) {
 }
 
 void browse_to_import(AppState& state) {
-    state.browser.open({.title = "Import a drawing, or a photo to trace",
-                        .verb = "Import",
-                        .endings = {".svg", ".dxf", ".json", ".png", ".jpg", ".jpeg", ".PNG", ".JPG", ".JPEG"},
-                        .show_options = show_import_options,
-                        .option_rows = kImportOptionRows,
-                        .choose = [](AppState& current,
-                                     const std::string& file) { import_file(current, file, current.import_options); }},
-                       state.services);
+    state.browser.open(
+        {.title = "Import a drawing, or a photo to trace",
+         .verb = "Import",
+         .endings = {".svg", ".dxf", ".pdf", ".PDF", ".json", ".png", ".jpg", ".jpeg", ".PNG", ".JPG", ".JPEG"},
+         .show_options = show_import_options,
+         .option_rows = kImportOptionRows,
+         .choose = [](AppState& current,
+                      const std::string& file) { import_file(current, file, current.import_options); }},
+        state.services);
 }
 
 void browse_to_wear_over(AppState& state) {

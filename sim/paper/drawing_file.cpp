@@ -8,6 +8,7 @@
 #include "sim/paper/dxf_text.h"
 #include "sim/paper/freesewing_json.h"
 #include "sim/paper/grade_rules.h"
+#include "sim/paper/pdf_drawing.h"
 #include "sim/paper/svg_drawing.h"
 
 namespace selvedge::sim {
@@ -22,6 +23,7 @@ bool is_garment(const Json& root) {
 }  // namespace
 
 Drawing parse_drawing(std::string_view text, const std::string& file) {
+    if (looks_like_pdf(text)) return read_pdf(text, file);
     const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
     if (first == std::string_view::npos) throw InputError(file, "", "the file is empty");
     if (text[first] == '{') {
@@ -39,7 +41,7 @@ Drawing parse_drawing(std::string_view text, const std::string& file) {
     if (text.starts_with("\x1F\x8B")) throw InputError(file, "", "a compressed file: unpack it");
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         throw InputError(file, "", "text in UTF-16: save it as UTF-8");
-    throw InputError(file, "", "neither SVG, DXF nor a draft of FreeSewing");
+    throw InputError(file, "", "neither SVG, DXF, PDF nor a draft of FreeSewing");
 }
 
 Drawing read_drawing(const std::filesystem::path& path) {

@@ -8,7 +8,7 @@
 
 namespace selvedge::sim {
 
-// SVG, FreeSewing's data or DXF. Throws InputError that says where the text is wrong, or that names the formats.
+// SVG, FreeSewing's data, DXF or PDF. Throws InputError that says where the text is wrong, or that names the formats.
 Drawing parse_drawing(std::string_view text, const std::string& file);
 // A DXF file with its grade rules, which lie beside it under the same name with the extension .rul.
 Drawing read_drawing(const std::filesystem::path& path);

@@ -31,6 +31,19 @@
 namespace selvedge::sim {
 namespace {
 
+// "right_sleeve" for "left_sleeve"; a name without a side gets "_mirrored".
+std::string name_of_image(const std::string& name) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kSides{
+        {{"left", "right"}, {"Left", "Right"}, {"LEFT", "RIGHT"}}};
+    for (const auto& [left, right] : kSides) {
+        for (const auto& [from, to] : {std::pair(left, right), std::pair(right, left)}) {
+            const std::size_t at = name.find(from);
+            if (at != std::string::npos) return std::string(name).replace(at, from.size(), to);
+        }
+    }
+    return name + "_mirrored";
+}
+
 constexpr double kChordError = 1e-4;  // m, of lines from curves
 constexpr double kLargestPanel = 30;  // m; further from the origin, panels are moved to it
 
@@ -219,14 +232,16 @@ class PartReader {
         }
     }
 
+    // By the longest of its lines: the others are its arrowheads.
     void add_grain() {
+        double length = 0;
         for (const DrawnPath& path : part_.paths) {
             if (path.kind != LineKind::Grain || path.vertices.size() < 2) continue;
             Vec2d along = path.vertices.back() - path.vertices.front();
-            if (along.norm() == 0) continue;
+            if (along.norm() <= length) continue;
+            length = along.norm();
             if (along.y() < 0 || (along.y() == 0 && along.x() > 0)) along = -along;
             panel_.grain_angle = std::atan2(-along.x(), along.y());
-            return;
         }
     }
 
@@ -608,7 +623,7 @@ class PanelMaker {
         panel.pieces = std::max(1, panel.pieces / 2);
         image.pieces = panel.pieces;
         image.mirror_of = panel.name;
-        image.name = free_name(panel.name + "_mirrored");
+        image.name = free_name(name_of_image(panel.name));
         out_.pattern.panels.push_back(std::move(image));
     }
 

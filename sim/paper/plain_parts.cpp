@@ -76,6 +76,7 @@ LineKind kind_for(const PlainShape& shape) {
     if (shape.path.kind != LineKind::Unknown) return shape.path.kind;
     const std::string words = words_for(shape);
     if (says(words, "grain") || says(words, "fadenlauf")) return LineKind::Grain;
+    if (says(words, "fold lines") || says(words, "fold_lines")) return LineKind::FoldLine;
     if (says(words, "fold") && !shape.path.is_closed) return LineKind::FoldEdge;
     if (says(words, "sew") || says(words, "stitch") || says(words, "seamline") || says(words, "seam line") ||
         says(words, "seam_line")) {
@@ -94,6 +95,7 @@ class PlainReader {
     void read() {
         const std::size_t first = drawing_.parts.size();
         for (PlainShape& shape : plain_.shapes) shape.path.kind = kind_for(shape);
+        take_drill_points();
         gap_ = gap_between_ends();
         join_lines();
         close_small_gaps();
@@ -148,6 +150,22 @@ class PlainReader {
     static bool is_mark_kind(LineKind kind) {
         return kind == LineKind::Grain || kind == LineKind::FoldEdge || kind == LineKind::FoldLine ||
                kind == LineKind::Help;
+    }
+
+    // Small signs on a layer for them, or in a group: circles with crosses, one point each.
+    void take_drill_points() {
+        constexpr double kLargest = 0.015, kSame = 1e-3;  // m
+        const double unit = plain_.metres_per_unit.value_or(0.001);
+        std::erase_if(plain_.shapes, [&](const PlainShape& shape) {
+            const Eigen::AlignedBox2d box = box_around(shape.path.vertices);
+            if (!says(words_for(shape), "drill") || unit * box.sizes().maxCoeff() > kLargest) return false;
+            const Vec2d at = box.center();
+            const bool is_known = std::ranges::any_of(plain_.marks, [&](const DrawnMark& mark) {
+                return mark.kind == MarkKind::Drill && unit * (mark.at - at).norm() < kSame;
+            });
+            if (!is_known) plain_.marks.push_back({.kind = MarkKind::Drill, .at = at});
+            return true;
+        });
     }
 
     // ---- Outlines that are drawn in pieces.

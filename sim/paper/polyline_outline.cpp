@@ -89,7 +89,8 @@ std::vector<int> find_corners(const std::vector<Vec2d>& points, bool is_closed) 
         constexpr double kSharp = std::numbers::pi / 4;  // rad: a corner whatever is beside it
         const double own = turns[as_size(i)], beside = std::max(turns[at(i - 1)], turns[at(i + 1)]);
         const double other = std::min(turns[at(i - 1)], turns[at(i + 1)]);
-        if (own > kSharp || (own > kLeast && own > kMuch * (beside > kSharp ? other : beside))) corners.push_back(i);
+        const double smooth = beside < kSharp ? beside : other < kSharp ? other : 0;  // of the curve that it may be on
+        if (own > kSharp || (own > kLeast && own > kMuch * smooth)) corners.push_back(i);
     }
     return corners;
 }

@@ -3,7 +3,10 @@
 #include <cairo-pdf.h>
 #include <pango/pangocairo.h>
 
+#include <algorithm>
 #include <stdexcept>
+
+#include "sim/print/pdf_layers.h"
 
 namespace selvedge::sim {
 namespace {
@@ -37,6 +40,9 @@ struct PdfCanvas::State {
     cairo_surface_t* surface = nullptr;
     cairo_t* cairo = nullptr;
     bool has_page = false;
+    std::vector<std::string> layers;     // in the order of their first use
+    std::vector<std::vector<int>> used;  // see with_layers()
+    std::string layer;
 
     void set_style(const LineStyle& style) const {
         cairo_set_source_rgb(cairo, style.grey, style.grey, style.grey);
@@ -69,8 +75,10 @@ PdfCanvas::~PdfCanvas() {
 }
 
 void PdfCanvas::begin_page(const Vec2d& size) {
+    set_layer("");
     if (state_->has_page) cairo_show_page(state_->cairo);
     state_->has_page = true;
+    state_->used.emplace_back();
     cairo_pdf_surface_set_size(state_->surface, points(size.x()), points(size.y()));
 }
 
@@ -139,12 +147,24 @@ void PdfCanvas::end_clip() {
     cairo_restore(state_->cairo);
 }
 
+void PdfCanvas::set_layer(const std::string& name) {
+    if (name == state_->layer) return;
+    if (!state_->layer.empty()) cairo_tag_end(state_->cairo, kPdfLayerTag);
+    state_->layer = name;
+    if (name.empty()) return;
+    auto known = std::ranges::find(state_->layers, name);
+    if (known == state_->layers.end()) known = state_->layers.insert(known, name);
+    state_->used.back().push_back(static_cast<int>(known - state_->layers.begin()));
+    cairo_tag_begin(state_->cairo, kPdfLayerTag, nullptr);
+}
+
 std::string PdfCanvas::finish() {
+    set_layer("");
     if (state_->has_page) cairo_show_page(state_->cairo);
     cairo_surface_finish(state_->surface);
     const cairo_status_t status = cairo_surface_status(state_->surface);
     if (status != CAIRO_STATUS_SUCCESS) throw std::runtime_error(cairo_status_to_string(status));
-    return std::move(state_->bytes);
+    return with_layers(std::move(state_->bytes), state_->layers, state_->used);
 }
 
 }  // namespace selvedge::sim

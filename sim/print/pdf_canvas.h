@@ -48,6 +48,10 @@ class PdfCanvas {
     void begin_clip(const Eigen::AlignedBox2d& box);
     void end_clip();
 
+    // What is drawn from now on lies in this layer, which viewers list by its name (ASCII) and can hide; empty: in
+    // none. It ends with the page.
+    void set_layer(const std::string& name);
+
     // The file. Throws std::runtime_error if Cairo could not make it.
     std::string finish();
 

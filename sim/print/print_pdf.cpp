@@ -39,6 +39,29 @@ LineStyle style_of(PaperLayer layer) {
     return {};
 }
 
+// As viewers list them, and as sim/paper/plain_parts.cpp understands them.
+std::string title_of(PaperLayer layer) {
+    switch (layer) {
+        case PaperLayer::Cut:
+            return "Cutting lines";
+        case PaperLayer::Sew:
+            return "Sewing lines";
+        case PaperLayer::Fold:
+            return "Fold lines";
+        case PaperLayer::Grain:
+            return "Grain lines";
+        case PaperLayer::Notches:
+            return "Notches";
+        case PaperLayer::Drill:
+            return "Drill points";
+        case PaperLayer::Internal:
+            return "Internal lines";
+        case PaperLayer::Labels:
+            return "Texts";
+    }
+    return {};
+}
+
 bool has(const LayerChoice& layers, PaperLayer layer) {
     return layers[static_cast<std::size_t>(layer)];
 }
@@ -103,9 +126,12 @@ void draw_sheet(PdfCanvas& canvas, const PaperSheet& sheet, const SheetView& vie
         constexpr double kThinnest = 0.12e-3;  // m
         style.width = std::max(kThinnest, style.width * std::sqrt(view.scale));
         for (double& dash : style.dashes) dash *= std::max(0.25, view.scale);
+        canvas.set_layer(title_of(stroke.layer));
         canvas.draw_line(points, stroke.is_closed, style);
     }
+    canvas.set_layer("");
     if (!has(layers, PaperLayer::Labels)) return;
+    canvas.set_layer(title_of(PaperLayer::Labels));
     const Box page(view.to_page({0, sheet.size.y()}), view.to_page({sheet.size.x(), 0}));
     for (std::size_t i = 0; i < sheet.pieces.size(); ++i) {
         const PaperLabel& label = sheet.pieces[i].label;
@@ -117,6 +143,7 @@ void draw_sheet(PdfCanvas& canvas, const PaperSheet& sheet, const SheetView& vie
                     .scale = view.scale,
                     .piece = box.intersection(page)});
     }
+    canvas.set_layer("");
 }
 
 // ---- The cover.

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,17 +14,10 @@
 
 #include "sim/body/body.h"
 #include "sim/body/clip.h"
+#include "sim/core/guarded_child.h"
 #include "sim/core/math.h"
 
 namespace selvedge::sim {
-
-// Of a child process that may crash, hang or exhaust memory.
-struct ChildLimits {
-    std::size_t memory_bytes = std::size_t(2) << 30;  // on top of what is in use; not applied under AddressSanitizer
-    int processor_seconds = 20;
-    int wall_seconds = 30;
-    std::size_t answer_bytes = std::size_t(1) << 30;
-};
 
 // Of a skeleton and its clips.
 struct MotionLimits {
@@ -95,23 +87,5 @@ ImportedScene scene_of(ImportAnswer answer, const std::filesystem::path& path, I
 // are placed in the rest pose of their bones. What has no weights in a scene with bones follows its node.
 ImportAnswer read_with_assimp(const std::string& path, const std::string& extension,
                               ImportKind kind = ImportKind::Surface, const MotionLimits& limits = {});
-
-// Runs a function that may crash, hang or exhaust memory in a child process and returns the bytes that it produces.
-
-enum class ChildEnd { Done, Crashed, Forbidden, TimedOut, TooMuch, NotStarted };
-
-struct ChildResult {
-    ChildEnd end = ChildEnd::Done;
-    std::string answer;  // complete when end is Done
-};
-
-// The child is a fork without exec. It has a copy of this program's memory but only the calling thread, so `work` must
-// not start parallel loops or take locks that other threads of the program may hold; and none of the files and sockets
-// that this program has open, so `work` opens what it reads. The C library resets the allocator's locks. If another
-// lock (of a locale or a stream) is held at the fork, the child blocks and ends as TimedOut; the parent is never at
-// risk. The child's standard output and error go to /dev/null. It may read files, and ends as Forbidden if it writes
-// one, opens a socket or starts a program (sim/repair/system_call_filter.h), except where the kernel has no such
-// filters.
-ChildResult run_in_child(const std::function<std::string()>& work, const ChildLimits& limits = {});
 
 }  // namespace selvedge::sim

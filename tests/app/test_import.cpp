@@ -214,7 +214,7 @@ TEST(ImportCommand, refuses_wrong_input_on_one_line_and_writes_nothing) {
         return result.err;
     };
     EXPECT_NE(refused("").find("the file is empty"), std::string::npos);
-    EXPECT_NE(refused("hello").find("neither SVG, DXF nor a draft of FreeSewing"), std::string::npos);
+    EXPECT_NE(refused("hello").find("neither SVG, DXF, PDF nor a draft of FreeSewing"), std::string::npos);
     EXPECT_EQ(refused(sim::read_file(source_folder() + "/patterns/tshirt.json", 1000000)),
               "selvedge: " + drawn +
                   ": a garment file already, not a drawing: open it with selvedge dress or selvedge edit\n");

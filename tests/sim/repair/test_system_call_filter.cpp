@@ -1,5 +1,5 @@
 // What the child that reads bodies may not do.
-#include "sim/repair/system_call_filter.h"
+#include "sim/core/system_call_filter.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

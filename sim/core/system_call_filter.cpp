@@ -1,4 +1,4 @@
-#include "sim/repair/system_call_filter.h"
+#include "sim/core/system_call_filter.h"
 
 #include <fcntl.h>
 #include <seccomp.h>
@@ -20,7 +20,7 @@ constexpr const char* kAllowed[] = {
     "read", "pread64", "readv", "lseek", "_llseek", "close", "fadvise64",
     // to look for files
     "fstat", "stat", "lstat", "newfstatat", "statx", "access", "faccessat", "faccessat2", "readlink", "readlinkat",
-    "getcwd",
+    "getcwd", "getdents", "getdents64",
     // memory, without execution and without writing to what others share: see below
     "munmap", "mremap", "madvise", "brk",
     // time, waiting, and the C library's and the sanitizers' own needs
