@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/body/joint_names.h"
 #include "sim/body/section.h"
 
 namespace selvedge::sim {
@@ -132,6 +133,24 @@ std::optional<Lower> lower_landmark(const LandmarkHeights& landmarks) {
     return std::nullopt;
 }
 
+// Which ends of a person's skeleton its surface goes on beyond, whatever the sections show of bulky clothes.
+struct SkeletonEnds {
+    bool has_legs = false;
+    bool has_head = false;
+};
+
+SkeletonEnds skeleton_ends(const Body& body, const HeightRange& height) {
+    constexpr double kHead = 0.06;  // of the surface's height, over the joint of the head: the base of the skull
+    const JointBones joints = find_joints(body.bones);
+    const auto y = [&](Joint joint) { return body.bones[std::size_t(joints[joint])].joint.y(); };
+    SkeletonEnds ends;
+    if (!joints.has(Joint::Hips) || !joints.has(Joint::LeftFoot) || !joints.has(Joint::RightFoot)) return ends;
+    ends.has_legs =
+        height.low < std::max(y(Joint::LeftFoot), y(Joint::RightFoot)) && y(Joint::LeftFoot) < y(Joint::Hips);
+    ends.has_head = joints.has(Joint::Head) && height.high - y(Joint::Head) > kHead * (height.high - height.low);
+    return ends;
+}
+
 }  // namespace
 
 LandmarkHeights find_landmarks(const Body& body) {
@@ -167,6 +186,9 @@ Stature find_stature(const Body& body, const LandmarkHeights& landmarks) {
     const double by_trunk = (neck - lower->y) / (kNeck - lower->share);
     stature.has_legs = lower->y - height.low > kWhole * lower->share * by_trunk;
     stature.has_head = height.high - neck > kWhole * (1 - kNeck) * by_trunk;
+    const SkeletonEnds ends = skeleton_ends(body, height);
+    stature.has_legs |= ends.has_legs;
+    stature.has_head |= ends.has_head;
     if (stature.has_legs && !stature.has_head) {
         stature.crown = height.low + (neck - height.low) / kNeck;
     } else if (!stature.has_legs && stature.has_head) {

@@ -104,12 +104,19 @@ double width_of(const std::optional<BodyGirth>& trunk) {
 std::optional<double> armpit_above(const MeasuredBody& body, double waist) {
     constexpr double kStep = 0.005;  // of the stature
     constexpr double kJump = 1.2;    // of the width, in a step: two arms that hang close add twice as much
+    constexpr double kLowest = 0.1;  // of the stature, below the shoulders' joints: lower, the trunk itself widens
     const double step = kStep * body.stature().height();
     const auto width_at = [&](double y) { return width_of(trunk_girth(body, y)); };
+    double lowest = waist;
+    for (const LimbKind arm : {LimbKind::LeftArm, LimbKind::RightArm}) {
+        const Limb& limb = body.limbs()[arm];
+        if (limb.is_found)
+            lowest = std::max(lowest, limb.joints.front().centre.y() - kLowest * body.stature().height());
+    }
     double below = width_at(waist);
     for (double y = waist + step; y < body.stature().crown; y += step) {
         const double width = width_at(y);
-        if (below > 0 && width > kJump * below)
+        if (y > lowest && below > 0 && width > kJump * below)
             return bisect(y - step, y, [&](double at) { return width_at(at) > (below + width) / 2; });
         below = width;
     }

@@ -282,14 +282,24 @@ constexpr std::array<NamedLimb, 4> kNamedLimbs{
      {LimbKind::LeftLeg, {Joint::LeftUpperLeg, Joint::LeftLowerLeg, Joint::LeftFoot}},
      {LimbKind::RightLeg, {Joint::RightUpperLeg, Joint::RightLowerLeg, Joint::RightFoot}}}};
 
-// Limbs that the surface does not show, as those of a body of separate parts, by the joints that its skeleton names.
+// Limbs by the joints that a skeleton names: where the surface does not show them, as on some bodies of separate parts,
+// or shows others, as where something is worn on an arm or held in a hand.
 void take_named_joints(const Body& body, BodyLimbs& limbs) {
+    constexpr double kOther = 0.1;  // of the stature, from a joint's bone: no limb is so thick
     const JointBones bones = find_joints(body.bones);
     for (const auto& [kind, joints] : kNamedLimbs) {
-        std::vector<LimbJoint>& limb = limbs.limbs[index_of(kind)].joints;
-        const bool is_named = std::ranges::all_of(joints, [&](Joint joint) { return bones.has(joint); });
-        if (!limb.empty() || !is_named) continue;
-        for (const Joint joint : joints) limb.push_back({body.bones[static_cast<std::size_t>(bones[joint])].joint, 0});
+        Limb& found = limbs.limbs[index_of(kind)];
+        std::vector<LimbJoint>& limb = found.joints;
+        if (!std::ranges::all_of(joints, [&](Joint joint) { return bones.has(joint); })) continue;
+        std::array<Vec3d, 3> named;
+        for (std::size_t i = 0; i < 3; ++i) named[i] = body.bones[static_cast<std::size_t>(bones[joints[i]])].joint;
+        bool is_other = limb.size() < 3;
+        for (std::size_t i = 0; i < 3 && !is_other; ++i)
+            is_other = (limb[i].centre - named[i]).norm() > kOther * stature_of(limbs.height);
+        if (!is_other) continue;
+        limb.clear();
+        found.line.clear();
+        for (const Vec3d& joint : named) limb.push_back({joint, 0});
         if (kind != LimbKind::LeftArm && kind != LimbKind::RightArm) continue;
         const Vec3d along = (limb[2].centre - limb[1].centre).normalized();
         limb.push_back({limb[2].centre + kHand * stature_of(limbs.height) * along, 0});

@@ -35,6 +35,7 @@ struct Piece {
     SurfacePiece surface;
     Bounds box;
     double area = 0;
+    bool is_bound = false;  // to bones
 };
 
 // How far pieces belong to a person, as shares of the stature.
@@ -129,6 +130,14 @@ class PersonFinder {
         file_x_ = mesh_.x;
         for (SurfacePiece& surface : find_pieces(mesh_.triangles))
             pieces_.push_back({.surface = std::move(surface), .box = {}});
+        if (question.is_bound.empty()) return;
+        for (Piece& piece : pieces_) {
+            piece.is_bound = std::ranges::all_of(piece.surface.triangles, [&](int t) {
+                return std::ranges::all_of(mesh_.triangles[std::size_t(t)], [&](int v) {
+                    return question.is_bound[std::size_t(mesh_.origin[std::size_t(v)])];
+                });
+            });
+        }
     }
 
     PersonSearch find(const std::vector<Bone>& bones) {
@@ -153,15 +162,18 @@ class PersonFinder {
  private:
     PersonSearch find_in(const Stance& stance, const std::vector<Bone>& bones) {
         turn([&](const Vec3d& p) { return stance(p); });
-        PersonSearch found = find_upright(skeleton_box(bones, stance));
+        const Bounds skeleton = skeleton_box(bones, stance);
+        PersonSearch found = find_upright(skeleton);
         found.stance = stance;
+        found.has_skeleton = !skeleton.isEmpty();
         return found;
     }
 
     // 1 from our left, +x, to the front; 2 from the back.
     PersonSearch turned_to_front(PersonSearch found, const std::vector<Bone>& bones) {
-        if (!found.likeness.faces) return found;
-        const Vec2d& faces = *found.likeness.faces;
+        const std::optional<Vec2d> shown = skeleton_faces(bones, found.stance);
+        if (!shown && !found.likeness.faces) return found;
+        const Vec2d& faces = shown ? *shown : *found.likeness.faces;
         const bool is_sideways = std::abs(faces.x()) > std::abs(faces.y());
         const int turns = is_sideways ? (faces.x() > 0 ? 1 : 3) : faces.y() > 0 ? 0 : 2;
         if (turns == 0) return found;
@@ -212,6 +224,21 @@ class PersonFinder {
         return box;
     }
 
+    // x and z of where a person with these bones faces: from its right to its left, a quarter turn on. None: the bones
+    // are not a person's, or do not stand.
+    static std::optional<Vec2d> skeleton_faces(const std::vector<Bone>& bones, const Stance& stance) {
+        const JointBones joints = find_joints(bones);
+        Vec3d to_left = Vec3d::Zero();
+        for (const auto& [left, right] : {std::pair(Joint::LeftUpperLeg, Joint::RightUpperLeg),
+                                          std::pair(Joint::LeftUpperArm, Joint::RightUpperArm)}) {
+            if (!joints.has(left) || !joints.has(right)) return std::nullopt;
+            to_left += stance(bones[std::size_t(joints[left])].joint) - stance(bones[std::size_t(joints[right])].joint);
+        }
+        constexpr double kLevel = 0.5;  // of its length, at most, upward: the line between hips, and between shoulders
+        if (!(std::abs(to_left.y()) < kLevel * to_left.norm())) return std::nullopt;
+        return Vec2d(-to_left.z(), to_left.x());
+    }
+
     // The surface of some pieces, turned outward.
     Body body_of(const std::vector<std::size_t>& parts) const {
         Body body;
@@ -258,13 +285,21 @@ class PersonFinder {
             if (persons.empty()) found.likeness = std::move(likeness);
             persons.push_back(i);
         }
-        if (persons.empty()) return find_in_pieces(skeleton);
+        if (persons.empty() || is_part_of(persons.front(), skeleton)) return find_in_pieces(skeleton);
         check_alone(persons);
         const std::size_t main = persons.front();
         const int on_it = mesh_.triangles[std::size_t(pieces_[main].surface.triangles.front())][0];
         found.on_the_person = file_x_[std::size_t(on_it)];
-        keep_what_is_worn(main, found);
+        keep_what_is_worn(main, skeleton, found);
         return found;
+    }
+
+    // A trunk alone is a person without limbs, but not where a skeleton in it shows them.
+    bool is_part_of(std::size_t piece, const Bounds& skeleton) const {
+        if (skeleton.isEmpty() || !fits({piece}, skeleton)) return false;
+        Bounds near = pieces_[piece].box;
+        const Vec3d margin = Vec3d::Constant(kWornMargin * skeleton.sizes().y());
+        return !near.extend(Vec3d(near.min() - margin)).extend(Vec3d(near.max() + margin)).contains(skeleton);
     }
 
     // Persons inside each other are one in two layers; beside each other, nobody knows which is meant.
@@ -299,7 +334,7 @@ class PersonFinder {
     }
 
     // Leaves out what does not belong to the person of one piece.
-    void keep_what_is_worn(std::size_t main, PersonSearch& found) const {
+    void keep_what_is_worn(std::size_t main, const Bounds& skeleton, PersonSearch& found) const {
         const double height = found.likeness.stature.height();
         const Bounds space = space_round(main, found.likeness);
         OccupiedCells near(space, kCell * height);
@@ -318,6 +353,11 @@ class PersonFinder {
         // touches that.
         std::vector<bool> is_worn(pieces_.size(), false);
         is_worn[main] = true;
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            if (skeleton.isEmpty() || !pieces_[i].is_bound || !fits({i}, skeleton)) continue;
+            is_worn[i] = true;
+            fate[i] = Fate::Kept;
+        }
         constexpr int kMostRounds = 8;  // from the person outward: a head, its hair, a pin in that
         bool is_changed = true;
         for (int round = 0; round < kMostRounds && is_changed; ++round) {
@@ -337,14 +377,17 @@ class PersonFinder {
     // A person whose parts are pieces: all pieces but the widest, one after the other, until what is left is a person.
     PersonSearch find_in_pieces(const Bounds& skeleton) const {
         PersonSearch found;
-        std::vector<std::size_t> parts(pieces_.size());
-        std::iota(parts.begin(), parts.end(), std::size_t{0});
+        std::vector<std::size_t> parts;
+        const bool are_bound = !skeleton.isEmpty() && most_are_bound();
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+            if (!are_bound || pieces_[i].is_bound) parts.push_back(i);
         std::ranges::stable_sort(parts, std::ranges::less(),
                                  [&](std::size_t i) { return pieces_[i].box.diagonal().norm(); });
-        std::vector<Fate> fate(pieces_.size(), Fate::Kept);
+        std::vector<Fate> fate(pieces_.size(), Fate::Other);
+        for (const std::size_t i : parts) fate[i] = Fate::Kept;
         for (std::size_t tried = 0; !parts.empty() && tried < kMostTried; ++tried) {
             PersonLikeness likeness = likeness_of(parts);
-            if (!skeleton.isEmpty() && fits(parts, skeleton)) likeness.lacks.clear();
+            if (!skeleton.isEmpty() && fits(parts, skeleton)) show_person(parts, skeleton, likeness);
             if (tried == 0 || likeness.is_person()) found.likeness = std::move(likeness);
             if (found.likeness.is_person()) break;
             fate[parts.back()] = Fate::Other;
@@ -354,6 +397,24 @@ class PersonFinder {
         drop_platform(parts, fate);
         leave_out(fate, found);
         return found;
+    }
+
+    // A person as its skeleton shows it, and whole if the parts reach beyond both ends of that.
+    void show_person(const std::vector<std::size_t>& parts, const Bounds& skeleton, PersonLikeness& likeness) const {
+        likeness.lacks.clear();
+        Bounds all;
+        for (const std::size_t i : parts) all.extend(pieces_[i].box);
+        if (all.min().y() > skeleton.min().y() || all.max().y() < skeleton.max().y()) return;
+        likeness.stature = {.floor = all.min().y(), .crown = all.max().y()};
+    }
+
+    bool most_are_bound() const {
+        double bound = 0, all = 0;
+        for (const Piece& piece : pieces_) {
+            bound += piece.is_bound ? piece.area : 0;
+            all += piece.area;
+        }
+        return bound > all / 2;
     }
 
     // Whether the surface of a person with this skeleton can reach so far.

@@ -31,6 +31,7 @@ struct Stance {
 struct PersonSearch {
     PersonLikeness likeness;    // of what was found, in that stance, in the file's unit; why it is no person otherwise
     Stance stance;              // in which the person stands and faces the front
+    bool has_skeleton = false;  // of a person
     std::vector<bool> is_kept;  // per triangle of the surface; empty: all
     std::vector<std::string> left_out;   // one description with the reason for each kind of piece
     std::optional<Vec3d> on_the_person;  // a vertex of the person's own piece, in the file's axes and unit; none: the
@@ -38,12 +39,14 @@ struct PersonSearch {
 };
 
 // Surface and bones are in the file's unit and axes. first_up: Y or Z, the axis that is tried first; the other is tried
-// if it may be. A skeleton with the joints of a person shows one whatever its surface is like. Throws InputError with
-// `file` if several persons stand beside each other.
+// if it may be. A skeleton with the joints of a person shows one whatever its surface is like, and what is bound to it
+// belongs to the person, as far as a person reaches. Throws InputError with `file` if several persons stand beside each
+// other.
 struct PersonQuestion {
     std::string file;
     UpAxis first_up = UpAxis::Y;
     bool may_be_other_up = true;
+    std::vector<bool> is_bound{};  // per vertex: whether bones move it; empty: none
 };
 PersonSearch find_person(const Surface& surface, const std::vector<Bone>& bones, const PersonQuestion& question);
 

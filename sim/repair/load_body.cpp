@@ -14,6 +14,7 @@
 #include "sim/core/file_path.h"
 #include "sim/core/printable.h"
 #include "sim/repair/guarded_import.h"
+#include "sim/repair/outer_hull.h"
 
 namespace selvedge::sim {
 
@@ -139,7 +140,11 @@ FileFrame choose_frame(const ImportedScene& scene, const PersonSearch& person, c
     report.quarter_turns = person.stance.quarter_turns;
     const int up = report.up == UpAxis::Z ? 2 : 1;
     const double depth = std::min(range_along(scene, 0).extent(), range_along(scene, 3 - up).extent());
-    report.unit = length_unit(range_along(scene, up).extent(), depth, person.likeness, path.string(), options.unit);
+    const double height = range_along(scene, up).extent();
+    constexpr double kLeast = 0.5, kTallest = 2.75;  // m: a unit other than glTF's own must be the better guess
+    const bool is_own = is_gltf(path) && options.unit == LengthUnit::Auto && height > kLeast && height < kTallest;
+    report.unit =
+        is_own ? LengthUnit::Metres : length_unit(height, depth, person.likeness, path.string(), options.unit);
     report.is_unit_assumed = options.unit == LengthUnit::Auto;
     const double scale = unit_of_length(report.unit).metres;
     check_size(scene, scale, path.string());
@@ -164,6 +169,14 @@ JoinedScene join(const ImportedScene& scene, const FileFrame& frame) {
         if (has_skin) joined.skin.insert(joined.skin.end(), mesh.skin.begin(), mesh.skin.end());
     }
     return joined;
+}
+
+// Per vertex of all meshes: whether bones move it.
+std::vector<bool> bound_vertices(const ImportedScene& scene) {
+    std::vector<bool> is_bound;
+    for (const ImportedMesh& mesh : scene.meshes)
+        is_bound.insert(is_bound.end(), mesh.x.size(), !scene.bones.empty() && mesh.skin.size() == mesh.x.size());
+    return is_bound;
 }
 
 // Without the triangles that are not kept, and the vertices that only they use.
@@ -194,15 +207,31 @@ void keep_triangles(ImportedScene& scene, const std::vector<bool>& is_kept) {
     std::erase_if(scene.meshes, [](const ImportedMesh& mesh) { return mesh.triangles.empty(); });
 }
 
-// Where the person is, for repair(), in metres.
+// Where the person is, for repair(), in metres. Of a person of several pieces each may be open where another one goes
+// on, however wide.
 RepairOptions repair_options(const LoadBodyOptions& options, const PersonSearch& person, const FileFrame& frame) {
     RepairOptions repair = options.repair;
+    const bool is_in_pieces = !person.on_the_person || (person.has_skeleton && !person.likeness.is_whole());
+    if (person.likeness.is_person() && is_in_pieces) repair.largest_hole = std::numeric_limits<double>::infinity();
     if (person.on_the_person) repair.main_at = frame(*person.on_the_person);
     constexpr double kAboveNeck = 0.3;  // of the way from the neck to the crown: below it, a hole is the neck's
     const std::optional<double>& neck = person.likeness.landmarks.neck;
     if (person.likeness.is_person() && neck)
         repair.head_from = frame.scale * (*neck + kAboveNeck * (person.likeness.stature.crown - *neck));
     return repair;
+}
+
+// A body of parts gets one surface round all of them.
+void join_parts(Surface& surface, const PersonSearch& person, double scale, LoadBodyReport& report) {
+    constexpr double kCell = 1.0 / 216;      // of the stature: 8 mm of 1.73 m, half of a finger
+    constexpr double kWidestGap = 0.03;      // of the stature: half the thickness of an arm
+    constexpr double kHighestGroove = 0.02;  // of the stature: a waistband
+    if (!person.likeness.is_person() || !is_of_parts(surface)) return;
+    report.joined_pieces = report.repair.pieces;
+    const double stature = scale * person.likeness.stature.height();
+    surface = outer_hull(
+        surface,
+        {.cell = kCell * stature, .widest_gap = kWidestGap * stature, .highest_groove = kHighestGroove * stature});
 }
 
 void stand_on_floor(Body& body) {
@@ -270,6 +299,9 @@ void write_notes(LoadBodyReport& report, const Body& body) {
     if (repair.turned_triangles > 0)
         notes.push_back("turned " + triangles_text(repair.turned_triangles) + " to face outward");
     if (repair.capped_crowns > 0) notes.emplace_back("closed the top of the head, which the file leaves open");
+    if (report.joined_pieces > 0)
+        notes.push_back("joined its " + std::to_string(report.joined_pieces) +
+                        " pieces by one surface round all of them");
     const int capped = repair.capped_holes - repair.capped_crowns;
     if (capped > 0) notes.push_back("capped " + count_text(as_size(capped), "hole"));
     for (const std::string& left_out : report.left_out) notes.push_back("left out " + left_out);
@@ -311,7 +343,8 @@ BodyClips body_of(ImportedScene scene, const std::filesystem::path& path, const 
     PersonSearch person = find_person(join(scene, {}).surface, scene.bones,
                                       {.file = path.string(),
                                        .first_up = up_axis(scene, path, options.up),
-                                       .may_be_other_up = options.up == UpAxis::Auto});
+                                       .may_be_other_up = options.up == UpAxis::Auto,
+                                       .is_bound = bound_vertices(scene)});
     keep_triangles(scene, person.is_kept);
     filled_report.left_out = std::move(person.left_out);
     const FileFrame frame = choose_frame(scene, person, path, options, filled_report);
@@ -320,16 +353,20 @@ BodyClips body_of(ImportedScene scene, const std::filesystem::path& path, const 
         repair(std::move(joined.surface), path.string(), repair_options(options, person, frame), filled_report.repair);
     if (options.must_be_person && !person.likeness.is_person())
         throw InputError(path.string(), "", "it is no person: " + person.likeness.lacks);
+    join_parts(surface, person, frame.scale, filled_report);
 
     BodyClips motion;
     Body& body = motion.body;
     body.name = path.stem().string();
     body.file = canonical_name(path);
+    if (!joined.skin.empty() && filled_report.joined_pieces > 0) {
+        body.skin = hull_skin(surface, joined.skin);
+    } else if (!joined.skin.empty()) {
+        for (const int origin : surface.origin) body.skin.push_back(joined.skin[std::size_t(origin)]);
+    }
     body.x = std::move(surface.x);
     body.triangles = std::move(surface.triangles);
     take_bones(body, std::move(scene.bones), frame);
-    if (!joined.skin.empty())
-        for (const int origin : surface.origin) body.skin.push_back(joined.skin[std::size_t(origin)]);
     if (options.stands_on_floor) stand_on_floor(body);
     const double parted = part_legs(body);
     if (!body.skin.empty()) bind_at_rest(body);

@@ -35,6 +35,7 @@ struct LoadBodyReport {
     std::vector<std::string>
         left_out;  // pieces that are not of the person: a description with the reason for each kind
     RepairReport repair;
+    int joined_pieces = 0;           // of a body of parts, round which one surface was made; 0: it is of one piece
     std::vector<std::string> notes;  // one sentence per change; empty when nothing was changed
 };
 
