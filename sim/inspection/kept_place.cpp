@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <map>
@@ -16,6 +17,7 @@ namespace {
 constexpr float kBand = 0.1F;       // m, below the highest point of a piece: its upper edge
 constexpr float kOnBody = 0.03F;    // m: cloth that is held; a loose waistband stands off by as much
 constexpr float kOnFloor = 0.15F;   // m, over it
+constexpr std::size_t kMany = 200;  // anchors: more say no more
 constexpr std::size_t kFew = 3;     // anchors, which say nothing
 constexpr double kLeftPlace = 0.2;  // m: from the waist to the crotch it is 0.25; a waistband that settles on the hips
                                     // slides by 0.1
@@ -109,6 +111,9 @@ void KeptPlace::find_anchors(const Cloth& cloth, const SurfaceBvh& surface, Piec
         }
         if (piece.anchors.size() >= kFew) break;
     }
+    const std::size_t every = 1 + piece.anchors.size() / kMany;
+    for (std::size_t i = 0; i * every < piece.anchors.size(); ++i) piece.anchors[i] = piece.anchors[i * every];
+    piece.anchors.resize((piece.anchors.size() + every - 1) / every);
     std::vector<std::string_view> parts;
     for (const Anchor& anchor : piece.anchors) parts.push_back(part_of(anchor.triangle));
     piece.part = most_frequent(parts);
@@ -122,13 +127,19 @@ std::string_view KeptPlace::part_of(std::uint32_t triangle) const {
 
 void KeptPlace::note(const Cloth& cloth, const SurfaceBvh& surface, double seconds) {
     for (Piece& piece : pieces_) {
-        std::vector<float> ways;
+        std::vector<Vec3f> places;
         for (const Anchor& anchor : piece.anchors) {
-            Vec3f place = Vec3f::Zero();
+            Vec3f& place = places.emplace_back(Vec3f::Zero());
             for (std::size_t k = 0; k < 3; ++k)
                 place += anchor.shares[static_cast<Eigen::Index>(k)] *
                          surface.points()[static_cast<std::size_t>(triangles_[anchor.triangle][k])];
-            ways.push_back((cloth.x[anchor.vertex].head<3>() - place).norm() - anchor.away);
+        }
+        std::vector<float> ways;
+        for (const Anchor& anchor : piece.anchors) {
+            const Vec3f x = cloth.x[anchor.vertex].head<3>();
+            float nearest = std::numeric_limits<float>::infinity();
+            for (const Vec3f& place : places) nearest = std::min(nearest, (x - place).squaredNorm());
+            ways.push_back(std::sqrt(nearest) - anchor.away);
         }
         const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
         std::ranges::nth_element(ways, middle);

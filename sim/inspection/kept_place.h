@@ -31,8 +31,8 @@ class KeptPlace {
     // panels.
     std::vector<std::string> faults(std::span<const std::string> panels = {}) const;
 
-    // m, by which half of the vertices that are watched of a piece have moved on the body, or more; the most of a piece
-    // at any time.
+    // m, by which half of the vertices that are watched of a piece, or more, have moved away from all the places on the
+    // body where these were: a skirt that turns round the waist has not. The most of a piece at any time.
     double farthest() const { return farthest_; }
 
  private:

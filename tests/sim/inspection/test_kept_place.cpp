@@ -22,10 +22,11 @@ Vec3d joint(Joint of) {
 // A piece of cloth whose vertices are put on the body's surface near a place, the upper half higher.
 class KeptPlaceTest : public testing::Test {
  protected:
-    void put_on(const Vec3d& place) {
+    // turn: how far it is turned round the body, of a whole turn.
+    void put_on(const Vec3d& place, double turn = 0) {
         const auto& vertices = cloth_.mesh.leaf_vertices();
         for (std::size_t i = 0; i < vertices.size(); ++i) {
-            const double round = 2 * M_PI * double(i) / double(vertices.size());
+            const double round = 2 * M_PI * (turn + double(i) / double(vertices.size()));
             const Vec3f wanted =
                 (place + Vec3d(0.02 * std::sin(round), i % 2 == 0 ? 0.02 : -0.2, 0.3 * std::cos(round))).cast<float>();
             const auto closest = collider_.surface().closest(wanted, 1.0F);
@@ -47,6 +48,15 @@ TEST_F(KeptPlaceTest, is_no_fault_of_cloth_that_slides_by_little) {
     EXPECT_TRUE(kept.faults().empty());
     EXPECT_GT(kept.farthest(), 0.02);
     EXPECT_LT(kept.farthest(), 0.15);
+}
+
+TEST_F(KeptPlaceTest, is_no_fault_of_cloth_that_turns_round_the_waist) {
+    put_on(joint(Joint::Spine));
+    KeptPlace kept = watch();
+    put_on(joint(Joint::Spine), 0.3);
+    kept.note(cloth_, collider_.surface(), 0.5);
+    EXPECT_TRUE(kept.faults().empty());
+    EXPECT_LT(kept.farthest(), 0.05);
 }
 
 TEST_F(KeptPlaceTest, is_told_with_the_moment_and_the_part_that_carries_the_garment) {
