@@ -77,6 +77,7 @@ Actor make_actor(const BodyOptions& body, const MotionChoice& motion) {
     if (own.body->skin.empty())
         throw sim::InputError(body.source, "skin", "is missing: a body moves by bones that its surface is bound to");
     sim::Clip clip = choose_motion(motion, own, body.source, notes);
+    notes.insert(notes.end(), clip.notes.begin(), clip.notes.end());
     const bool is_of_body = is_own(motion, own);
     return {.body = own.body,
             .clip = std::move(clip),

@@ -51,6 +51,7 @@ struct AnimateArguments {
     Path film;  // empty: no such output
     std::vector<Path> caches;
     int cache_triangles = 20'000;
+    bool exports_skinned = false;
     sim::AtlasOptions atlas;
     bool has_textures = true;
     Path report_file;
@@ -187,13 +188,15 @@ class Caching {
         const sim::DrawMesh body = sim::body_mesh(animation.body());
         sim::CacheOptions options{.frames = static_cast<std::size_t>(animation.frame_count()),
                                   .frames_per_second = static_cast<double>(arguments.frames_per_second),
+                                  .binds_garment = arguments.exports_skinned,
                                   .atlas = arguments.atlas};
         const auto is_glb = [](const Path& path) { return path.extension() == ".glb"; };
         if (arguments.has_textures && std::ranges::any_of(arguments.caches, is_glb))
             options.textures = textures(arguments);
         for (const Path& path : arguments.caches) {
-            caches_.push_back(sim::open_mesh_cache(path, fixed_.mesh, options, is_glb(path) ? &body : nullptr));
             has_body_.push_back(is_glb(path));
+            options.bones = is_glb(path) ? &animation.body() : nullptr;
+            caches_.push_back(sim::open_mesh_cache(path, fixed_.mesh, options, is_glb(path) ? &body : nullptr));
         }
     }
 
@@ -201,8 +204,9 @@ class Caching {
         if (caches_.empty()) return;
         sample(fixed_, animation.cloth(), x_);
         const std::vector<Vec3f> body(animation.body_points().begin(), animation.body_points().end());
+        const sim::Pose pose = animation.timeline().pose(animation.seconds());
         for (std::size_t i = 0; i < caches_.size(); ++i)
-            caches_[i]->add(x_, has_body_[i] ? body : std::vector<Vec3f>{});
+            caches_[i]->add(x_, has_body_[i] ? body : std::vector<Vec3f>{}, has_body_[i] ? &pose : nullptr);
     }
 
     void finish() {
@@ -230,7 +234,8 @@ void check_outputs(const AnimateArguments& arguments) {
         if (!sim::is_mesh_cache(path))
             throw sim::InputError(
                 path.string(), "",
-                "cannot write: a cache's name ends in .pc2, .glb or, with one file per frame, /*.obj");
+                "cannot write: a cache's name ends in .pc2 or .glb, or is that of a folder, frames/, for "
+                "one .obj file per frame");
     }
     if (!arguments.report_file.empty()) check_output(arguments.report_file);
     if (arguments.picture.show == render::ShowMode::Hierarchy)
@@ -323,8 +328,7 @@ int run(AnimateArguments arguments) {
     bar.finish();
     if (!arguments.garment.is_quiet) print_summary(arguments, animation, actor);
     print_faults(animation.dress_report());
-    const std::vector<std::string> motion_faults = animation.quality().faults(animation.panel_names());
-    for (const std::string& fault : motion_faults)
+    for (const std::string& fault : animation.motion_faults())
         std::printf("defect: in motion: %s\n", sim::printable(fault).c_str());
     if (stop.is_raised()) {
         std::fprintf(stderr, "selvedge: stopped after %s of %s\n", seconds_text(animation.seconds()).c_str(),
@@ -367,12 +371,18 @@ void add_output_options(Command& command, AnimateArguments& arguments) {
                {.type = "FILE", .group = "Output"});
     add_flag(command, "--fixed-camera", arguments.camera_stays,
              "The camera stays where it is, and has all in the picture", {.group = "Output"});
-    add_option(command, "--export", arguments.caches,
-               "The moving garment on one mesh: .pc2, .glb (with the body) or frames/*.obj; may be repeated",
-               {.type = "FILE", .group = "Output", .takes_one_value = true});
+    add_option(
+        command, "--export", arguments.caches,
+        "The moving garment on one mesh: .pc2, .glb (with the body) or a folder, frames/, with one .obj per frame; "
+        "may be repeated",
+        {.type = "FILE", .group = "Output", .takes_one_value = true});
     add_number<int>(command, "--export-triangles", {1, 1'000'000},
                     "The exported mesh has at most so many triangles (default 20000)", {.type = "N", .group = "Output"},
                     [&arguments](int triangles) { arguments.cache_triangles = triangles; });
+    add_flag(command, "--export-skinned", arguments.exports_skinned,
+             "The garment of .glb goes with the body's bones, and morph targets hold what is left (default: morph "
+             "targets alone)",
+             {.group = "Output"});
     add_number<int>(command, "--texture-size", {64, 16384}, "Side of the textures of .glb, in pixels (default 2048)",
                     {.type = "PX", .group = "Output"},
                     [&arguments](int size_px) { arguments.atlas.size_px = size_px; });

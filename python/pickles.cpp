@@ -84,7 +84,10 @@ std::string bytes_of(const sim::PreparedBody& body) {
     writer.value(made.readings.has_value());
     if (made.readings) write(writer, *made.readings);
     writer.value(std::uint64_t(made.clips.size()));
-    for (const sim::Clip& clip : made.clips) write(writer, clip);
+    for (const sim::Clip& clip : made.clips) {
+        write(writer, clip);
+        write_texts(writer, clip.notes);
+    }
     return writer.bytes();
 }
 
@@ -99,6 +102,7 @@ BodyPointer body_from(std::string_view bytes) {
     const auto clips = reader.value<std::uint64_t>();
     for (std::uint64_t i = 0; i < clips && reader.is_sound(); ++i) {
         if (!read(reader, made.clips.emplace_back())) refuse();
+        made.clips.back().notes = read_texts(reader);
     }
     if (!reader.is_sound() || !reader.is_at_end()) refuse();
     return std::make_shared<sim::PreparedBody>(std::move(made));

@@ -337,6 +337,7 @@ void Drape::take_found(Messages& messages) {
         if (activity_.pose == found.text && !activity_.turned) session_.go_to(found.body, *found.pose);
     } else {
         taken_motion_ = found.text;
+        for (const std::string& note : found.clip->notes) messages.note(note);
         session_.set_clip(found.body, found.clip);
         if (activity_.motion == found.text && std::exchange(plays_when_found_, false)) session_.play();
     }

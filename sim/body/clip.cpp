@@ -56,6 +56,34 @@ Pose sample(const Body& body, const Clip& clip, double t) {
 
 namespace {
 
+template <class Value>
+Keys<Value> part_of_keys(const Keys<Value>& keys, double from, double to) {
+    if (keys.times.size() < 2) return keys;
+    Keys<Value> part{{0.0}, {value_at(keys, from)}};
+    for (std::size_t k = 0; k < keys.times.size(); ++k) {
+        if (keys.times[k] <= from || keys.times[k] >= to) continue;
+        part.times.push_back(keys.times[k] - from);
+        part.values.push_back(keys.values[k]);
+    }
+    part.times.push_back(to - from);
+    part.values.push_back(value_at(keys, to));
+    return part;
+}
+
+}  // namespace
+
+Clip part_of(const Clip& clip, double from, double to) {
+    Clip part{.name = clip.name, .seconds = to - from, .notes = clip.notes};
+    for (const Track& track : clip.tracks)
+        part.tracks.push_back({.bone = track.bone,
+                               .rotation = part_of_keys(track.rotation, from, to),
+                               .translation = part_of_keys(track.translation, from, to),
+                               .scale = part_of_keys(track.scale, from, to)});
+    return part;
+}
+
+namespace {
+
 bool is_sound(const Vec3d& value) {
     constexpr double kLargest = 1e6;  // admits a path of 1 km in mm
     return value.allFinite() && value.cwiseAbs().maxCoeff() <= kLargest;

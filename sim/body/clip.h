@@ -26,15 +26,19 @@ struct Track {
 struct Clip {
     std::string name;
     double seconds = 0;
-    std::vector<Track> tracks = {};  // at most one per bone
-    bool is_loop = false;            // its end continues at its start, `travel` farther
-    int travel_bone = -1;            // the bone that is moved by `travel` with each loop; -1: none
-    Vec3d travel = Vec3d::Zero();    // in the frame of that bone's parent
+    std::vector<Track> tracks = {};       // at most one per bone
+    bool is_loop = false;                 // its end continues at its start, `travel` farther
+    int travel_bone = -1;                 // the bone that is moved by `travel` with each loop; -1: none
+    Vec3d travel = Vec3d::Zero();         // in the frame of that bone's parent
+    std::vector<std::string> notes = {};  // what of it is not as in its file, and why
 };
 
 // The pose at time t (s): linear between keys, rotations along the shorter arc. Times outside the clip give its first
 // or last pose, but for a loop, which continues. Pre: the tracks name bones of the body.
 Pose sample(const Body& body, const Clip& clip, double t);
+
+// The clip between two of its times, which becomes [0, to - from]. Pre: 0 <= from < to; it is no loop.
+Clip part_of(const Clip& clip, double from, double to);
 
 // Seconds and keys that a clip may have: an hour of motion at 120 Hz for each of 60 joints is 26 million keys and
 // more than a gigabyte; a tenth of that is ample.

@@ -128,9 +128,10 @@ constexpr std::array kKnownNames{
     KnownName{Joint::LeftToe, "leg", kChainRank},
 };
 
-constexpr std::array<std::string_view, 19> kPrefixes{
-    "skeleton", "armature", "rig", "character", "mixamorig", "bip", "biped", "valvebiped", "valve", "cc",
-    "base",     "def",      "org", "mch",       "j",         "b",   "bn",    "c",          "jnt"};
+constexpr std::array<std::string_view, 24> kPrefixes{"skeleton", "armature",   "rig",   "character", "mixamorig", "bip",
+                                                     "biped",    "valvebiped", "valve", "cc",        "base",      "def",
+                                                     "org",      "mch",        "j",     "b",         "bn",        "c",
+                                                     "jnt",      "smpl",       "smplx", "avg",       "m",         "f"};
 constexpr std::array<std::string_view, 4> kFillers{"joint", "jnt", "jt", "bone"};
 
 template <class Words>

@@ -6,6 +6,7 @@
 #include "sim/core/assert.h"
 #include "sim/dress/dressing_pose.h"
 #include "sim/mannequin/stored_mannequin.h"
+#include "sim/motion/clip_jumps.h"
 #include "sim/pattern/pattern.h"
 #include "sim/repair/stored_body.h"
 
@@ -48,6 +49,7 @@ MadeBody make_body(const std::string& source, const LoadBodyOptions& load, const
         BodyClips content = load_stored_body(source, load, store, made.notes);
         made.body = std::make_shared<const Body>(std::move(content.body));
         made.clips = std::move(content.clips);
+        for (Clip& clip : made.clips) mend_jumps(*made.body, clip);
     } else {
         made = make_body(parse_mannequin(source), store);
     }

@@ -1,5 +1,6 @@
 #include "sim/exchange/glb_document.h"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <string>
@@ -18,9 +19,7 @@ Json number(float value) {
     return Json::number_as_written(double(value), std::string(digits, end));
 }
 
-std::size_t Document::describe(std::size_t count, std::size_t bytes_each, Component component, const char* type,
-                               Target target) {
-    const std::uint64_t bytes = std::uint64_t(count) * bytes_each;
+std::size_t Document::add_view(std::uint64_t bytes, Target target) {
     Json view = Json::object();
     view["buffer"] = 0;
     view["byteOffset"] = size_;
@@ -28,14 +27,71 @@ std::size_t Document::describe(std::size_t count, std::size_t bytes_each, Compon
     if (target != Target::None) view["target"] = int(target);
     views_.push_back(std::move(view));
     size_ += bytes;
+    return views_.elements().size() - 1;
+}
 
+std::size_t Document::describe(std::size_t count, std::size_t bytes_each, Component component, const char* type,
+                               Target target) {
+    const std::size_t view = add_view(std::uint64_t(count) * bytes_each, target);
     Json accessor = Json::object();
-    accessor["bufferView"] = views_.elements().size() - 1;
+    accessor["bufferView"] = view;
     accessor["componentType"] = int(component);
     accessor["count"] = count;
     accessor["type"] = type;
     accessors_.push_back(std::move(accessor));
     return accessors_.elements().size() - 1;
+}
+
+std::size_t Document::describe_sparse(std::size_t count, std::size_t kept, std::size_t indices, std::size_t values,
+                                      const char* type) {
+    Json accessor = Json::object();
+    accessor["componentType"] = int(Component::Float);
+    accessor["count"] = count;
+    accessor["type"] = type;
+    Json& sparse = accessor["sparse"] = Json::object();
+    sparse["count"] = kept;
+    sparse["indices"]["bufferView"] = indices;
+    sparse["indices"]["componentType"] = int(Component::UnsignedInt);
+    sparse["values"]["bufferView"] = values;
+    accessors_.push_back(std::move(accessor));
+    return accessors_.elements().size() - 1;
+}
+
+template <class Element>
+std::size_t Document::add_kept(std::span<const Element> values, const std::vector<bool>& is_kept, std::size_t kept,
+                               const char* type) {
+    std::vector<std::uint32_t> indices;
+    std::vector<Element> elements;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!is_kept[i] && !(kept == 0 && i == 0)) continue;  // one at least, as the specification has it
+        indices.push_back(std::uint32_t(i));
+        elements.push_back(is_kept[i] ? values[i] : Element(values[i] * 0));
+    }
+    append({reinterpret_cast<const char*>(indices.data()), indices.size() * sizeof(std::uint32_t)});
+    const std::size_t index_view = add_view(indices.size() * sizeof(std::uint32_t), Target::None);
+    append({reinterpret_cast<const char*>(elements.data()), elements.size() * sizeof(Element)});
+    const std::size_t value_view = add_view(elements.size() * sizeof(Element), Target::None);
+    return describe_sparse(values.size(), indices.size(), index_view, value_view, type);
+}
+
+std::size_t Document::add_sparse(std::span<const Vec3f> values, const std::vector<bool>& is_kept, Bounds bounds) {
+    const auto kept = std::size_t(std::ranges::count(is_kept, true));
+    if ((kept + 1) * (sizeof(std::uint32_t) + sizeof(Vec3f)) >= values.size() * sizeof(Vec3f))
+        return bounds == Bounds::Given ? add_positions(values) : add_vectors(values);
+    const std::size_t index = add_kept(values, is_kept, kept, "VEC3");
+    if (bounds == Bounds::None) return index;
+    Eigen::AlignedBox3f box(Vec3f(Vec3f::Zero()));
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (is_kept[i]) box.extend(values[i]);
+    set_bounds(index, numbers(box.min()), numbers(box.max()));
+    return index;
+}
+
+std::size_t Document::add_sparse(std::span<const float> values, const std::vector<bool>& is_kept) {
+    const auto kept = std::size_t(std::ranges::count(is_kept, true));
+    if ((kept + 1) * (sizeof(std::uint32_t) + sizeof(float)) >= values.size() * sizeof(float))
+        return add_numbers(values);
+    return add_kept(values, is_kept, kept, "SCALAR");
 }
 
 std::size_t Document::add_file(std::string_view bytes) {
@@ -58,9 +114,12 @@ void Document::set_bounds(std::size_t accessor, Json low, Json high) {
 }
 
 // number() gives at most 15 characters: a sign, nine digits with a point, an exponent.
+Json Document::longest_number() {
+    return Json::number_as_written(0, "-0.000000000e-38");
+}
+
 Json Document::longest_bounds() const {
-    const Json longest = Json::number_as_written(0, "-0.000000000e-38");
-    return Json::array({longest, longest, longest});
+    return Json::array({longest_number(), longest_number(), longest_number()});
 }
 
 std::size_t Document::add_positions(std::span<const Vec3f> x) {
@@ -88,15 +147,27 @@ std::size_t Document::add_times(std::span<const float> ascending) {
     return index;
 }
 
-std::size_t Document::plan_vectors(std::size_t count) {
+std::size_t Document::plan(std::size_t count, std::size_t bytes_each, Component component, const char* type) {
     SELVEDGE_ASSERT(is_plan_);
-    return describe(count, sizeof(Vec3f), Component::Float, "VEC3", Target::Vertices);
-}
-
-std::size_t Document::plan_positions(std::size_t count) {
-    const std::size_t index = plan_vectors(count);
+    const std::size_t index = describe(count, bytes_each, component, type, Target::Vertices);
     set_bounds(index, longest_bounds(), longest_bounds());
     return index;
+}
+
+std::size_t Document::plan_sparse_vectors(std::size_t count, Bounds bounds) {
+    SELVEDGE_ASSERT(is_plan_);
+    const std::size_t indices = add_view(0, Target::None);
+    const std::size_t values = add_view(std::uint64_t(count) * sizeof(Vec3f), Target::None);
+    const std::size_t index = describe_sparse(count, count, indices, values, "VEC3");
+    if (bounds == Bounds::Given) set_bounds(index, longest_bounds(), longest_bounds());
+    return index;
+}
+
+std::size_t Document::plan_sparse_numbers(std::size_t count, std::size_t kept) {
+    SELVEDGE_ASSERT(is_plan_);
+    const std::size_t all = std::min(count * sizeof(float), (kept + 1) * (sizeof(std::uint32_t) + sizeof(float)));
+    const std::size_t indices = add_view(0, Target::None), values = add_view(all, Target::None);
+    return describe_sparse(count, count, indices, values, "SCALAR");
 }
 
 std::size_t Document::plan_numbers(std::size_t count) {

@@ -55,13 +55,21 @@ class Document {
     std::size_t add_numbers(std::span<const float> values, Target target = Target::None);
     std::size_t add_times(std::span<const float> ascending);  // s, with bounds
 
+    // Values of which most are zero: those that `is_kept`, in their order, if that takes less room; else as
+    // add_vectors() and add_numbers(). Bounds: of positions.
+    enum class Bounds { None, Given };
+    std::size_t add_sparse(std::span<const Vec3f> values, const std::vector<bool>& is_kept, Bounds bounds);
+    std::size_t add_sparse(std::span<const float> values, const std::vector<bool>& is_kept);
+
     // A view without an accessor, for a file within the file. Returns the view's index.
     std::size_t add_file(std::string_view bytes);
 
-    // In a plan only: what add_vectors() and add_positions() would add for so many.
-    std::size_t plan_vectors(std::size_t count);
-    std::size_t plan_positions(std::size_t count);
+    // In a plan only: the most that add_sparse() adds for so many, of which no more are kept than that takes less room.
+    std::size_t plan_sparse_vectors(std::size_t count, Bounds bounds);
+    std::size_t plan_sparse_numbers(std::size_t count, std::size_t kept);
     std::size_t plan_numbers(std::size_t count);
+    std::size_t plan(std::size_t count, std::size_t bytes_each, Component component, const char* type);
+    static Json longest_number();
 
     std::uint64_t size() const { return size_; }           // of all bytes so far
     const std::string& buffer() const { return buffer_; }  // bytes since the last clear_buffer()
@@ -74,6 +82,13 @@ class Document {
     void append(std::string_view bytes) {
         if (!is_plan_) buffer_ += bytes;
     }
+    // The index of a new view.
+    std::size_t add_view(std::uint64_t bytes, Target target);
+    std::size_t describe_sparse(std::size_t count, std::size_t kept, std::size_t indices, std::size_t values,
+                                const char* type);
+    template <class Element>
+    std::size_t add_kept(std::span<const Element> values, const std::vector<bool>& is_kept, std::size_t kept,
+                         const char* type);
     std::size_t describe(std::size_t count, std::size_t bytes_each, Component component, const char* type,
                          Target target);
     void set_bounds(std::size_t accessor, Json low, Json high);

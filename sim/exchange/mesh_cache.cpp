@@ -19,7 +19,18 @@ namespace {
 
 enum class CacheFormat { None, Pc2, Glb, ObjFrames };
 
-CacheFormat format_of(const std::filesystem::path& path) {
+bool is_folder(const std::filesystem::path& path) {
+    std::error_code error;
+    return !path.empty() && (path.filename().empty() || std::filesystem::is_directory(path, error));
+}
+
+// "frames" and "frames/" as "frames/*.obj".
+std::filesystem::path pattern_of(const std::filesystem::path& path) {
+    return is_folder(path) ? path / "*.obj" : path;
+}
+
+CacheFormat format_of(const std::filesystem::path& given) {
+    const std::filesystem::path path = pattern_of(given);
     const std::string name = lower_case(path.filename().string());
     if (name.ends_with(".pc2")) return CacheFormat::Pc2;
     if (name.ends_with(".glb")) return CacheFormat::Glb;
@@ -31,14 +42,14 @@ CacheFormat format_of(const std::filesystem::path& path) {
 class ObjFrames final : public MeshCache {
  public:
     ObjFrames(const std::filesystem::path& pattern, const DrawMesh& mesh, const CacheOptions& options)
-        : pattern_(pattern), options_(options), mesh_(mesh) {
-        const std::filesystem::path folder = pattern.parent_path();
+        : pattern_(pattern_of(pattern)), options_(options), mesh_(mesh) {
+        const std::filesystem::path folder = pattern_.parent_path();
         std::error_code error;
         if (!folder.empty()) std::filesystem::create_directories(folder, error);
         if (error) throw InputError(folder.string(), "", "cannot make the folder: " + error.message());
     }
 
-    void add(const std::vector<Vec3f>& garment, const std::vector<Vec3f>& body) override {
+    void add(const std::vector<Vec3f>& garment, const std::vector<Vec3f>& body, const Pose*) override {
         SELVEDGE_ASSERT(garment.size() == mesh_.x.size() && body.empty() && frames_ < options_.frames);
         const int frame = options_.first_frame + static_cast<int>(frames_);
         require_finite(pattern_, frame, garment);
@@ -68,7 +79,7 @@ std::unique_ptr<MeshCache> open_mesh_cache(const std::filesystem::path& path, co
     SELVEDGE_ASSERT(options.frames > 0 && options.frames_per_second > 0);
     const CacheFormat format = format_of(path);
     if (format == CacheFormat::None)
-        throw InputError(path.string(), "", "not an animation cache: use .pc2, .glb or frames/*.obj");
+        throw InputError(path.string(), "", "not an animation cache: use .pc2, .glb or a folder, frames/");
     if (body != nullptr && format != CacheFormat::Glb)
         throw InputError(path.string(), "", "holds one mesh: a body goes with a garment only into .glb");
     if (garment.triangles.empty() || (body != nullptr && body->triangles.empty()))
@@ -82,7 +93,8 @@ bool is_mesh_cache(const std::filesystem::path& path) {
     return format_of(path) != CacheFormat::None;
 }
 
-std::filesystem::path frame_path(const std::filesystem::path& pattern, int frame) {
+std::filesystem::path frame_path(const std::filesystem::path& path, int frame) {
+    const std::filesystem::path pattern = pattern_of(path);
     std::string name = pattern.filename().string(), number = std::to_string(std::abs(frame));
     if (number.size() < 4) number.insert(0, 4 - number.size(), '0');
     if (frame < 0) number.insert(0, 1, '-');

@@ -3,9 +3,11 @@
 // The extension selects the format:
 //   cache.pc2     positions of all frames (sim/exchange/pc2_file.h); cache.obj beside it holds the first frame's mesh
 //                 with the same order of vertices, material coordinates and panels;
-//   cache.glb     one morph target per frame and an animation of their weights (sim/exchange/glb_cache.h); a body too;
+//   cache.glb     one morph target per frame and an animation of their weights (sim/exchange/glb_cache.h); a body too,
+//                 by its bones;
 //   frames/*.obj  one file per frame, as write_garment() writes it; the frame's number takes the place of the asterisk,
-//                 with at least four digits. The folder is made if it does not exist.
+//                 with at least four digits. The folder is made if it does not exist;
+//   frames/       as frames/*.obj.
 // A .pc2 or .glb file is a temporary file until finish(); if the cache is destroyed before, the old file remains.
 #include <cstddef>
 #include <filesystem>
@@ -14,6 +16,7 @@
 #include <vector>
 
 #include "sim/body/body.h"
+#include "sim/body/pose.h"
 #include "sim/core/math.h"
 #include "sim/exchange/garment_export.h"
 #include "sim/mesh/draw_mesh.h"
@@ -29,8 +32,11 @@ struct CacheOptions {
     int first_frame = 1;            // its number in file names, in names of morph targets and in .pc2
     // Of .glb only:
     CacheInterpolation interpolation = CacheInterpolation::Linear;
-    bool has_normals = true;  // also the normals of every frame: twice the size; Blender computes its own
-    AtlasOptions atlas{};     // where the garment's panels are in the first set of texture coordinates
+    bool has_normals = true;      // also the normals of every frame: twice the size; Blender computes its own
+    const Body* bones = nullptr;  // of the body, with its skin: it goes with them, and only what its flesh gives way is
+                                  // left to morph targets; it lives until finish(). None: the body is morph targets
+    bool binds_garment = false;   // with bones: the garment goes with them too, and morph targets hold the rest
+    AtlasOptions atlas{};         // where the garment's panels are in the first set of texture coordinates
     GarmentTextures textures{};
 };
 
@@ -42,8 +48,10 @@ class MeshCache {
     MeshCache& operator=(const MeshCache&) = delete;
 
     // Positions of the next frame, m, in the order of the mesh; `body` only if the cache has a body. Throws InputError
-    // if a number is not finite or the disk is full. Pre: fewer frames than planned have been added.
-    virtual void add(const std::vector<Vec3f>& garment, const std::vector<Vec3f>& body = {}) = 0;
+    // if a number is not finite or the disk is full. pose: of CacheOptions::bones, with these.
+    // Pre: fewer frames than planned have been added.
+    virtual void add(const std::vector<Vec3f>& garment, const std::vector<Vec3f>& body = {},
+                     const Pose* pose = nullptr) = 0;
 
     // Makes the file appear, with as many frames as were added. Pre: at least one frame; called once.
     virtual void finish() = 0;
@@ -56,10 +64,10 @@ class MeshCache {
 std::unique_ptr<MeshCache> open_mesh_cache(const std::filesystem::path& path, const DrawMesh& garment,
                                            const CacheOptions& options, const DrawMesh* body = nullptr);
 
-// Whether the path names a cache: ends in .pc2, .glb or *.obj.
+// Whether the path names a cache: ends in .pc2, .glb or *.obj, or is a folder, which ends in a slash or is there.
 bool is_mesh_cache(const std::filesystem::path& path);
 
-// The file of one frame of "frames/*.obj": frames/0001.obj.
+// The file of one frame of "frames/*.obj" or "frames/": frames/0001.obj.
 std::filesystem::path frame_path(const std::filesystem::path& pattern, int frame);
 
 // A body's surface as a mesh of one panel called "body", without material coordinates.

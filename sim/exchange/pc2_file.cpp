@@ -52,7 +52,7 @@ class Pc2Cache final : public MeshCache {
         file_.append(header(mesh.x.size(), options));
     }
 
-    void add(const std::vector<Vec3f>& garment, const std::vector<Vec3f>& body) override {
+    void add(const std::vector<Vec3f>& garment, const std::vector<Vec3f>& body, const Pose*) override {
         SELVEDGE_ASSERT(garment.size() == mesh_.x.size() && body.empty() && samples_ < options_.frames);
         require_finite(file_.path(), options_.first_frame + static_cast<int>(samples_), garment);
         if (samples_ == 0) {

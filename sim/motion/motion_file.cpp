@@ -15,9 +15,11 @@
 #include "sim/core/file.h"
 #include "sim/core/json.h"
 #include "sim/motion/clear_arms.h"
+#include "sim/motion/clip_jumps.h"
 #include "sim/motion/grounding.h"
 #include "sim/motion/joint_angles.h"
 #include "sim/motion/retarget.h"
+#include "sim/motion/standing_rest.h"
 
 namespace selvedge::sim {
 
@@ -261,6 +263,8 @@ std::pair<Body, Clip> source_of(const std::string& text) {
                              ", or name a .json, .bvh, .fbx, .gltf or .glb file");
     BodyClips motion = load_motion(path);
     Clip found = find_clip(motion.clips, clip, path);
+    stand_up(motion.body, found);
+    mend_jumps(motion.body, found);
     return {std::move(motion.body), std::move(found)};
 }
 
@@ -271,6 +275,7 @@ bool are_of_one_file(const Body& source, const Body& body) {
 
 Clip fitted(const Body& source, const Clip& clip, const Body& body) {
     Clip result = retarget(source, clip, body);
+    result.notes = clip.notes;
     if (!are_of_one_file(source, body)) clear_arms(body, result);
     return result;
 }

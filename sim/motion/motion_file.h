@@ -21,9 +21,9 @@ std::vector<std::string> motion_names();
 std::vector<std::string> pose_names();
 
 // A shipped motion or pose by name ("walk"), a file in the shipped format ("my_walk.json"), or a clip of a BVH, FBX,
-// glTF or GLB file ("walk.bvh", "walks.glb#slow"), made to fit this body's skeleton. If the body has a skin, the motion
-// stands on the floor, and arms that would cut the trunk are opened (clear_arms.h), but not in a body's own motion.
-// Throws InputError.
+// glTF or GLB file ("walk.bvh", "walks.glb#slow"), made to fit this body's skeleton: turned upright (standing_rest.h)
+// and without jumps (clip_jumps.h); Clip::notes tells. If the body has a skin, the motion stands on the floor, and arms
+// that would cut the trunk are opened (clear_arms.h), but not in a body's own motion. Throws InputError.
 Clip find_motion(const std::string& text, const Body& body);
 
 // The same as a pose: the last one of a motion ("sit": seated). It stands on the floor by itself.

@@ -15,6 +15,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -247,6 +248,28 @@ void start_at_zero(Clip& clip) {
     if (first < 0 && std::isfinite(first)) clip.seconds -= first;
 }
 
+// Where assimp divides a node of FBX into pivots and the node itself, it animates either the pivots, or the node alone
+// with its whole transform: then the pivots, which keep theirs at rest, must not act a second time.
+void hold_pivots_of_whole_transforms(const Skeleton& skeleton, Clip& clip) {
+    constexpr std::string_view kMark = "_$AssimpFbx$_";
+    std::vector<bool> is_animated(skeleton.bones.size(), false);
+    for (const Track& track : clip.tracks) is_animated[std::size_t(track.bone)] = true;
+    std::map<std::string, std::vector<int>> pivots_of;  // by the name of the node
+    for (std::size_t i = 0; i < skeleton.bones.size(); ++i)
+        if (const std::size_t mark = skeleton.bones[i].name.find(kMark); mark != std::string::npos)
+            pivots_of[skeleton.bones[i].name.substr(0, mark)].push_back(int(i));
+    for (const auto& [name, pivots] : pivots_of) {
+        const auto node = skeleton.bone_of_node.find(name);
+        if (node == skeleton.bone_of_node.end() || !is_animated[std::size_t(node->second)]) continue;
+        if (std::ranges::any_of(pivots, [&](int pivot) { return is_animated[std::size_t(pivot)]; })) continue;
+        for (const int pivot : pivots)
+            clip.tracks.push_back({.bone = pivot,
+                                   .rotation = {{0.0}, {Eigen::Quaterniond::Identity()}},
+                                   .translation = {{0.0}, {Vec3d::Zero()}},
+                                   .scale = {{0.0}, {Vec3d::Ones()}}});
+    }
+}
+
 Clip clip_of(const aiAnimation& animation, const Skeleton& skeleton, const std::string& extension) {
     constexpr double kUsualRate = 25;  // 1/s, where a file gives none: assimp's default
     const bool is_rate_given = animation.mTicksPerSecond != 0 || extension == "bvh";
@@ -266,7 +289,10 @@ Clip clip_of(const aiAnimation& animation, const Skeleton& skeleton, const std::
         track.translation = keys_of<Vec3d>(channel.mPositionKeys, channel.mNumPositionKeys, rate);
         track.scale = keys_of<Vec3d>(channel.mScalingKeys, channel.mNumScalingKeys, rate);
     }
-    if (extension == "fbx") start_at_zero(clip);
+    if (extension == "fbx") {
+        hold_pivots_of_whole_transforms(skeleton, clip);
+        start_at_zero(clip);
+    }
     for (const Track& track : clip.tracks)
         for (const std::vector<double>* times : {&track.rotation.times, &track.translation.times, &track.scale.times})
             if (!times->empty()) clip.seconds = std::max(clip.seconds, times->back());

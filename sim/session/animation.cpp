@@ -58,6 +58,8 @@ Animation::Animation(const Pattern& pattern, std::shared_ptr<const Body> body, P
         },
         moving);
     quality_.note(cloth(), run_->collider(), 0);
+    if (!quality_.has_bad_number)
+        kept_place_ = std::make_unique<KeptPlace>(cloth(), timeline_.body(), run_->collider().surface());
 }
 
 Animation::~Animation() = default;
@@ -68,6 +70,13 @@ const Cloth& Animation::cloth() const {
 
 double Animation::seconds() const {
     return frame_ / options_.frames_per_second;
+}
+
+std::vector<std::string> Animation::motion_faults() const {
+    std::vector<std::string> faults = kept_place_ ? kept_place_->faults(panel_names_) : std::vector<std::string>{};
+    const std::vector<std::string> seen = quality_.faults(panel_names_);
+    faults.insert(faults.end(), seen.begin(), seen.end());
+    return faults;
 }
 
 bool Animation::advance() {
@@ -85,6 +94,7 @@ bool Animation::advance() {
         if (look < looks) quality_.note_stretch(cloth(), run_->seconds() - before);
         if (look == looks) quality_.note(cloth(), run_->collider(), run_->seconds() - before);
     }
+    if (kept_place_ && !quality_.has_bad_number) kept_place_->note(cloth(), run_->collider().surface(), seconds());
     frame_ms_.push_back(1e3 * std::chrono::duration<double>(spent).count());
     surface_.positions(shown_, timeline_.pose(seconds()), body_points_);
     std::ranges::transform(body_points_, shown_.x.begin(), [](const Vec3f& p) { return Vec3d(p.cast<double>()); });

@@ -15,6 +15,7 @@
 #include "sim/body/yielding_flesh.h"
 #include "sim/core/parallel.h"
 #include "sim/dress/dress_options.h"
+#include "sim/inspection/kept_place.h"
 #include "sim/inspection/motion_quality.h"
 #include "sim/inspection/report.h"
 #include "sim/pattern/pattern.h"
@@ -83,6 +84,8 @@ class Animation {
     std::span<const Vec3f> body_points() const { return body_points_; }  // of its surface, m
     const DressReport& dress_report() const { return report_; }
     const MotionQuality& quality() const { return quality_; }
+    // What is wrong with the garment in motion, a sentence each.
+    std::vector<std::string> motion_faults() const;
     const std::vector<double>& frame_ms() const { return frame_ms_; }  // wall time of each advance()
 
  private:
@@ -96,6 +99,7 @@ class Animation {
     std::vector<std::string> panel_names_;
     std::unique_ptr<MotionRun> run_;
     MotionQuality quality_;
+    std::unique_ptr<KeptPlace> kept_place_;
     std::vector<double> frame_ms_;
     int frame_count_ = 1, frame_ = 0;
 };

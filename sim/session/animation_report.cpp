@@ -15,12 +15,12 @@ Outcome outcome_with(const std::vector<std::string>& faults, const Animation& an
 }  // namespace
 
 Outcome outcome_of(const Animation& animation) {
-    return outcome_with(animation.quality().faults(animation.panel_names()), animation);
+    return outcome_with(animation.motion_faults(), animation);
 }
 
 std::string to_json(const Animation& animation, const std::string& motion, const std::vector<ReportInput>& inputs) {
     const MotionQuality& quality = animation.quality();
-    const std::vector<std::string> found = quality.faults(animation.panel_names());
+    const std::vector<std::string> found = animation.motion_faults();
     DressReport report = animation.dress_report();
     report.inputs = inputs;
     Json json = json_of(report);

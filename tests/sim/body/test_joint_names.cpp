@@ -171,6 +171,21 @@ TEST(JointNames, that_mean_one_joint_or_the_next_are_told_by_their_neighbours) {
                    {"arm_joint_R", 7, "right_upper_arm"}});
 }
 
+TEST(JointNames, of_smpl_are_found_behind_the_name_of_its_model) {
+    for (const std::string prefix : {"", "m_avg_", "f_avg_", "SMPLX_"}) {
+        std::vector<std::string> names{"Pelvis", "L_Hip", "L_Knee", "L_Ankle", "L_Foot", "R_Hip", "Spine1", "L_Collar"};
+        for (std::string& name : names) name = prefix + name;
+        expect_joints({{names[0].c_str(), -1, "hips"},
+                       {names[1].c_str(), 0, "left_upper_leg"},
+                       {names[2].c_str(), 1, "left_lower_leg"},
+                       {names[3].c_str(), 2, "left_foot"},
+                       {names[4].c_str(), 3, "left_toe"},
+                       {names[5].c_str(), 0, "right_upper_leg"},
+                       {names[6].c_str(), 0, ""},
+                       {names[7].c_str(), 6, ""}});
+    }
+}
+
 TEST(JointNames, none_of_which_is_known_are_listed_in_one_line) {
     Body body;
     body.file = "crane.glb";

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "sim/core/json.h"
 
@@ -46,23 +47,60 @@ inline std::size_t element_bytes(const Json& accessor) {
     return count * (component == 5123 ? 2 : 4);
 }
 
-// Each accessor fills its buffer view; each view is inside the buffer at an offset that is a multiple of 4.
+inline void expect_sound_view(const Container& file, const Json& owner, std::size_t bytes) {
+    const Json& view = file.root.find("bufferViews")->elements().at(index_of(owner, "bufferView"));
+    EXPECT_EQ(index_of(view, "byteOffset") % 4, 0U);
+    EXPECT_LE(index_of(view, "byteOffset") + index_of(view, "byteLength"), file.buffer.size());
+    EXPECT_EQ(bytes, index_of(view, "byteLength"));
+}
+
+// Each accessor fills its buffer views; each view is inside the buffer at an offset that is a multiple of 4.
 inline void expect_sound_accessors(const Container& file) {
-    const auto& views = file.root.find("bufferViews")->elements();
     EXPECT_EQ(index_of(file.root.find("buffers")->elements()[0], "byteLength"), file.buffer.size());
     for (const Json& accessor : file.root.find("accessors")->elements()) {
-        const Json& view = views.at(index_of(accessor, "bufferView"));
-        EXPECT_EQ(index_of(view, "byteOffset") % 4, 0U);
-        EXPECT_LE(index_of(view, "byteOffset") + index_of(view, "byteLength"), file.buffer.size());
-        EXPECT_EQ(index_of(accessor, "count") * element_bytes(accessor), index_of(view, "byteLength"));
+        const Json* sparse = accessor.find("sparse");
+        if (sparse == nullptr) {
+            expect_sound_view(file, accessor, index_of(accessor, "count") * element_bytes(accessor));
+            continue;
+        }
+        const std::size_t count = index_of(*sparse, "count");
+        EXPECT_GE(count, 1U);
+        EXPECT_LT(count, index_of(accessor, "count"));
+        EXPECT_EQ(index_of(*sparse->find("indices"), "componentType"), 5125U);
+        expect_sound_view(file, *sparse->find("indices"), 4 * count);
+        expect_sound_view(file, *sparse->find("values"), count * element_bytes(accessor));
     }
 }
 
-inline float float_at(const Container& file, const Json& accessor, std::size_t index) {
-    const Json& view = file.root.find("bufferViews")->elements().at(index_of(accessor, "bufferView"));
-    float value = 0;
+template <class Number>
+Number number_at(const Container& file, const Json& owner, std::size_t index) {
+    const Json& view = file.root.find("bufferViews")->elements().at(index_of(owner, "bufferView"));
+    Number value = 0;
     std::memcpy(&value, file.buffer.data() + index_of(view, "byteOffset") + index * sizeof value, sizeof value);
     return value;
+}
+
+// All numbers of an accessor of floats, those that it leaves out too.
+inline std::vector<float> floats_of(const Container& file, const Json& accessor) {
+    const std::size_t each = element_bytes(accessor) / sizeof(float);
+    std::vector<float> floats(index_of(accessor, "count") * each, 0.0F);
+    const Json* sparse = accessor.find("sparse");
+    for (std::size_t i = 0; sparse == nullptr && i < floats.size(); ++i)
+        floats[i] = number_at<float>(file, accessor, i);
+    for (std::size_t k = 0; sparse != nullptr && k < index_of(*sparse, "count"); ++k) {
+        const std::size_t at = number_at<std::uint32_t>(file, *sparse->find("indices"), k);
+        for (std::size_t i = 0; i < each; ++i)
+            floats.at(at * each + i) = number_at<float>(file, *sparse->find("values"), k * each + i);
+    }
+    return floats;
+}
+
+inline const Json& accessor_of(const Container& file, const Json& owner, const char* key) {
+    return file.root.find("accessors")->elements().at(index_of(owner, key));
+}
+
+inline float float_at(const Container& file, const Json& accessor, std::size_t index) {
+    return floats_of(file, accessor)[index];
 }
 
 }  // namespace selvedge::sim

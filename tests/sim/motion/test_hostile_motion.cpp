@@ -392,5 +392,25 @@ TEST_F(HostileMotion, in_fbx_text_is_named) {
     EXPECT_NE(message_of("a.fbx", text.substr(0, text.size() / 2)), "");
 }
 
+// A joint with a turn of its own before the animated one, whether assimp animates its pivots or the whole of it.
+TEST_F(HostileMotion, in_fbx_turns_a_joint_by_its_pivots_once) {
+    for (const bool moves_too : {false, true}) {
+        std::string text = fbx_of("0,46186158000", "0,45");
+        text.insert(text.find("      P: \"Lcl Rotation\""),
+                    "      P: \"RotationActive\", \"bool\", \"\", \"\",1\n"
+                    "      P: \"PreRotation\", \"Vector3D\", \"Vector\", \"\",90,0,0\n");
+        if (moves_too) text.replace(text.find("0,90,0"), 6, "0,80,0");
+        ASSERT_EQ(message_of("a.fbx", text), "");
+        ASSERT_EQ(motion_.clips.size(), 1U);
+        const int hips = find_bone(motion_.body, "Hips");
+        ASSERT_GE(hips, 0);
+        for (const double t : {0.0, 1.0}) {
+            const auto frames = bone_frames(motion_.body, sample(motion_.body, motion_.clips[0], t));
+            const Eigen::Quaterniond turn = rotation_of(frames[static_cast<std::size_t>(hips)]);
+            EXPECT_NEAR(turn.angularDistance(Eigen::Quaterniond::Identity()) * 180 / 3.14159265, 90 + 45 * t, 0.5);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace selvedge::sim

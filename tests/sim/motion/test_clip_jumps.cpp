@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "sim/motion/clip_jumps.h"
+#include "sim/motion/motion_file.h"
+#include "tests/sim/motion/bvh_figure.h"
+#include "tests/sim/motion/support.h"
+#include "tests/support/mannequin.h"
+#include "tests/support/temporary_folder.h"
+
+namespace selvedge::sim {
+namespace {
+
+constexpr std::size_t kLeftArm = 6, kLeftLeg = 9;  // of figure_in_t_pose()
+
+// Stands and swings its left arm a little. `seconds` at that rate.
+std::vector<FigureFrame> swaying(double seconds, double rate, const Vec3d& place) {
+    std::vector<FigureFrame> frames;
+    for (int k = 0; k <= int(seconds * rate); ++k) {
+        frames.push_back(standing_frame(figure_in_t_pose(), place));
+        frames.back().turns[kLeftArm].z() += 10 * std::sin(2 * k / rate);
+    }
+    return frames;
+}
+
+FigureFrame t_pose() {
+    FigureFrame frame = standing_frame(figure_in_t_pose(), {0, 90, 0});
+    std::ranges::fill(frame.turns, Vec3d::Zero());
+    return frame;
+}
+
+Clip motion_of(const std::vector<FigureFrame>& frames, double rate) {
+    const TemporaryFolder folder;
+    return find_motion(write_bvh(folder / "motion.bvh", figure_in_t_pose(), frames, rate).string(), test::mannequin());
+}
+
+// m/s, of any joint of the mannequin.
+double greatest_speed(const Clip& clip) {
+    const Body& body = test::mannequin();
+    constexpr double kStep = 1.0 / 240;
+    double greatest = 0;
+    for (double t = kStep; t <= clip.seconds; t += kStep)
+        for (std::size_t i = 0; i < kJointCount; ++i)
+            greatest = std::max(greatest, (joint_at(body, sample(body, clip, t), Joint(i)) -
+                                           joint_at(body, sample(body, clip, t - kStep), Joint(i)))
+                                                  .norm() /
+                                              kStep);
+    return greatest;
+}
+
+TEST(ClipJumps, from_a_t_pose_in_the_first_frames_are_left_out_at_any_rate) {
+    for (const double rate : {10.0, 25.0, 30.0, 60.0, 120.0}) {
+        for (const std::size_t held : {1U, 2U}) {
+            std::vector<FigureFrame> frames = swaying(2, rate, {30, 90, 40});
+            frames.insert(frames.begin(), held, t_pose());
+            const Clip clip = motion_of(frames, rate);
+            EXPECT_NEAR(clip.seconds, 2, 1e-3) << rate;
+            EXPECT_LT(greatest_speed(clip), 0.5) << rate;
+            ASSERT_EQ(clip.notes.size(), 1U) << rate;
+            EXPECT_TRUE(clip.notes[0].starts_with("the motion jumps by ")) << clip.notes[0];
+            EXPECT_TRUE(clip.notes[0].ends_with(" from a pose at its start: its first " +
+                                                moment_text(double(held) / rate) + " are left out"))
+                << clip.notes[0];
+        }
+    }
+}
+
+TEST(ClipJumps, to_a_t_pose_at_the_end_are_left_out) {
+    std::vector<FigureFrame> frames = swaying(2, 60, {0, 90, 0});
+    frames.insert(frames.end(), 3, t_pose());
+    const Clip clip = motion_of(frames, 60);
+    EXPECT_NEAR(clip.seconds, 2, 1e-3);
+    EXPECT_LT(greatest_speed(clip), 0.5);
+    ASSERT_EQ(clip.notes.size(), 1U);
+    EXPECT_TRUE(clip.notes[0].ends_with(" to a pose at its end: its last 0.05 s are left out")) << clip.notes[0];
+}
+
+TEST(ClipJumps, between_two_takes_are_blended_over_the_longer_the_farther) {
+    for (const double place : {0.0, 200.0}) {  // cm
+        std::vector<FigureFrame> frames = swaying(2, 30, {0, 90, 0});
+        std::vector<FigureFrame> take = swaying(3, 30, {place, 90, 0});
+        for (FigureFrame& frame : take) frame.turns[kLeftArm].z() += 80;
+        frames.insert(frames.end(), take.begin(), take.end());
+        const Clip clip = motion_of(frames, 30);
+        EXPECT_NEAR(clip.seconds, 5 + 1 / 30.0, 1e-3);
+        EXPECT_LT(greatest_speed(clip), 6) << place;
+        ASSERT_EQ(clip.notes.size(), 1U);
+        EXPECT_NE(clip.notes[0].find(" at 2.03 s: blended over "), std::string::npos) << clip.notes[0];
+        const Body& body = test::mannequin();
+        EXPECT_GT((joint_at(body, sample(body, clip, 4), Joint::LeftHand) -
+                   joint_at(body, sample(body, clip, 4), Joint::LeftUpperArm))
+                      .normalized()
+                      .x(),
+                  0.9)
+            << "the second take is played";
+    }
+}
+
+TEST(ClipJumps, of_one_frame_that_is_wrong_are_found_too) {
+    std::vector<FigureFrame> frames = swaying(3, 120, {0, 90, 0});
+    frames[180].turns[kLeftArm].z() += 120;
+    const Clip clip = motion_of(frames, 120);
+    EXPECT_LT(greatest_speed(clip), 10);
+    ASSERT_EQ(clip.notes.size(), 1U);
+    EXPECT_NE(clip.notes[0].find(" at 1.50 s and at 1 more places: blended over 0.3"), std::string::npos)
+        << clip.notes[0];
+}
+
+// A kick of 15 m/s at the foot.
+TEST(ClipJumps, are_none_in_a_fast_motion) {
+    for (const double rate : {25.0, 30.0, 60.0, 120.0}) {
+        std::vector<FigureFrame> frames = swaying(3, rate, {0, 90, 0});
+        for (std::size_t k = 0; k < frames.size(); ++k) {
+            const double t = std::clamp((double(k) / rate - 1.5) / 0.25, -1.0, 1.0);
+            frames[k].turns[kLeftLeg].x() = -50 * (1 + std::cos(std::numbers::pi * t));
+        }
+        const Clip clip = motion_of(frames, rate);
+        EXPECT_TRUE(clip.notes.empty()) << rate << ' ' << clip.notes.front();
+        EXPECT_GT(greatest_speed(clip), 6) << rate;
+    }
+}
+
+TEST(ClipJumps, are_none_in_what_ships_and_between_keys_that_are_far_apart) {
+    for (const std::string& name : motion_names()) EXPECT_TRUE(find_motion(name, test::mannequin()).notes.empty());
+    const Body& body = test::mannequin();
+    Clip clip{.name = "two keys", .seconds = 1};
+    clip.tracks.push_back({.bone = 0, .translation = {{0, 0.4, 1}, {Vec3d(0, 1, 0), Vec3d(0, 1, 3), Vec3d(0, 1, 3)}}});
+    EXPECT_TRUE(find_jumps(body, clip).empty());
+    clip.tracks[0].translation.times[1] = 0.05;
+    ASSERT_EQ(find_jumps(body, clip).size(), 1U);
+    EXPECT_NEAR(find_jumps(body, clip)[0].way, 3, 0.5);
+}
+
+}  // namespace
+}  // namespace selvedge::sim
