@@ -15,6 +15,9 @@
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/place/body_anchors.h"
+#include "sim/place/elastic_waist.h"
+#include "sim/place/hood_places.h"
+#include "sim/place/leg_lean.h"
 #include "sim/place/limbs.h"
 #include "sim/place/panel_cones.h"
 #include "sim/place/panel_flanks.h"
@@ -45,7 +48,7 @@ class Arranger {
     Arrangement run() {
         find_flanks(pattern_, sewn_, out_.roles);
         for (std::size_t p = 0; p < out_.roles.size(); ++p) level_band(p);
-        anchors_.waist = resting_height(body_, anchors_, stature_, waist_length());
+        if (!gathers_waist()) anchors_.waist = resting_height(body_, anchors_, stature_, waist_length());
         for (const auto part : {GarmentPart::Torso, GarmentPart::Leg, GarmentPart::Skirt}) {
             for (const Face face : {Face::Front, Face::Back, Face::None}) place_all(part, face);
         }
@@ -54,7 +57,10 @@ class Arranger {
             if (part == GarmentPart::Sleeve) place_sleeve(p);
             if (part == GarmentPart::Waistband) place_round(p, "waist", band_height(p));
         }
-        for (std::size_t p = 0; p < out_.roles.size(); ++p) place_cuff(p);
+        for (std::size_t p = 0; p < out_.roles.size(); ++p) {
+            place_cuff(p);
+            place_leg_cuff(p);
+        }
         place_hoods();
         continue_seams(false);
         for (const auto part : {GarmentPart::CollarStand, GarmentPart::Collar}) {
@@ -73,6 +79,7 @@ class Arranger {
     Panel& panel(std::size_t p) { return pattern_.panels[p]; }
     bool is_part(int p, GarmentPart part) const { return out_.roles[as_size(p)].part == part; }
 
+    double middle_of_body(std::size_t p) const { return middle_side(pattern_, sewn_, out_.roles, p); }
     Vec2d middle_of(const SeamSide& side) const { return middle_of_edge(pattern_, side); }
 
     // ---- Flat panels before and behind the body.
@@ -115,6 +122,11 @@ class Arranger {
             if (other.part == GarmentPart::Torso && other.face != role.face) shoulders.push_back(sewn.own.edge);
         }
         own.translation.y() += lift_over_shoulders(body_, anchors_, own, shoulders);
+        if (role.part == GarmentPart::Leg && role.flank != Flank::None) {
+            const Limb& leg = limbs()[role.flank == Flank::Left ? LimbKind::LeftLeg : LimbKind::RightLeg];
+            if (const auto crotch = crotch_of(own, middle_of_body(p)); crotch && leg.is_found)
+                lean_to_leg(own, *crotch, leg);
+        }
         is_placed_[p] = true;
     }
 
@@ -133,13 +145,21 @@ class Arranger {
         const GarmentPart part = out_.roles[p].part;
         if (part == GarmentPart::Skirt) return anchors_.waist - box.max().y();
         if (part != GarmentPart::Leg) return anchors_.shoulder - box.max().y();
-        const Panel& own = pattern_.panels[p];
-        // The crotch is the outermost point towards the middle.
-        const double side = middle_side(pattern_, sewn_, out_.roles, p);
-        const auto outmost = std::ranges::max_element(own.vertices, {}, [&](const Vec2d& v) { return side * v.x(); });
+        const auto crotch = crotch_of(pattern_.panels[p], middle_of_body(p));
         constexpr double kBelowCrotch = 0.015;  // m
-        if (side == 0 || outmost == own.vertices.end()) return anchors_.waist - box.max().y();
-        return anchors_.crotch - kBelowCrotch - outmost->y();
+        if (!crotch) return anchors_.waist - box.max().y();
+        return anchors_.crotch - kBelowCrotch - crotch->y();
+    }
+
+    // Whether an elastic holds the waist, which the drawing does not show.
+    bool gathers_waist() {
+        const std::vector<SeamSide> band = closed_waistband(pattern_, out_.roles, sewn_);
+        if (band.empty()) return false;
+        const auto girth_at = [&](double y) { return trunk_section(body_, y, stature_.height()).girth; };
+        if (!gather_waistband(pattern_, band, girth_at(anchors_.waist), girth_at(anchors_.hip))) return false;
+        note(as_size(band.front().panel),
+             "as wide as the hips, and closed: taken to have an elastic that gathers it to the waist");
+        return true;
     }
 
     // m, round the top of the skirt or the trousers; 0: not known.
@@ -177,8 +197,7 @@ class Arranger {
         const bool is_left = out_.roles[p].flank != Flank::Right;
         const std::string arm = is_left ? "left" : "right";
         const ArrangementPoint* outside = point_named(arm + " upper arm outside");
-        if (!limbs_) limbs_ = find_limbs(body_);
-        const Limb& limb = (*limbs_)[is_left ? LimbKind::LeftArm : LimbKind::RightArm];
+        const Limb& limb = limbs()[is_left ? LimbKind::LeftArm : LimbKind::RightArm];
         if (!outside || !limb.is_found) return note(p, "the body has no " + arm + " arm to place it round");
         ArrangementPoint point = *outside;
         constexpr double kAboveJoint = 0.02;  // m, from the shoulder's joint up to the top of a sleeve's cap
@@ -323,7 +342,7 @@ class Arranger {
             constexpr double kWithin = 0.03;                 // m, of a cuff that may lie in its sleeve
             ArrangementPoint point = sleeve->second;
             const bool is_left = out_.roles[sleeve->first].flank != Flank::Right;
-            const Limb& limb = (*limbs_)[is_left ? LimbKind::LeftArm : LimbKind::RightArm];
+            const Limb& limb = limbs()[is_left ? LimbKind::LeftArm : LimbKind::RightArm];
             const double height = boxes_[p].sizes().y();
             const double to_hem = boxes_[sleeve->first].sizes().y() / 2 + height / 2 + kBelow;
             const double to_wrist = (point.position - limb.joints[2].centre).dot(point.upward) - height / 2;
@@ -344,12 +363,39 @@ class Arranger {
         }
     }
 
+    // A cuff of trousers goes round the ankle, below the hem of its leg but clear of the foot, which it cannot close
+    // round.
+    void place_leg_cuff(std::size_t p) {
+        if (out_.roles[p].part != GarmentPart::Cuff || !panel(p).is_worn || is_placed_[p]) return;
+        for (const SewnEdge& sewn : sewn_[p]) {
+            const auto leg = as_size(sewn.panel);
+            if (out_.roles[leg].part != GarmentPart::Leg || !is_placed_[leg]) continue;
+            const Vec3d hem = panel(leg).place(middle_of(sewn.other));
+            const Limb& limb = limbs()[hem.x() > anchors_.centre.x() ? LimbKind::LeftLeg : LimbKind::RightLeg];
+            if (!limb.is_found) return;
+            constexpr double kOpen = 1.04, kBelow = 0.01;  // of a full turn; m, from the hem
+            const Vec3d ankle = limb.joints[2].centre;
+            const Vec2d size = boxes_[p].sizes();
+            const double low = std::max(ankle.y(), hem.y() - kBelow - size.y());
+            ArrangementPoint point;
+            point.upward = Vec3d::UnitY();
+            point.outward = Vec3d::UnitZ();
+            point.radius = kOpen * size.x() / (2 * std::numbers::pi);
+            const Vec3d axis(ankle.x(), low + size.y() / 2, ankle.z());
+            point.position = axis + point.radius * point.outward;
+            sim::arrange(panel(p), point);
+            const double turn = turn_to_partners(p, axis, point.upward);
+            if (std::abs(turn) > kTurned) sim::arrange(panel(p), turned(point, axis, turn));
+            is_placed_[p] = true;
+            return;
+        }
+    }
+
     // ---- Hoods.
 
     // The sides of a hood stand beside the head, their round edge behind it; the strip between them is bent over it.
     void place_hoods() {
-        if (!limbs_) limbs_ = find_limbs(body_);
-        const Limb& head = (*limbs_)[LimbKind::Head];
+        const Limb& head = limbs()[LimbKind::Head];
         if (!head.is_found || head.joints.size() < 2) return;
         for (std::size_t p = 0; p < out_.roles.size(); ++p) {
             if (out_.roles[p].part != GarmentPart::Hood || !panel(p).is_worn || is_placed_[p]) continue;
@@ -375,29 +421,18 @@ class Arranger {
     }
 
     void place_hood_side(std::size_t p, const Limb& head) {
-        constexpr double kBeside = 0.14;  // m, from the middle of the head
-        Panel& own = panel(p);
         const double x = towards(p, GarmentPart::Hood).x();
         if (x == 0) return;
         // The right side faces outward: on the left of the body, the panel's x runs to the back.
-        const double way = x > 0 ? 1 : -1;
-        out_.roles[p].flank = way > 0 ? Flank::Left : Flank::Right;
-        own.wrap_radius = 0;
-        own.wrap_cone.reset();
-        own.rotation = Eigen::AngleAxisd(way * std::numbers::pi / 2, Vec3d::UnitY()).toRotationMatrix();
-        own.translation.setZero();
-        const Vec2d low(boxes_[p].center().x(), boxes_[p].min().y());
-        const Vec3d neck = head.joints[0].centre;
-        own.translation = Vec3d(neck.x() + way * kBeside, neck.y(), neck.z()) - own.place(low);
+        out_.roles[p].flank = x > 0 ? Flank::Left : Flank::Right;
+        stand_beside_head(panel(p), x > 0 ? 1 : -1, head);
         is_placed_[p] = true;
     }
 
     void place_hood_strip(std::size_t p, const Limb& head) {
-        constexpr double kArc = 3.6;  // rad, from the nape over the head
-        Panel& own = panel(p);
         if (boxes_[p].sizes().y() > boxes_[p].sizes().x()) {
-            own = mapped_panel(own, Eigen::Affine2d(Eigen::Rotation2Dd(std::numbers::pi / 2)));
-            boxes_[p] = outline_box(own, 1e-3);
+            panel(p) = mapped_panel(panel(p), Eigen::Affine2d(Eigen::Rotation2Dd(std::numbers::pi / 2)));
+            boxes_[p] = outline_box(panel(p), 1e-3);
         }
         // Which side of the hood the lower edge belongs to.
         double left = 0;
@@ -407,13 +442,7 @@ class Arranger {
             const double x = towards(as_size(sewn.panel), GarmentPart::Hood).x();
             left += (is_low ? 1 : -1) * x;
         }
-        ArrangementPoint point;
-        point.upward = Vec3d(left > 0 ? -1 : 1, 0, 0);
-        point.outward = Vec3d(0, 0.6, -0.8);  // unit
-        point.radius = boxes_[p].sizes().x() / kArc;
-        const Vec3d middle = (head.joints[0].centre + head.joints[1].centre) / 2;
-        point.position = middle + point.radius * point.outward;
-        sim::arrange(own, point);
+        bend_over_head(panel(p), left > 0 ? 1 : -1, head);
         is_placed_[p] = true;
     }
 
@@ -494,6 +523,11 @@ class Arranger {
         return cosine == 0 && sine == 0 ? 0 : std::atan2(sine, cosine);
     }
 
+    const BodyLimbs& limbs() {
+        if (!limbs_) limbs_ = find_limbs(body_);
+        return *limbs_;
+    }
+
     const BodyCollider& collider() {
         if (!collider_) collider_.emplace(body_);
         return *collider_;
@@ -514,8 +548,7 @@ class Arranger {
             return as_size(sewn.panel) != p && is_placed_[as_size(sewn.panel)];
         });
         if (!is_held) return;
-        if (!limbs_) limbs_ = find_limbs(body_);
-        const Limb& head = (*limbs_)[LimbKind::Head];
+        const Limb& head = limbs()[LimbKind::Head];
         if (!head.is_found || head.joints.size() < 2) return;
         constexpr double kOpen = 1.03;                    // of a full turn, so that the ends do not meet
         constexpr double kWider = 0.005, kWidest = 0.04;  // m
@@ -648,7 +681,7 @@ class Arranger {
     Stature stature_;
     Anchors anchors_;
     std::vector<ArrangementPoint> points_;
-    std::optional<BodyLimbs> limbs_;        // found for the first sleeve
+    std::optional<BodyLimbs> limbs_;        // found when they are first asked for
     std::optional<BodyCollider> collider_;  // made for the first sleeve
     SewnEdges sewn_;                        // per panel
     std::vector<Eigen::AlignedBox2d> boxes_;
