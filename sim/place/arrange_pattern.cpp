@@ -17,7 +17,7 @@
 #include "sim/place/body_anchors.h"
 #include "sim/place/elastic_waist.h"
 #include "sim/place/hood_places.h"
-#include "sim/place/leg_lean.h"
+#include "sim/place/leg_places.h"
 #include "sim/place/limbs.h"
 #include "sim/place/panel_cones.h"
 #include "sim/place/panel_flanks.h"
@@ -28,6 +28,7 @@ namespace {
 
 constexpr double kBefore = 0.12, kBehind = 0.08;  // m, from the trunk to a flat front and to a flat back
 constexpr double kApart = 0.01;                   // m, between halves in the middle
+constexpr double kBelowCrotch = 0.015;            // m, from the body's crotch to that of trousers
 constexpr double kOffWaist = 0.02;                // m, from the body to a band that is bent round it
 constexpr float kArrangedClear = 0.015F;          // m: dressing moves panels that are nearer than 1 cm
 
@@ -99,6 +100,7 @@ class Arranger {
     void place_flat(std::size_t p) {
         const PanelRole& role = out_.roles[p];
         if (role.face == Face::None && role.part == GarmentPart::Skirt && place_round_skirt(p)) return;
+        if (role.part == GarmentPart::Leg && place_leg_tube(p)) return;
         const bool is_back = role.face == Face::Back;
         Panel& own = panel(p);
         const Eigen::AlignedBox2d& box = boxes_[p];
@@ -123,7 +125,7 @@ class Arranger {
         }
         own.translation.y() += lift_over_shoulders(body_, anchors_, own, shoulders);
         if (role.part == GarmentPart::Leg && role.flank != Flank::None) {
-            const Limb& leg = limbs()[role.flank == Flank::Left ? LimbKind::LeftLeg : LimbKind::RightLeg];
+            const Limb& leg = leg_of(role.flank == Flank::Left);
             if (const auto crotch = crotch_of(own, middle_of_body(p)); crotch && leg.is_found)
                 lean_to_leg(own, *crotch, leg);
         }
@@ -146,18 +148,17 @@ class Arranger {
         if (part == GarmentPart::Skirt) return anchors_.waist - box.max().y();
         if (part != GarmentPart::Leg) return anchors_.shoulder - box.max().y();
         const auto crotch = crotch_of(pattern_.panels[p], middle_of_body(p));
-        constexpr double kBelowCrotch = 0.015;  // m
         if (!crotch) return anchors_.waist - box.max().y();
         return anchors_.crotch - kBelowCrotch - crotch->y();
     }
 
     // Whether an elastic holds the waist, which the drawing does not show.
     bool gathers_waist() {
-        const std::vector<SeamSide> band = closed_waistband(pattern_, out_.roles, sewn_);
-        if (band.empty()) return false;
+        const ClosedWaist waist = closed_waist(pattern_, out_.roles, sewn_);
+        if (waist.edges.empty()) return false;
         const auto girth_at = [&](double y) { return trunk_section(body_, y, stature_.height()).girth; };
-        if (!gather_waistband(pattern_, band, girth_at(anchors_.waist), girth_at(anchors_.hip))) return false;
-        note(as_size(band.front().panel),
+        if (!gather_waist(pattern_, waist, girth_at(anchors_.waist), girth_at(anchors_.hip))) return false;
+        note(as_size(waist.edges.front().panel),
              "as wide as the hips, and closed: taken to have an elastic that gathers it to the waist");
         return true;
     }
@@ -228,27 +229,9 @@ class Arranger {
         }
         // The cap of a raglan reaches over the shoulder to the neck: only the tube below it has room round the arm.
         const bool is_raglan = cap_height(p) > kTallestCap;
-        wrap_clear(p, point, arm_length, cone_of_sleeve(p),
+        wrap_clear(p, point, arm_length, cone_of_sleeve(pattern_, sewn_, p),
                    is_raglan ? boxes_[p].max().y() - cap_height(p) : std::numeric_limits<double>::infinity());
         is_placed_[p] = true;
-    }
-
-    // The cone of a sleeve that narrows, by the seam that closes it.
-    std::optional<WrapCone> cone_of_sleeve(std::size_t p) const {
-        std::vector<int> left, right;
-        for (const SewnEdge& sewn : sewn_[p]) {
-            if (as_size(sewn.panel) != p || sewn.own == sewn.other || is_dart(p, sewn)) continue;
-            (middle_of(sewn.own).x() < middle_of(sewn.other).x() ? left : right).push_back(sewn.own.edge);
-        }
-        if (left.empty() || right.empty()) return std::nullopt;
-        return tapering_cone(pattern_.panels[p], left, right);
-    }
-
-    // Whether both edges meet at a vertex: they are the legs of a dart.
-    bool is_dart(std::size_t p, const SewnEdge& sewn) const {
-        const auto &own = pattern_.panels[p].edges[as_size(sewn.own.edge)],
-                   &other = pattern_.panels[p].edges[as_size(sewn.other.edge)];
-        return own.start == other.end || own.end == other.start;
     }
 
     // From the underarm to the top, m.
@@ -354,41 +337,43 @@ class Arranger {
                 point.outward = (point.outward - point.outward.dot(point.upward) * point.upward).normalized();
                 point.position = wrist + height / 2 * point.upward + kWrist * point.outward;
             }
-            sim::arrange(panel(p), point);
-            const Vec3d axis = point.position - point.radius * point.outward;
-            const double turn = turn_to_partners(p, axis, point.upward);
-            wrap_clear(p, std::abs(turn) > kTurned ? turned(point, axis, turn) : point, 4 * kBelow);
+            wrap_clear(p, facing_partners(p, point), 4 * kBelow);
             is_placed_[p] = true;
             return;
         }
     }
 
-    // A cuff of trousers goes round the ankle, below the hem of its leg but clear of the foot, which it cannot close
-    // round.
     void place_leg_cuff(std::size_t p) {
         if (out_.roles[p].part != GarmentPart::Cuff || !panel(p).is_worn || is_placed_[p]) return;
         for (const SewnEdge& sewn : sewn_[p]) {
             const auto leg = as_size(sewn.panel);
             if (out_.roles[leg].part != GarmentPart::Leg || !is_placed_[leg]) continue;
             const Vec3d hem = panel(leg).place(middle_of(sewn.other));
-            const Limb& limb = limbs()[hem.x() > anchors_.centre.x() ? LimbKind::LeftLeg : LimbKind::RightLeg];
+            const Limb& limb = leg_of(hem.x() > anchors_.centre.x());
             if (!limb.is_found) return;
-            constexpr double kOpen = 1.04, kBelow = 0.01;  // of a full turn; m, from the hem
-            const Vec3d ankle = limb.joints[2].centre;
-            const Vec2d size = boxes_[p].sizes();
-            const double low = std::max(ankle.y(), hem.y() - kBelow - size.y());
-            ArrangementPoint point;
-            point.upward = Vec3d::UnitY();
-            point.outward = Vec3d::UnitZ();
-            point.radius = kOpen * size.x() / (2 * std::numbers::pi);
-            const Vec3d axis(ankle.x(), low + size.y() / 2, ankle.z());
-            point.position = axis + point.radius * point.outward;
-            sim::arrange(panel(p), point);
-            const double turn = turn_to_partners(p, axis, point.upward);
-            if (std::abs(turn) > kTurned) sim::arrange(panel(p), turned(point, axis, turn));
+            sim::arrange(panel(p), facing_partners(p, place_of_leg_cuff(panel(p), hem, limb)));
             is_placed_[p] = true;
             return;
         }
+    }
+
+    const Limb& leg_of(bool is_left) { return limbs()[is_left ? LimbKind::LeftLeg : LimbKind::RightLeg]; }
+
+    bool place_leg_tube(std::size_t p) {
+        if (!closes_round(p)) return false;
+        std::vector<int> crotch;
+        for (const SewnEdge& sewn : sewn_[p]) {
+            if (are_mirror_images(panel(p), panel(as_size(sewn.panel)))) crotch.push_back(sewn.own.edge);
+        }
+        const auto tube = leg_tube(panel(p), crotch);
+        if (!tube || !leg_of(tube->is_of_left).is_found) return false;
+        const double height = anchors_.crotch - kBelowCrotch;
+        const auto point = place_of_tube(panel(p), *tube, leg_of(tube->is_of_left), height);
+        if (!point) return false;
+        out_.roles[p].flank = tube->is_of_left ? Flank::Left : Flank::Right;
+        sim::arrange(panel(p), *point);
+        is_placed_[p] = true;
+        return true;
     }
 
     // ---- Hoods.
@@ -521,6 +506,14 @@ class Arranger {
             sine += axis.dot(own.cross(wanted));
         }
         return cosine == 0 && sine == 0 ? 0 : std::atan2(sine, cosine);
+    }
+
+    // The point of a tube, turned about its axis so that its edges lie beside those that they are sewn to.
+    ArrangementPoint facing_partners(std::size_t p, const ArrangementPoint& point) {
+        sim::arrange(panel(p), point);
+        const Vec3d axis = point.position - point.radius * point.outward;
+        const double turn = turn_to_partners(p, axis, point.upward);
+        return std::abs(turn) > kTurned ? turned(point, axis, turn) : point;
     }
 
     const BodyLimbs& limbs() {

@@ -9,12 +9,16 @@
 
 namespace selvedge::sim {
 
-// Both long edges of the waistband that closes to a ring and that trousers or a skirt hang from. Empty: there is none.
-std::vector<SeamSide> closed_waistband(const Pattern& pattern, const std::vector<PanelRole>& roles,
-                                       const SewnEdges& sewn);
+// What closes to a ring round the waist: both long edges of the waistband that trousers or a skirt hang from; without a
+// waistband, the upper edges of trousers. Empty: there is none.
+struct ClosedWaist {
+    std::vector<SeamSide> edges;
+    double length = 0;  // m, round the waist
+};
+ClosedWaist closed_waist(const Pattern& pattern, const std::vector<PanelRole>& roles, const SewnEdges& sewn);
 
-// Gathers a closed waistband that goes over the hips to a little less than the waist; girths of the body in m. Returns
+// Gathers a closed waist that goes over the hips to a little less than the waist; girths of the body in m. Returns
 // whether it does.
-bool gather_waistband(Pattern& pattern, const std::vector<SeamSide>& band, double waist, double hip);
+bool gather_waist(Pattern& pattern, const ClosedWaist& band, double waist, double hip);
 
 }  // namespace selvedge::sim

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "sim/collide/body_collider.h"
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/fabric.h"
 #include "sim/pattern/outline.h"
 #include "sim/place/panel_cones.h"
 #include "sim/place/placement.h"
@@ -177,6 +179,11 @@ TEST(ArrangePattern, gathers_a_closed_waistband_that_is_as_wide_as_the_hips_with
         EXPECT_LT(band.edges[edge].elastic->share * 1.2, 0.75) << "m, less than the waist";
     }
     EXPECT_FALSE(band.edges[2].elastic || band.edges[4].elastic) << "its ends";
+    const Fabric fabric = find_fabric("");
+    const double weight = 9.81 * fabric.area_density * 1.2 * 0.54;  // N
+    const double tension = band.edges[3].elastic->stiffness * (1 / 0.9 - 1);
+    EXPECT_NEAR(2 * 2 * std::numbers::pi * tension * fabric.friction, 1.25 * weight, 1e-3)
+        << "two rings hold it by friction";
     ASSERT_EQ(arrangement.notes.size(), 1U);
     EXPECT_NE(arrangement.notes[0].find("elastic"), std::string::npos) << arrangement.notes[0];
 }
@@ -214,6 +221,31 @@ TEST(ArrangePattern, leans_trouser_legs_so_that_their_hems_stand_before_the_feet
         const LimbKind leg = hem > 0 ? LimbKind::LeftLeg : LimbKind::RightLeg;
         EXPECT_NEAR(hem, limbs[leg].joints.back().centre.x(), 0.03) << panel.name;
     }
+}
+
+// Trousers that wrap, of one panel a leg: hem 0, sides 1 and 6, waist 2 and 5, crotch 3 and 4, wider on the right.
+TEST(ArrangePattern, stands_a_leg_of_one_panel_round_the_leg_its_crotch_between_both) {
+    Pattern pattern;
+    Panel pants = unplaced_rectangle("pants", 0.9, 0.9);
+    pants.vertices = {{0, 0}, {0.9, 0}, {0.9, 0.9}, {0.55, 0.9}, {0.46, 0.6}, {0.38, 0.9}, {0, 0.9}};
+    pants.edges.clear();
+    for (int i = 0; i < 7; ++i) pants.edges.push_back({.start = i, .end = (i + 1) % 7});
+    Panel image = mapped_panel(pants, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
+    image.name = "pants_mirrored";
+    image.mirror_of = pants.name;
+    pattern.panels = {pants, image};
+    pattern.seams = {{{0, 1}, {0, 6}}, {{1, 1}, {1, 6}}, {{0, 3}, {1, 4}}, {{0, 4}, {1, 3}}};
+    const Arrangement arrangement = arrange_pattern(pattern, mannequin());
+    const Panel &right = pattern.panels[0], &left = pattern.panels[1];
+    EXPECT_EQ(arrangement.roles[0].flank, Flank::Right) << "its back is on the right";
+    EXPECT_EQ(arrangement.roles[1].flank, Flank::Left);
+    EXPECT_LT(std::abs(right.place({0.46, 0.6}).x()), 0.02);
+    EXPECT_NEAR(right.place({0.46, 0.6}).y(), left.place({-0.46, 0.6}).y(), 1e-9);
+    EXPECT_LT(right.place({0, 0.3}).x(), -0.2);
+    EXPECT_GT(left.place({0, 0.3}).x(), 0.2);
+    EXPECT_GT(right.place({0.2, 0.3}).z(), right.place({0.7, 0.3}).z() + 0.1);
+    EXPECT_TRUE(right.edges[2].elastic && right.edges[5].elastic) << "1.5 m round the waist";
+    EXPECT_FALSE(right.edges[0].elastic);
 }
 
 TEST(ArrangePattern, puts_a_cuff_of_trousers_round_the_ankle_above_the_foot) {
