@@ -15,6 +15,7 @@
 #include "sim/core/lower_case.h"
 #include "sim/core/printable.h"
 #include "sim/paper/drawing_file.h"
+#include "sim/paper/folded_ribbing.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/field_moves.h"
 #include "sim/pattern/outline.h"
@@ -221,6 +222,7 @@ ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, 
             (is_sewn ? sewn : possible).push_back(std::move(proposal));
         }
         accept_proposals(out.pattern, sewn);
+        std::ranges::move(fold_ribbing(out.pattern, made.ribbing), std::back_inserter(out.notes));
     }
     const bool is_placed = made.is_placed && options.body.empty() && options.measurements.empty() &&
                            is_mannequin(out.pattern.body, out.notes);

@@ -297,6 +297,19 @@ PanelShift measure_shift(const WornGarment& garment, const std::vector<std::size
     return shift;
 }
 
+// Whether a panel that was placed on the head, as those of a hood are, lies below its middle.
+bool is_off_head(const WornGarment& garment, const std::vector<std::size_t>& vertices, const BodyPair& bodies) {
+    const Limb &from = bodies.meant_for[LimbKind::Head], &to = bodies.worn_by[LimbKind::Head];
+    if (from.joints.size() < 2 || to.joints.size() < 2) return false;
+    Range placed, draped;
+    for (const std::size_t v : vertices) {
+        placed.extend(garment.panels.x[v].y());
+        draped.extend(garment.draped[v].y());
+    }
+    const double neck = from.joints[0].centre.y(), middle = from.joints[1].centre.y();
+    return placed.middle() > neck && placed.high > middle && draped.high < to.joints[1].centre.y();
+}
+
 // Per panel, the first of those that seams join it with.
 std::vector<std::size_t> garment_parts(const WornGarment& garment, const PanelVertices& panels) {
     DisjointSets parts(panels.size());
@@ -323,8 +336,8 @@ double girth_at(const BodyPair& bodies, double y) {
     return trunk.points.empty() ? 0 : tape_length(trunk, plane);
 }
 
-// A waist or upper edge that lies lower than it was placed, m.
-struct LoweredEdge {
+// A waist or upper edge, and where it was placed and lies, m.
+struct TrunkEdge {
     const Opening* edge = nullptr;
     double placed = 0;
     double draped = 0;
@@ -341,15 +354,16 @@ std::string in_centimetres(double x) {
 }
 
 // "the upper edge of 'front' lies 7 cm lower than it was placed".
-std::string describe(const LoweredEdge& lowered, const GarmentMesh& mesh) {
+std::string describe(const TrunkEdge& lowered, const GarmentMesh& mesh) {
     return "the " + std::string(lowered.is_of_chest ? "upper edge" : "waist") + " of '" +
            mesh.panel_names[static_cast<std::size_t>(lowered.edge->panels.front())] + "' lies " +
-           in_centimetres(lowered.moved()) + " lower than it was placed";
+           in_centimetres(std::abs(lowered.moved())) + (lowered.moved() < 0 ? " higher" : " lower") +
+           " than it was placed";
 }
 
 // An edge that slipped: "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest". If it is at
 // least 1 cm longer than the body is round where it was placed, it says so: "too large above the chest by 14 cm: ...".
-DressFault fault_of_slip(const LoweredEdge& lowered, const GarmentMesh& mesh, double girth) {
+DressFault fault_of_slip(const TrunkEdge& lowered, const GarmentMesh& mesh, double girth) {
     const std::string lies = describe(lowered, mesh) + ", below the " + lowered.holder();
     constexpr double kLeast = 0.01;  // m, by which an edge is too large
     const double excess = lowered.edge->length - girth;
@@ -363,7 +377,7 @@ DressFault fault_of_slip(const LoweredEdge& lowered, const GarmentMesh& mesh, do
 // "too stretchy above the hips: stretched to the fabric's limit, the cloth below the waist of 'wb_front' carries at
 // most 1.2 of the garment's 3.0 N, and it lies 68 cm lower than it was placed". None if its hoop tension and friction
 // can carry the garment anywhere between where the edge was placed and what should hold it.
-std::optional<DressFault> weakness_of(const LoweredEdge& lowered, const WornGarment& garment, const Cloth& cloth,
+std::optional<DressFault> weakness_of(const TrunkEdge& lowered, const WornGarment& garment, const Cloth& cloth,
                                       const BodyPair& bodies) {
     constexpr double kStep = 0.02;  // m, between heights at which the body is measured
     const std::vector<Fabric>& fabrics = cloth.material.fabrics;
@@ -430,10 +444,10 @@ std::vector<bool> hang_from_shoulders(const MeantOpenings& meant, const std::vec
     return hang;
 }
 
-// Edges that go round the trunk, and lie lower than they were placed by a waistband's width, because panels settle by
-// as much: the waists and upper edges of what does not hang from the shoulders.
-std::vector<LoweredEdge> lowered_edges(const WornGarment& garment, const MeantOpenings& meant, const BodyPair& bodies) {
-    std::vector<LoweredEdge> edges;
+// Edges that go round the trunk, and were placed where the hips or the chest hold them: the waists and upper edges of
+// what does not hang from the shoulders.
+std::vector<TrunkEdge> trunk_edges(const WornGarment& garment, const MeantOpenings& meant, const BodyPair& bodies) {
+    std::vector<TrunkEdge> edges;
     const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
     if (!is_ascending(from) || !is_ascending(to)) return edges;
     const double hips = to[1], chest = to[3];
@@ -446,23 +460,30 @@ std::vector<LoweredEdge> lowered_edges(const WornGarment& garment, const MeantOp
         for (const int v : openings[i].vertices)
             placed += carry_over(garment.closed.x[static_cast<std::size_t>(v)].y(), from, to);
         placed /= static_cast<double>(openings[i].vertices.size());
-        const LoweredEdge lowered{.edge = &openings[i],
-                                  .placed = placed,
-                                  .draped = centre_of(openings[i], garment.closed_draped).y(),
-                                  .held_at = placed > chest ? chest : hips,
-                                  .is_of_chest = placed > chest};
-        if (placed >= lowered.held_at && lowered.moved() >= kWaistbandWidth) edges.push_back(lowered);
+        const TrunkEdge lowered{.edge = &openings[i],
+                                .placed = placed,
+                                .draped = centre_of(openings[i], garment.closed_draped).y(),
+                                .held_at = placed > chest ? chest : hips,
+                                .is_of_chest = placed > chest};
+        if (placed >= lowered.held_at) edges.push_back(lowered);
     }
+    return edges;
+}
+
+// Those that lie lower than they were placed by a waistband's width, because panels settle by as much.
+std::vector<TrunkEdge> lowered_edges(const WornGarment& garment, const MeantOpenings& meant, const BodyPair& bodies) {
+    std::vector<TrunkEdge> edges = trunk_edges(garment, meant, bodies);
+    std::erase_if(edges, [](const TrunkEdge& edge) { return edge.moved() < kWaistbandWidth; });
     return edges;
 }
 
 // What is wider below it, the bust or the hips, holds an edge that goes round the trunk. It has slipped if it was
 // placed above that and now lies below. One that is as wide as the body where it was placed also slides down if the
 // cloth is too stretchy for its weight.
-std::vector<Slip> find_slips(const std::vector<LoweredEdge>& edges, const Cloth& cloth, const WornGarment& garment,
+std::vector<Slip> find_slips(const std::vector<TrunkEdge>& edges, const Cloth& cloth, const WornGarment& garment,
                              const BodyPair& bodies) {
     std::vector<Slip> slips;
-    for (const LoweredEdge& lowered : edges) {
+    for (const TrunkEdge& lowered : edges) {
         if (!lowered.has_slipped()) continue;
         DressFault fault = fault_of_slip(lowered, garment.panels, girth_at(bodies, lowered.placed));
         if (class_of(fault) == FaultClass::Defect) {
@@ -474,9 +495,16 @@ std::vector<Slip> find_slips(const std::vector<LoweredEdge>& edges, const Cloth&
 }
 
 // "the waist of 'front' lies 15 cm lower than it was placed": a skirt that is too wide for the waist hangs on the hips.
-void note_lowered_edges(const std::vector<LoweredEdge>& edges, const WornGarment& garment, DressReport& report) {
-    for (const LoweredEdge& lowered : edges) {
+void note_lowered_edges(const std::vector<TrunkEdge>& edges, const WornGarment& garment, DressReport& report) {
+    for (const TrunkEdge& lowered : edges) {
         if (!lowered.has_slipped()) report.notes.push_back(describe(lowered, garment.panels));
+    }
+}
+
+// "the waist of 'skirt' lies 5 cm higher than it was placed": what is worn over a garment may push it up.
+void note_raised_edges(const std::vector<TrunkEdge>& edges, const WornGarment& garment, DressReport& report) {
+    for (const TrunkEdge& raised : edges) {
+        if (-raised.moved() >= kWaistbandWidth) report.notes.push_back(describe(raised, garment.panels));
     }
 }
 
@@ -498,7 +526,10 @@ void validate_panels(const WornGarment& garment, const PanelVertices& panels, co
         if (shifts[p]->is_at_place) is_at_place[parts[p]] = true;
     }
     for (std::size_t p = 0; p < panels.size(); ++p) {
-        if (!shifts[p] || !shifts[p]->is_displaced || is_at_place[parts[p]]) continue;
+        if (!shifts[p]) continue;
+        const bool has_left_its_part = shifts[p]->is_displaced && !is_at_place[parts[p]];
+        // What is joined to a hood is at its place however the hood lies.
+        if (!has_left_its_part && !is_off_head(garment, panels[p], bodies)) continue;
         const double moved = shifts[p]->moved;
         add_fault(report, {.kind = "displaced",
                            .place = "'" + garment.panels.panel_names[p] + "' lies " +
@@ -632,7 +663,7 @@ bool WearingCheck::slips(const Cloth& cloth) const {
     if (!known_->has_torsos()) return false;
     const WornGarment garment = compare_drape(cloth, known_->sewn, known_->placed);
     const BodyPair bodies = known_->bodies();
-    const std::vector<LoweredEdge> edges = lowered_edges(garment, known_->meant, bodies);
+    const std::vector<TrunkEdge> edges = lowered_edges(garment, known_->meant, bodies);
     return std::ranges::any_of(find_slips(edges, cloth, garment, bodies), does_not_fit);
 }
 
@@ -643,10 +674,15 @@ void WearingCheck::validate(const Cloth& cloth, DressReport& report) const {
     const WornGarment garment = compare_drape(cloth, known_->sewn, known_->placed);
     const BodyPair bodies = known_->bodies();
     validate_openings(garment, panels, known_->meant, bodies, report);
-    const std::vector<LoweredEdge> edges = lowered_edges(garment, known_->meant, bodies);
+    const std::vector<TrunkEdge> edges = lowered_edges(garment, known_->meant, bodies);
     const std::vector<Slip> slips = find_slips(edges, cloth, garment, bodies);
     note_lowered_edges(edges, garment, report);
     const std::vector<std::size_t>& parts = known_->parts;
+    std::set<std::size_t> worn_together;
+    for (std::size_t p = 0; p < panels.size(); ++p) {
+        if (!panels[p].empty()) worn_together.insert(parts[p]);
+    }
+    if (worn_together.size() > 1) note_raised_edges(trunk_edges(garment, known_->meant, bodies), garment, report);
     SlippingParts slipping;
     for (const Slip& slip : slips) {
         if (does_not_fit(slip)) slipping.insert(parts[slip.panel]);

@@ -470,6 +470,7 @@ class PanelMaker {
             panel->fabric = part.cut.material;
         } else if (part.cut.material == "ribbing") {
             panel->fabric = "jersey";  // the shipped knit
+            out_.ribbing.push_back(panel->name);
             out_.notes.push_back(panel->name + ": cut from ribbing, which is taken for jersey");
         } else if (is_other_material(part.cut.material)) {
             panel->is_worn = false;

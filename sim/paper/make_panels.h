@@ -23,8 +23,9 @@ struct PanelsOfDrawing {
     std::vector<std::string> notes;  // what was guessed, repaired or left out, one line each
     std::vector<std::string> sizes;  // that the file has, in its order
     bool is_unit_guessed = false;
-    bool is_placed = false;  // the drawing states body and placements, which the pattern has
-    std::string hints;       // texts about the whole garment, for roles_of()
+    bool is_placed = false;                 // the drawing states body and placements, which the pattern has
+    std::string hints;                      // texts about the whole garment, for roles_of()
+    std::vector<std::string> ribbing = {};  // names of drawn panels that are cut from it (fold_ribbing)
 };
 
 // Throws InputError if no part has a closed outline, if the size is not in the file, or if an outline crosses itself;

@@ -15,6 +15,9 @@
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/place/body_anchors.h"
+#include "sim/place/elastic_waist.h"
+#include "sim/place/hood_places.h"
+#include "sim/place/leg_places.h"
 #include "sim/place/limbs.h"
 #include "sim/place/panel_cones.h"
 #include "sim/place/panel_flanks.h"
@@ -25,6 +28,7 @@ namespace {
 
 constexpr double kBefore = 0.12, kBehind = 0.08;  // m, from the trunk to a flat front and to a flat back
 constexpr double kApart = 0.01;                   // m, between halves in the middle
+constexpr double kBelowCrotch = 0.015;            // m, from the body's crotch to that of trousers
 constexpr double kOffWaist = 0.02;                // m, from the body to a band that is bent round it
 constexpr float kArrangedClear = 0.015F;          // m: dressing moves panels that are nearer than 1 cm
 
@@ -45,7 +49,7 @@ class Arranger {
     Arrangement run() {
         find_flanks(pattern_, sewn_, out_.roles);
         for (std::size_t p = 0; p < out_.roles.size(); ++p) level_band(p);
-        anchors_.waist = resting_height(body_, anchors_, stature_, waist_length());
+        if (!gathers_waist()) anchors_.waist = resting_height(body_, anchors_, stature_, waist_length());
         for (const auto part : {GarmentPart::Torso, GarmentPart::Leg, GarmentPart::Skirt}) {
             for (const Face face : {Face::Front, Face::Back, Face::None}) place_all(part, face);
         }
@@ -54,7 +58,10 @@ class Arranger {
             if (part == GarmentPart::Sleeve) place_sleeve(p);
             if (part == GarmentPart::Waistband) place_round(p, "waist", band_height(p));
         }
-        for (std::size_t p = 0; p < out_.roles.size(); ++p) place_cuff(p);
+        for (std::size_t p = 0; p < out_.roles.size(); ++p) {
+            place_cuff(p);
+            place_leg_cuff(p);
+        }
         place_hoods();
         continue_seams(false);
         for (const auto part : {GarmentPart::CollarStand, GarmentPart::Collar}) {
@@ -73,6 +80,7 @@ class Arranger {
     Panel& panel(std::size_t p) { return pattern_.panels[p]; }
     bool is_part(int p, GarmentPart part) const { return out_.roles[as_size(p)].part == part; }
 
+    double middle_of_body(std::size_t p) const { return middle_side(pattern_, sewn_, out_.roles, p); }
     Vec2d middle_of(const SeamSide& side) const { return middle_of_edge(pattern_, side); }
 
     // ---- Flat panels before and behind the body.
@@ -92,6 +100,7 @@ class Arranger {
     void place_flat(std::size_t p) {
         const PanelRole& role = out_.roles[p];
         if (role.face == Face::None && role.part == GarmentPart::Skirt && place_round_skirt(p)) return;
+        if (role.part == GarmentPart::Leg && place_leg_tube(p)) return;
         const bool is_back = role.face == Face::Back;
         Panel& own = panel(p);
         const Eigen::AlignedBox2d& box = boxes_[p];
@@ -115,6 +124,11 @@ class Arranger {
             if (other.part == GarmentPart::Torso && other.face != role.face) shoulders.push_back(sewn.own.edge);
         }
         own.translation.y() += lift_over_shoulders(body_, anchors_, own, shoulders);
+        if (role.part == GarmentPart::Leg && role.flank != Flank::None) {
+            const Limb& leg = leg_of(role.flank == Flank::Left);
+            if (const auto crotch = crotch_of(own, middle_of_body(p)); crotch && leg.is_found)
+                lean_to_leg(own, *crotch, leg);
+        }
         is_placed_[p] = true;
     }
 
@@ -133,13 +147,20 @@ class Arranger {
         const GarmentPart part = out_.roles[p].part;
         if (part == GarmentPart::Skirt) return anchors_.waist - box.max().y();
         if (part != GarmentPart::Leg) return anchors_.shoulder - box.max().y();
-        const Panel& own = pattern_.panels[p];
-        // The crotch is the outermost point towards the middle.
-        const double side = middle_side(pattern_, sewn_, out_.roles, p);
-        const auto outmost = std::ranges::max_element(own.vertices, {}, [&](const Vec2d& v) { return side * v.x(); });
-        constexpr double kBelowCrotch = 0.015;  // m
-        if (side == 0 || outmost == own.vertices.end()) return anchors_.waist - box.max().y();
-        return anchors_.crotch - kBelowCrotch - outmost->y();
+        const auto crotch = crotch_of(pattern_.panels[p], middle_of_body(p));
+        if (!crotch) return anchors_.waist - box.max().y();
+        return anchors_.crotch - kBelowCrotch - crotch->y();
+    }
+
+    // Whether an elastic holds the waist, which the drawing does not show.
+    bool gathers_waist() {
+        const ClosedWaist waist = closed_waist(pattern_, out_.roles, sewn_);
+        if (waist.edges.empty()) return false;
+        const auto girth_at = [&](double y) { return trunk_section(body_, y, stature_.height()).girth; };
+        if (!gather_waist(pattern_, waist, girth_at(anchors_.waist), girth_at(anchors_.hip))) return false;
+        note(as_size(waist.edges.front().panel),
+             "as wide as the hips, and closed: taken to have an elastic that gathers it to the waist");
+        return true;
     }
 
     // m, round the top of the skirt or the trousers; 0: not known.
@@ -177,8 +198,7 @@ class Arranger {
         const bool is_left = out_.roles[p].flank != Flank::Right;
         const std::string arm = is_left ? "left" : "right";
         const ArrangementPoint* outside = point_named(arm + " upper arm outside");
-        if (!limbs_) limbs_ = find_limbs(body_);
-        const Limb& limb = (*limbs_)[is_left ? LimbKind::LeftArm : LimbKind::RightArm];
+        const Limb& limb = limbs()[is_left ? LimbKind::LeftArm : LimbKind::RightArm];
         if (!outside || !limb.is_found) return note(p, "the body has no " + arm + " arm to place it round");
         ArrangementPoint point = *outside;
         constexpr double kAboveJoint = 0.02;  // m, from the shoulder's joint up to the top of a sleeve's cap
@@ -209,27 +229,9 @@ class Arranger {
         }
         // The cap of a raglan reaches over the shoulder to the neck: only the tube below it has room round the arm.
         const bool is_raglan = cap_height(p) > kTallestCap;
-        wrap_clear(p, point, arm_length, cone_of_sleeve(p),
+        wrap_clear(p, point, arm_length, cone_of_sleeve(pattern_, sewn_, p),
                    is_raglan ? boxes_[p].max().y() - cap_height(p) : std::numeric_limits<double>::infinity());
         is_placed_[p] = true;
-    }
-
-    // The cone of a sleeve that narrows, by the seam that closes it.
-    std::optional<WrapCone> cone_of_sleeve(std::size_t p) const {
-        std::vector<int> left, right;
-        for (const SewnEdge& sewn : sewn_[p]) {
-            if (as_size(sewn.panel) != p || sewn.own == sewn.other || is_dart(p, sewn)) continue;
-            (middle_of(sewn.own).x() < middle_of(sewn.other).x() ? left : right).push_back(sewn.own.edge);
-        }
-        if (left.empty() || right.empty()) return std::nullopt;
-        return tapering_cone(pattern_.panels[p], left, right);
-    }
-
-    // Whether both edges meet at a vertex: they are the legs of a dart.
-    bool is_dart(std::size_t p, const SewnEdge& sewn) const {
-        const auto &own = pattern_.panels[p].edges[as_size(sewn.own.edge)],
-                   &other = pattern_.panels[p].edges[as_size(sewn.other.edge)];
-        return own.start == other.end || own.end == other.start;
     }
 
     // From the underarm to the top, m.
@@ -323,7 +325,7 @@ class Arranger {
             constexpr double kWithin = 0.03;                 // m, of a cuff that may lie in its sleeve
             ArrangementPoint point = sleeve->second;
             const bool is_left = out_.roles[sleeve->first].flank != Flank::Right;
-            const Limb& limb = (*limbs_)[is_left ? LimbKind::LeftArm : LimbKind::RightArm];
+            const Limb& limb = limbs()[is_left ? LimbKind::LeftArm : LimbKind::RightArm];
             const double height = boxes_[p].sizes().y();
             const double to_hem = boxes_[sleeve->first].sizes().y() / 2 + height / 2 + kBelow;
             const double to_wrist = (point.position - limb.joints[2].centre).dot(point.upward) - height / 2;
@@ -335,21 +337,50 @@ class Arranger {
                 point.outward = (point.outward - point.outward.dot(point.upward) * point.upward).normalized();
                 point.position = wrist + height / 2 * point.upward + kWrist * point.outward;
             }
-            sim::arrange(panel(p), point);
-            const Vec3d axis = point.position - point.radius * point.outward;
-            const double turn = turn_to_partners(p, axis, point.upward);
-            wrap_clear(p, std::abs(turn) > kTurned ? turned(point, axis, turn) : point, 4 * kBelow);
+            wrap_clear(p, facing_partners(p, point), 4 * kBelow);
             is_placed_[p] = true;
             return;
         }
+    }
+
+    void place_leg_cuff(std::size_t p) {
+        if (out_.roles[p].part != GarmentPart::Cuff || !panel(p).is_worn || is_placed_[p]) return;
+        for (const SewnEdge& sewn : sewn_[p]) {
+            const auto leg = as_size(sewn.panel);
+            if (out_.roles[leg].part != GarmentPart::Leg || !is_placed_[leg]) continue;
+            const Vec3d hem = panel(leg).place(middle_of(sewn.other));
+            const Limb& limb = leg_of(hem.x() > anchors_.centre.x());
+            if (!limb.is_found) return;
+            sim::arrange(panel(p), facing_partners(p, place_of_leg_cuff(panel(p), hem, limb)));
+            is_placed_[p] = true;
+            return;
+        }
+    }
+
+    const Limb& leg_of(bool is_left) { return limbs()[is_left ? LimbKind::LeftLeg : LimbKind::RightLeg]; }
+
+    bool place_leg_tube(std::size_t p) {
+        if (!closes_round(p)) return false;
+        std::vector<int> crotch;
+        for (const SewnEdge& sewn : sewn_[p]) {
+            if (are_mirror_images(panel(p), panel(as_size(sewn.panel)))) crotch.push_back(sewn.own.edge);
+        }
+        const auto tube = leg_tube(panel(p), crotch);
+        if (!tube || !leg_of(tube->is_of_left).is_found) return false;
+        const double height = anchors_.crotch - kBelowCrotch;
+        const auto point = place_of_tube(panel(p), *tube, leg_of(tube->is_of_left), height);
+        if (!point) return false;
+        out_.roles[p].flank = tube->is_of_left ? Flank::Left : Flank::Right;
+        sim::arrange(panel(p), *point);
+        is_placed_[p] = true;
+        return true;
     }
 
     // ---- Hoods.
 
     // The sides of a hood stand beside the head, their round edge behind it; the strip between them is bent over it.
     void place_hoods() {
-        if (!limbs_) limbs_ = find_limbs(body_);
-        const Limb& head = (*limbs_)[LimbKind::Head];
+        const Limb& head = limbs()[LimbKind::Head];
         if (!head.is_found || head.joints.size() < 2) return;
         for (std::size_t p = 0; p < out_.roles.size(); ++p) {
             if (out_.roles[p].part != GarmentPart::Hood || !panel(p).is_worn || is_placed_[p]) continue;
@@ -375,29 +406,18 @@ class Arranger {
     }
 
     void place_hood_side(std::size_t p, const Limb& head) {
-        constexpr double kBeside = 0.14;  // m, from the middle of the head
-        Panel& own = panel(p);
         const double x = towards(p, GarmentPart::Hood).x();
         if (x == 0) return;
         // The right side faces outward: on the left of the body, the panel's x runs to the back.
-        const double way = x > 0 ? 1 : -1;
-        out_.roles[p].flank = way > 0 ? Flank::Left : Flank::Right;
-        own.wrap_radius = 0;
-        own.wrap_cone.reset();
-        own.rotation = Eigen::AngleAxisd(way * std::numbers::pi / 2, Vec3d::UnitY()).toRotationMatrix();
-        own.translation.setZero();
-        const Vec2d low(boxes_[p].center().x(), boxes_[p].min().y());
-        const Vec3d neck = head.joints[0].centre;
-        own.translation = Vec3d(neck.x() + way * kBeside, neck.y(), neck.z()) - own.place(low);
+        out_.roles[p].flank = x > 0 ? Flank::Left : Flank::Right;
+        stand_beside_head(panel(p), x > 0 ? 1 : -1, head);
         is_placed_[p] = true;
     }
 
     void place_hood_strip(std::size_t p, const Limb& head) {
-        constexpr double kArc = 3.6;  // rad, from the nape over the head
-        Panel& own = panel(p);
         if (boxes_[p].sizes().y() > boxes_[p].sizes().x()) {
-            own = mapped_panel(own, Eigen::Affine2d(Eigen::Rotation2Dd(std::numbers::pi / 2)));
-            boxes_[p] = outline_box(own, 1e-3);
+            panel(p) = mapped_panel(panel(p), Eigen::Affine2d(Eigen::Rotation2Dd(std::numbers::pi / 2)));
+            boxes_[p] = outline_box(panel(p), 1e-3);
         }
         // Which side of the hood the lower edge belongs to.
         double left = 0;
@@ -407,13 +427,7 @@ class Arranger {
             const double x = towards(as_size(sewn.panel), GarmentPart::Hood).x();
             left += (is_low ? 1 : -1) * x;
         }
-        ArrangementPoint point;
-        point.upward = Vec3d(left > 0 ? -1 : 1, 0, 0);
-        point.outward = Vec3d(0, 0.6, -0.8);  // unit
-        point.radius = boxes_[p].sizes().x() / kArc;
-        const Vec3d middle = (head.joints[0].centre + head.joints[1].centre) / 2;
-        point.position = middle + point.radius * point.outward;
-        sim::arrange(own, point);
+        bend_over_head(panel(p), left > 0 ? 1 : -1, head);
         is_placed_[p] = true;
     }
 
@@ -494,6 +508,19 @@ class Arranger {
         return cosine == 0 && sine == 0 ? 0 : std::atan2(sine, cosine);
     }
 
+    // The point of a tube, turned about its axis so that its edges lie beside those that they are sewn to.
+    ArrangementPoint facing_partners(std::size_t p, const ArrangementPoint& point) {
+        sim::arrange(panel(p), point);
+        const Vec3d axis = point.position - point.radius * point.outward;
+        const double turn = turn_to_partners(p, axis, point.upward);
+        return std::abs(turn) > kTurned ? turned(point, axis, turn) : point;
+    }
+
+    const BodyLimbs& limbs() {
+        if (!limbs_) limbs_ = find_limbs(body_);
+        return *limbs_;
+    }
+
     const BodyCollider& collider() {
         if (!collider_) collider_.emplace(body_);
         return *collider_;
@@ -514,8 +541,7 @@ class Arranger {
             return as_size(sewn.panel) != p && is_placed_[as_size(sewn.panel)];
         });
         if (!is_held) return;
-        if (!limbs_) limbs_ = find_limbs(body_);
-        const Limb& head = (*limbs_)[LimbKind::Head];
+        const Limb& head = limbs()[LimbKind::Head];
         if (!head.is_found || head.joints.size() < 2) return;
         constexpr double kOpen = 1.03;                    // of a full turn, so that the ends do not meet
         constexpr double kWider = 0.005, kWidest = 0.04;  // m
@@ -648,7 +674,7 @@ class Arranger {
     Stature stature_;
     Anchors anchors_;
     std::vector<ArrangementPoint> points_;
-    std::optional<BodyLimbs> limbs_;        // found for the first sleeve
+    std::optional<BodyLimbs> limbs_;        // found when they are first asked for
     std::optional<BodyCollider> collider_;  // made for the first sleeve
     SewnEdges sewn_;                        // per panel
     std::vector<Eigen::AlignedBox2d> boxes_;

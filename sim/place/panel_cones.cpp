@@ -82,4 +82,25 @@ bool bend_round_waist(Panel& panel, const TrunkSection& waist, double height) {
     return true;
 }
 
+namespace {
+
+// Whether both edges meet at a vertex: they are the legs of a dart.
+bool is_dart(const Panel& panel, const SewnEdge& sewn) {
+    const OutlineEdge &own = panel.edges[as_size(sewn.own.edge)], &other = panel.edges[as_size(sewn.other.edge)];
+    return own.start == other.end || own.end == other.start;
+}
+
+}  // namespace
+
+std::optional<WrapCone> cone_of_sleeve(const Pattern& pattern, const SewnEdges& sewn, std::size_t p) {
+    std::vector<int> left, right;
+    for (const SewnEdge& one : sewn[p]) {
+        if (as_size(one.panel) != p || one.own == one.other || is_dart(pattern.panels[p], one)) continue;
+        const bool is_left = middle_of_edge(pattern, one.own).x() < middle_of_edge(pattern, one.other).x();
+        (is_left ? left : right).push_back(one.own.edge);
+    }
+    if (left.empty() || right.empty()) return std::nullopt;
+    return tapering_cone(pattern.panels[p], left, right);
+}
+
 }  // namespace selvedge::sim

@@ -6,6 +6,7 @@
 
 #include "sim/pattern/pattern.h"
 #include "sim/place/body_anchors.h"
+#include "sim/place/panel_flanks.h"
 
 namespace selvedge::sim {
 
@@ -27,5 +28,8 @@ bool bend_round_waist(Panel& panel, const TrunkSection& waist, double height);
 // of one at least.
 std::optional<WrapCone> tapering_cone(const Panel& panel, const std::vector<int>& side,
                                       const std::vector<int>& other_side);
+
+// That of a sleeve, by the seam that closes it; none: no seam of its own does.
+std::optional<WrapCone> cone_of_sleeve(const Pattern& pattern, const SewnEdges& sewn, std::size_t p);
 
 }  // namespace selvedge::sim

@@ -464,14 +464,16 @@ void weigh_binding(Evidence& evidence, const OpenBoundary& boundary, const std::
     if (has("hem") || has("waist")) add(evidence, is_low ? 2.5 : -3);
 }
 
-// The lowest place of a closed chain is the lowest of the other: the underarm.
-void weigh_lowest(Evidence& evidence, const std::vector<Vec2d>& a, const std::vector<Vec2d>& b) {
-    const auto share = [](const std::vector<Vec2d>& points) {
-        const auto [low, high] = std::ranges::minmax_element(points, {}, [](const Vec2d& p) { return p.y(); });
-        return (points.front().y() - low->y()) / std::max(1e-9, high->y() - low->y());
-    };
-    if (share(a) < 0.1 && share(b) < 0.1) add(evidence, 0.8);
-    if ((share(a) < 0.1) != (share(b) < 0.1)) add(evidence, -0.8);
+// The cap of a sleeve is highest at the shoulder and lowest under the arm, as the armhole is, wherever the seams of a
+// sleeve of two panels end.
+void weigh_heights(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b) {
+    constexpr double kAlike = 0.7;      // correlation of heights that speaks neither for nor against it
+    constexpr double kWorth = 3;        // odds per correlation
+    constexpr double kUpsideDown = -2;  // odds
+    std::vector<double> other = heights_along(boundary, b);
+    std::ranges::reverse(other);
+    const double alike = correlation(heights_along(boundary, a), other);
+    add(evidence, std::max(kUpsideDown, kWorth * (alike - kAlike)));
 }
 
 // Whether b is where the mirror image of a lies, by the places of their middles in their panels.
@@ -571,7 +573,7 @@ void weigh_looks(Evidence& evidence, const OpenBoundary& boundary, const std::ve
     if (are_parts(a.role.part, b.role.part, Torso, Sleeve) && are_loops) {
         constexpr double kRings = 1;  // odds: an armhole and a cap that are rings
         add(evidence, kRings);
-        weigh_lowest(evidence, sides.points_a, sides.points_b);
+        weigh_heights(evidence, boundary, sides.a, sides.b);
     }
 }
 

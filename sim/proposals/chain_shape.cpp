@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "sim/pattern/polyline.h"
@@ -92,6 +93,34 @@ double straightness(const std::vector<Vec2d>& points) {
 
 double rise(const std::vector<Vec2d>& points) {
     return (points.back().y() - points.front().y()) / std::max(polyline_length(points), 1e-12);
+}
+
+std::vector<double> heights_along(const OpenBoundary& boundary, const ChainView& view) {
+    std::vector<double> heights;
+    int last = -1;
+    double shift = 0;  // m
+    for (int i = 0; i <= kChainSamples; ++i) {
+        const ChainPlace at = place_on(boundary, view, static_cast<double>(i) / kChainSamples);
+        const double y = boundary.point(at.atom, at.t).y();
+        const int panel = boundary.atom(at.atom).span.panel;
+        if (i > 0 && panel != last) shift = heights.back() - y;
+        heights.push_back(y + shift);
+        last = panel;
+    }
+    return heights;
+}
+
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+    const auto count = static_cast<double>(a.size());
+    const double mean_a = std::accumulate(a.begin(), a.end(), 0.0) / count;
+    const double mean_b = std::accumulate(b.begin(), b.end(), 0.0) / count;
+    double both = 0, squares_a = 0, squares_b = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        both += (a[i] - mean_a) * (b[i] - mean_b);
+        squares_a += (a[i] - mean_a) * (a[i] - mean_a);
+        squares_b += (b[i] - mean_b) * (b[i] - mean_b);
+    }
+    return squares_a > 0 && squares_b > 0 ? both / std::sqrt(squares_a * squares_b) : 0;
 }
 
 double facing_up(const OpenBoundary& boundary, const ChainView& view) {

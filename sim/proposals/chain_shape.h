@@ -26,6 +26,12 @@ double rise(const std::vector<Vec2d>& points);
 // The same of a view that may run over several panels, each as it is drawn.
 double rise_along(const OpenBoundary& boundary, const ChainView& view);
 
+// The heights of kChainSamples + 1 points along the view, m. Panels that it runs over are as high as makes it go on.
+std::vector<double> heights_along(const OpenBoundary& boundary, const ChainView& view);
+
+// Pearson's correlation of equally many values, -1..1; 0 where one side is constant.
+double correlation(const std::vector<double>& a, const std::vector<double>& b);
+
 // How far the cloth's edge looks up, -1..1: -1 at a hem, 0 at a side, 1 at the top.
 double facing_up(const OpenBoundary& boundary, const ChainView& view);
 

@@ -16,7 +16,8 @@ struct PartWords {
 };
 constexpr std::array kPartWords = std::to_array<PartWords>({
     {GarmentPart::Accessory,
-     "facing interfac lining pocket flap placket welt fly loop belt strap zip tab elastic tasche besatz beleg futter "
+     "facing interfac lining stay pocket flap placket welt fly loop belt strap zip tab elastic tasche besatz beleg "
+     "futter "
      "einlage poche doublure parementure forro bolsillo bolso vista tasca fodera voering zak podsivk podszewk kapsa "
      "kieszen vuori tasku foder ficka podkladk karman планк подклад карман кишен клапан обтачк обшивк подборт застеж "
      "дублер мешков 口袋 里布 裏 ポケット 见返 見返"},

@@ -336,6 +336,45 @@ TEST(Wearing, finds_a_cuff_that_is_flipped_over_its_sleeve) {
     EXPECT_EQ(rolled_share(report_on(sleeve(), stays, mannequin())), 0);
 }
 
+// A wide collar that stands up to the crown, sewn to the front of a bodice.
+Pattern hooded() {
+    Pattern pattern = tube(0.5, 0.5, 0.9, 0.2);
+    const BodyLimbs limbs = find_limbs(mannequin());
+    const double neck = limbs[LimbKind::Head].joints.front().centre.y();
+    pattern.panels.push_back(rectangle("hood", {.width = 0.5, .height = 0.35, .y = neck - 0.02, .z = 0.2}));
+    pattern.seams.push_back({.first = {0, 2}, .second = {2, 0}});
+    return pattern;
+}
+
+TEST(Wearing, finds_a_hood_that_slid_off_the_head_though_the_garment_stayed) {
+    EXPECT_EQ(list(report_on(hooded(), stays, mannequin())).find("displaced"), std::string::npos);
+    const auto slides = [](const Vec3d& x) { return x.y() > 1.42 ? Vec3d(x.x(), 2.84 - x.y(), x.z()) : x; };
+    const std::string faults = list(report_on(hooded(), slides, mannequin()));
+    EXPECT_NE(faults.find("displaced: 'hood' lies"), std::string::npos) << faults;
+    EXPECT_EQ(faults.find("'front' lies"), std::string::npos) << faults;
+}
+
+TEST(Wearing, tells_that_a_waist_was_pushed_up_by_what_is_worn_with_it) {
+    Pattern pattern = skirt();
+    const Pattern other = tube(0.5, 0.2, 0.5, 0.25);
+    for (const Panel& panel : other.panels) pattern.panels.push_back(panel);
+    for (Seam seam : other.seams) {
+        seam.first.panel += 2;
+        seam.second.panel += 2;
+        pattern.seams.push_back(seam);
+    }
+    pattern.panels[2].name = "apron_front";
+    pattern.panels[3].name = "apron_back";
+    const auto up_by = [](double lift) {
+        return [lift](const Vec3d& x) { return x.y() > 0.8 ? Vec3d(x + Vec3d(0, lift, 0)) : x; };
+    };
+    constexpr const char* kTold = "the waist of 'front' lies 5 cm higher than it was placed";
+    const DressReport pushed = report_on(pattern, up_by(0.05), mannequin());
+    EXPECT_TRUE(has_note(pushed, kTold)) << testing::PrintToString(pushed.notes) << list(pushed);
+    EXPECT_FALSE(has_note(report_on(pattern, up_by(0.03), mannequin()), "higher"));
+    EXPECT_FALSE(has_note(report_on(skirt(), up_by(0.05), mannequin()), "higher"));
+}
+
 TEST(Wearing, says_which_limbs_it_could_not_check) {
     const Body column = shapes::box(Vec3d(-0.15, 0, -0.1), Vec3d(0.15, 1.7, 0.1), 8);
     const DressReport report = report_on(skirt(), stays, column);

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "sim/collide/body_collider.h"
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/fabric.h"
 #include "sim/pattern/outline.h"
 #include "sim/place/panel_cones.h"
 #include "sim/place/placement.h"
@@ -156,6 +158,110 @@ TEST(ArrangePattern, turns_a_half_disc_that_was_drawn_hem_up_or_aside) {
         }
         EXPECT_GT(skirt.place(outline_point(skirt, skirt.edges[0], 0.5)).z(), 0.3) << drawn;
     }
+}
+
+// A skirt of two panels on a closed waistband of that length, m.
+Pattern skirt_on_band(double length) {
+    Pattern pattern;
+    pattern.panels = {unplaced_rectangle("skirt front", length / 2, 0.5),
+                      unplaced_rectangle("skirt back", length / 2, 0.5), unplaced_rectangle("waistband", length, 0.04)};
+    split_edge(pattern.panels[2], 0, 0.5);
+    pattern.seams = {{{0, 1}, {1, 3}}, {{0, 3}, {1, 1}}, {{2, 0}, {0, 2}}, {{2, 1}, {1, 2}}, {{2, 2}, {2, 4}}};
+    return pattern;
+}
+
+TEST(ArrangePattern, gathers_a_closed_waistband_that_is_as_wide_as_the_hips_with_an_elastic) {
+    Pattern pattern = skirt_on_band(1.2);
+    const Arrangement arrangement = arrange_pattern(pattern, mannequin());
+    const Panel& band = pattern.panels[2];
+    for (const std::size_t edge : {0U, 1U, 3U}) {
+        ASSERT_TRUE(band.edges[edge].elastic) << edge;
+        EXPECT_LT(band.edges[edge].elastic->share * 1.2, 0.75) << "m, less than the waist";
+    }
+    EXPECT_FALSE(band.edges[2].elastic || band.edges[4].elastic) << "its ends";
+    const Fabric fabric = find_fabric("");
+    const double weight = 9.81 * fabric.area_density * 1.2 * 0.54;  // N
+    const double tension = band.edges[3].elastic->stiffness * (1 / 0.9 - 1);
+    EXPECT_NEAR(2 * 2 * std::numbers::pi * tension * fabric.friction, 1.25 * weight, 1e-3)
+        << "two rings hold it by friction";
+    ASSERT_EQ(arrangement.notes.size(), 1U);
+    EXPECT_NE(arrangement.notes[0].find("elastic"), std::string::npos) << arrangement.notes[0];
+}
+
+TEST(ArrangePattern, has_no_elastic_in_a_waistband_that_the_hips_hold_or_that_opens) {
+    Pattern narrow = skirt_on_band(0.8), open = skirt_on_band(1.2);
+    open.seams.pop_back();
+    for (Pattern pattern : {narrow, open}) {
+        arrange_pattern(pattern, mannequin());
+        for (const OutlineEdge& edge : pattern.panels[2].edges) EXPECT_FALSE(edge.elastic);
+    }
+}
+
+// Fronts of wide legs, whose hems would stand far beside the feet: hem 0, inseam 1, crotch 2, waist 3, outseam 4.
+Pattern wide_legs() {
+    Pattern pattern;
+    Panel front = unplaced_rectangle("pants front", 0.5, 1);
+    front.vertices = {{0.1, 0}, {0.3, 0}, {0.5, 0.72}, {0.4, 1}, {0, 1}};
+    front.edges.clear();
+    for (int i = 0; i < 5; ++i) front.edges.push_back({.start = i, .end = (i + 1) % 5});
+    Panel image = mapped_panel(front, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
+    image.name = "pants front_mirrored";
+    image.mirror_of = front.name;
+    pattern.panels = {front, image};
+    pattern.seams = {{{0, 2}, {1, mirrored_edge(2, 5)}}};
+    return pattern;
+}
+
+TEST(ArrangePattern, leans_trouser_legs_so_that_their_hems_stand_before_the_feet) {
+    Pattern pattern = wide_legs();
+    arrange_pattern(pattern, mannequin());
+    const BodyLimbs limbs = find_limbs(mannequin());
+    for (const Panel& panel : pattern.panels) {
+        const double hem = panel.place(Vec2d(panel.vertices[0] + panel.vertices[1]) / 2).x();
+        const LimbKind leg = hem > 0 ? LimbKind::LeftLeg : LimbKind::RightLeg;
+        EXPECT_NEAR(hem, limbs[leg].joints.back().centre.x(), 0.03) << panel.name;
+    }
+}
+
+// Trousers that wrap, of one panel a leg: hem 0, sides 1 and 6, waist 2 and 5, crotch 3 and 4, wider on the right.
+TEST(ArrangePattern, stands_a_leg_of_one_panel_round_the_leg_its_crotch_between_both) {
+    Pattern pattern;
+    Panel pants = unplaced_rectangle("pants", 0.9, 0.9);
+    pants.vertices = {{0, 0}, {0.9, 0}, {0.9, 0.9}, {0.55, 0.9}, {0.46, 0.6}, {0.38, 0.9}, {0, 0.9}};
+    pants.edges.clear();
+    for (int i = 0; i < 7; ++i) pants.edges.push_back({.start = i, .end = (i + 1) % 7});
+    Panel image = mapped_panel(pants, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
+    image.name = "pants_mirrored";
+    image.mirror_of = pants.name;
+    pattern.panels = {pants, image};
+    pattern.seams = {{{0, 1}, {0, 6}}, {{1, 1}, {1, 6}}, {{0, 3}, {1, 4}}, {{0, 4}, {1, 3}}};
+    const Arrangement arrangement = arrange_pattern(pattern, mannequin());
+    const Panel &right = pattern.panels[0], &left = pattern.panels[1];
+    EXPECT_EQ(arrangement.roles[0].flank, Flank::Right) << "its back is on the right";
+    EXPECT_EQ(arrangement.roles[1].flank, Flank::Left);
+    EXPECT_LT(std::abs(right.place({0.46, 0.6}).x()), 0.02);
+    EXPECT_NEAR(right.place({0.46, 0.6}).y(), left.place({-0.46, 0.6}).y(), 1e-9);
+    EXPECT_LT(right.place({0, 0.3}).x(), -0.2);
+    EXPECT_GT(left.place({0, 0.3}).x(), 0.2);
+    EXPECT_GT(right.place({0.2, 0.3}).z(), right.place({0.7, 0.3}).z() + 0.1);
+    EXPECT_TRUE(right.edges[2].elastic && right.edges[5].elastic) << "1.5 m round the waist";
+    EXPECT_FALSE(right.edges[0].elastic);
+}
+
+TEST(ArrangePattern, puts_a_cuff_of_trousers_round_the_ankle_above_the_foot) {
+    Pattern pattern = wide_legs();
+    pattern.panels.push_back(unplaced_rectangle("cuff", 0.36, 0.06));
+    pattern.seams.push_back({{2, 2}, {0, 0}});
+    pattern.seams.push_back({{2, 1}, {2, 3}});
+    arrange_pattern(pattern, mannequin());
+    const Panel& cuff = pattern.panels[2];
+    const bool is_left = pattern.panels[0].place(pattern.panels[0].vertices[0]).x() > 0;
+    const Vec3d ankle = find_limbs(mannequin())[is_left ? LimbKind::LeftLeg : LimbKind::RightLeg].joints[2].centre;
+    Vec3d middle = Vec3d::Zero();
+    for (int i = 0; i < 36; ++i) middle += cuff.place({0.36 * (i + 0.5) / 36, 0}) / 36;
+    EXPECT_LT((middle - ankle).cwiseProduct(Vec3d(1, 0, 1)).norm(), 0.01);
+    EXPECT_GE(middle.y(), ankle.y() - 1e-9);
+    EXPECT_LT(middle.y(), ankle.y() + 0.1);
 }
 
 TEST(ArrangePattern, starts_a_band_lower_if_it_is_longer_than_the_waist) {

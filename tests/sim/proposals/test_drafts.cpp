@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -97,6 +98,52 @@ TEST(Drafts, have_their_armholes_sewn_to_sleeves_and_not_to_each_other) {
     for (const int armhole : {2, 6}) {
         for (const int other : {2, 6}) EXPECT_FALSE(are_sewn(pairs, {"front", armhole}, {"back", other}));
     }
+}
+
+// A part of a sleeve, as it would lie unrolled from one sixteenth of its round to another: hem 0, seam 1, cap from 2
+// on, which is highest at 8 and lowest at 0 and 16, and the other seam last.
+Panel part_of_sleeve(const char* name, int from, int to) {
+    constexpr double kStep = 0.355 / 16, kRise = 0.06;  // m
+    std::vector<Vec2d> corners{{from * kStep, 0}, {to * kStep, 0}};
+    for (int k = to; k >= from; --k)
+        corners.emplace_back(k * kStep, 0.45 + kRise * std::cos(2 * std::numbers::pi * (k - 8) / 16));
+    return polygon(name, corners);
+}
+
+// A sleeve of two panels, sewn already, whose seams end neither at the side nor at the shoulder.
+Pattern body_block_with_two_piece_sleeve() {
+    Pattern pattern;
+    pattern.panels = {whole("front"), whole("back"), part_of_sleeve("topsleeve", 3, 12),
+                      part_of_sleeve("undersleeve", 12, 19)};
+    pattern.panels.push_back(mirror_image(pattern.panels[2]));
+    pattern.panels.push_back(mirror_image(pattern.panels[3]));
+    const int upper = 11, lower = 9;  // the last edges
+    pattern.seams = {{{2, 1}, {3, lower}}, {{2, upper}, {3, 1}}, {{4, 1}, {5, lower}}, {{4, upper}, {5, 1}}};
+    return pattern;
+}
+
+TEST(Drafts, have_the_top_of_a_two_piece_sleeve_sewn_to_the_shoulder) {
+    const Pattern pattern = body_block_with_two_piece_sleeve();
+    // The armhole 2 of the front ends at the shoulder, and 6 begins there.
+    int found = 0;
+    const auto expect_top = [&](const EdgeSpan& armhole, const EdgeSpan& cap) {
+        if (armhole.panel != 0 || cap.panel < 2) return;
+        const bool ends = armhole.edge == 2 && armhole.to == 1, begins = armhole.edge == 6 && armhole.from == 0;
+        if (!ends && !begins) return;
+        ++found;
+        const Panel& panel = pattern.panels[static_cast<std::size_t>(cap.panel)];
+        const OutlineEdge& edge = panel.edges[static_cast<std::size_t>(cap.edge)];
+        EXPECT_GT(outline_point(panel, edge, ends ? cap.from : cap.to).y(), 0.5) << panel.name;
+    };
+    const ProposalOptions options;
+    for (const SeamProposal& proposal : propose_seams(pattern, options)) {
+        if (proposal.confidence < options.accepted) continue;
+        for (const auto& [first, second] : proposal.parts) {
+            expect_top(first, second);
+            expect_top(second, first);
+        }
+    }
+    EXPECT_EQ(found, 2) << testing::PrintToString(sewn(pattern));
 }
 
 TEST(Drafts, have_a_side_sewn_in_one_with_the_sleeve_that_is_in_it) {
