@@ -135,6 +135,14 @@ class WindowEvents {
             of(w).cursor_ = {x, y};
             of(w).events_.push_back(of(w).event_at_cursor(editor::InputEvent::Kind::MouseMove));
         });
+        // A mouse that has left points at nothing; one that drags still does.
+        glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int is_within) {
+            for (int button = 0; button <= GLFW_MOUSE_BUTTON_MIDDLE; ++button) {
+                if (is_within != 0 || glfwGetMouseButton(w, button) == GLFW_PRESS) return;
+            }
+            of(w).cursor_ = {-1, -1};
+            of(w).events_.push_back(of(w).event_at_cursor(editor::InputEvent::Kind::MouseMove));
+        });
         glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
             if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
             editor::InputEvent event = of(w).event_at_cursor(editor::InputEvent::Kind::MouseButton);

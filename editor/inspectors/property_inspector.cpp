@@ -203,6 +203,7 @@ void draw_panel_section(InspectorContext& context, const std::string& name) {
     if (!index) return;
     const auto at = static_cast<std::size_t>(*index);
     const sim::Panel panel = context.pattern().panels[at];  // a copy: a field may change the pattern
+    const PanelMeasures facts = facts_of(context, panel);
     const Vec2d origin = sheet_positions(context.pattern())[at];
     heading(context, ("Panel " + name).c_str());
     ImGui::PushID(name.c_str());
@@ -210,7 +211,6 @@ void draw_panel_section(InspectorContext& context, const std::string& name) {
     draw_scale(context, {.panel = panel, .origin = origin});
     draw_place(context, panel);
     draw_cloth(context, panel);
-    const PanelMeasures& facts = facts_of(context, panel);
     fact(context, "Area", area_text(facts.area), "Of the cloth inside the outline.");
     fact(context, "Perimeter", quantity_text(facts.perimeter, Unit::Centimetres), "The length of the outline.");
     fact(context, "Points", std::to_string(panel.vertices.size()), "Corners and joints of the outline.");

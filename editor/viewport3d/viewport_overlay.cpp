@@ -312,8 +312,10 @@ sim::Rgb8 stage_colour(const sim::SessionFrame& frame, const ViewportColours& co
     switch (frame.stage) {
         case sim::SessionStage::Settled:
             return verdict_colour(frame, colours);
-        case sim::SessionStage::Sewing:
         case sim::SessionStage::Draping:
+            if (frame.report) return verdict_colour(frame, colours);
+            [[fallthrough]];
+        case sim::SessionStage::Sewing:
         case sim::SessionStage::Moving:
             return frame.is_running ? colours.busy : colours.faint;
         case sim::SessionStage::Failed:
@@ -347,6 +349,11 @@ void draw_stage(Overlay& overlay, const Workspace& workspace, const ViewportCont
     overlay.list().AddText(overlay.at(low + Vec2f(21, 4) * scale), ink(overlay.colours().ink), text.c_str());
 }
 
+std::string with_verdict(const std::string& stage, const sim::SessionFrame& frame) {
+    const std::string wrong = frame.report ? verdict_of(*frame.report).text : "";
+    return wrong.empty() ? stage : stage + ", " + wrong;
+}
+
 }  // namespace
 
 std::string stage_badge(const sim::SessionFrame& frame) {
@@ -361,13 +368,11 @@ std::string stage_badge(const sim::SessionFrame& frame) {
             return open == 0 ? verb : verb + " \u00B7 " + sim::count_text(open, "seam");
         }
         case sim::SessionStage::Draping:
-            return frame.is_running ? "Draping" : "Paused";
+            return with_verdict(frame.is_running ? "Draping" : "Paused", frame);
         case sim::SessionStage::Moving:
             return frame.is_running ? "Moving" : "Paused";
-        case sim::SessionStage::Settled: {
-            const std::string wrong = frame.report ? verdict_of(*frame.report).text : "";
-            return wrong.empty() ? "Settled" : "Settled, " + wrong;
-        }
+        case sim::SessionStage::Settled:
+            return with_verdict("Settled", frame);
         case sim::SessionStage::Failed:
             return "Failed";
     }

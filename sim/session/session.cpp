@@ -202,6 +202,7 @@ void Session::Worker::work_until_ended() {
             if (Clock::now() < next) continue;  // a request arrived
         }
         state_.advance();
+        if (state_.may_inspect()) state_.inspect();
         publish();
         const auto frame =
             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(state_.frame_seconds()));

@@ -105,7 +105,8 @@ struct SessionFrame {
     std::shared_ptr<const Collider> collider{};
 
     // What is right and wrong with the garment as it came to rest where it is dressed, as dress() reports it; also
-    // while its body moves from there. Null: it is not at rest, or not looked at yet.
+    // while its body moves from there, and of a garment that should have come to rest and still moves. Null: it was
+    // not looked at yet.
     std::shared_ptr<const DressReport> report{};
 };
 

@@ -18,6 +18,8 @@
 namespace selvedge::sim {
 namespace {
 
+// s, by which a garment that fits has come to rest, as in dress(). One that was too small when it was sewn stays so.
+constexpr double kOverdue = 12, kOverdueIfTooSmall = 3;
 constexpr double kHangs = 3;  // s after its seams were closed: a garment that never rests may move with its body
 constexpr std::size_t kTimedFrames = 30;
 constexpr std::size_t kMaxMessages = 50;
@@ -163,9 +165,17 @@ void SessionState::forget_rest() {
     report_.reset();
 }
 
+// Whether a garment that still moves is looked at all the same.
+bool SessionState::is_overdue() const {
+    const double most = too_small_when_sewn_ ? kOverdueIfTooSmall : kOverdue;
+    return dressing_.is_hanging() && dressing_.result().simulated_seconds >= most;
+}
+
 bool SessionState::may_inspect() const {
-    return options_.reports_faults && !report_ && !has_failed_ && !motion_ && !dressing_.is_pulled() &&
-           dressing_.body() != nullptr && dressing_.stage() == DressingStage::Done;
+    if (!options_.reports_faults || has_failed_ || motion_ || dressing_.is_pulled() || dressing_.body() == nullptr)
+        return false;
+    const bool is_done = dressing_.stage() == DressingStage::Done;
+    return report_ ? is_done && !report_->settled : is_done || is_overdue();
 }
 
 // As dress() does it. What was too small when it was sewn may have crumpled since, so that the cloth does not show it.
@@ -173,9 +183,8 @@ void SessionState::inspect() {
     const Cloth& cloth = *dressing_.cloth();
     DressReport report;
     report.options = options_;
-    report.settled = true;
     DrapeResult result = dressing_.result();
-    result.settled = true;
+    result.settled = report.settled = dressing_.stage() == DressingStage::Done;
     std::optional<TightLevel> too_small;
     if (too_small_when_sewn_ && (is_too_small(cloth, *dressing_.body()) || is_overstretched(cloth)))
         too_small = too_small_when_sewn_;
@@ -217,7 +226,8 @@ void SessionState::advance() {
 }
 
 void SessionState::advance_dressing() {
-    forget_rest();
+    cloth_at_rest_.reset();
+    if (report_ && (report_->settled || !is_overdue())) report_.reset();
     const bool was_sewing = !dressing_.is_hanging();
     const DrapeResult before = was_sewing ? DrapeResult() : dressing_.result();
     try {

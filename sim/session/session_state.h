@@ -147,6 +147,7 @@ class SessionState {
 
     // Finds what is wrong with the garment at rest, which takes some tenths of a second: to do while idle.
     bool may_inspect() const;
+    bool is_overdue() const;
     void inspect();
 
     // Whether anything visible has changed since the last call.

@@ -15,7 +15,9 @@
 #include "sim/core/file.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/pattern/fabric_file.h"
+#include "sim/pattern/pattern_file.h"
 #include "tests/app/run_program.h"
+#include "tests/support/checkout.h"
 
 namespace selvedge::app {
 namespace {
@@ -43,6 +45,33 @@ editor::ExportRequest triangle_to(const std::string& file) {
     mesh.vertex_level = {0, 0, 0};
     mesh.panel_names = {"front"};
     return request;
+}
+
+TEST_F(EditorServices, prints_what_the_browser_of_each_kind_of_file_offers) {
+    const sim::Pattern pattern = sim::load_pattern(source_folder() + "/patterns/two_squares.json").pattern;
+    for (const bool is_layout : {false, true}) {
+        const sim::PrintSettings all{.layers = {"cut"},
+                                     .is_one_page = true,
+                                     .prints_all = true,
+                                     .is_on_fold = true,
+                                     .is_layout = is_layout,
+                                     .is_one_way = true,
+                                     .is_folded = true,
+                                     .is_astm = true};
+        for (const std::string ending : {".pdf", ".svg", ".dxf"}) {
+            const std::string file = (folder_.path() / ("print" + ending)).string();
+            EXPECT_THROW(services_.print(pattern, file, all), sim::InputError) << ending;
+            EXPECT_NO_THROW(services_.print(pattern, file, settings_for(all, ending))) << ending << is_layout;
+            EXPECT_TRUE(fs::exists(file)) << file;
+        }
+    }
+}
+
+TEST_F(EditorServices, takes_a_person_only_for_a_body) {
+    const std::string file = (folder_.path() / "crate.obj").string();
+    std::ofstream(file) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                           "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+    EXPECT_THROW(services_.make_body(file), sim::InputError);
 }
 
 TEST_F(EditorServices, a_folder_is_listed_with_folders_first_and_without_what_is_hidden) {

@@ -135,6 +135,16 @@ TEST_F(NumberBoxes, a_factor_scales_the_panel_about_its_middle) {
     EXPECT_NEAR(inspector.panel(0).vertices[1].x() - inspector.panel(0).vertices[0].x(), 1.5 * width, kNear);
 }
 
+TEST_F(NumberBoxes, the_area_of_a_panel_follows_what_is_typed) {
+    inspector.frame();
+    const double area = inspector.state.panels.at("front").area;
+    inspector.click("panel.scale.x");
+    inspector.type("60%");
+    inspector.key(ImGuiKey_Enter);
+    inspector.frame();
+    EXPECT_NEAR(inspector.state.panels.at("front").area, 0.6 * area, kNear);
+}
+
 TEST_F(NumberBoxes, a_panel_gets_another_name_and_stays_selected) {
     inspector.click("panel.name");
     inspector.type("bodice");

@@ -92,6 +92,26 @@ TEST(Dress, does_not_give_up_an_outfit_because_one_of_its_garments_slips) {
         << list_faults(report);
 }
 
+TEST(Dress, gives_up_what_takes_too_much_work_and_tells_what_moves) {
+    Pattern top = tube(0.36, 0.3, 0.95, 0.15);
+    top.body = "mannequin:sex=female";
+    const DressReport report = dress(top, mannequin(), {.max_level = 0, .most_work = 1}).report;
+    EXPECT_EQ(report.stopped_because, "work limit");
+    EXPECT_FALSE(report.settled);
+    const auto fault = std::ranges::find(report.faults, "not_settled", &DressFault::kind);
+    ASSERT_NE(fault, report.faults.end()) << list_faults(report);
+    EXPECT_NE(fault->place, kWholeGarment);
+    EXPECT_GT(fault->value, 0);
+    EXPECT_EQ(std::ranges::count(report.notes, "its fall was ended early, because it took more work than a drape may"),
+              1);
+}
+
+TEST(Dress, says_of_an_outfit_known_to_be_too_small_that_it_does_not_fit_when_it_takes_too_much_work) {
+    const DressReport report = dress(two_tubes(0.26), mannequin(), {.max_level = 0, .most_work = 1}).report;
+    EXPECT_EQ(report.stopped_because, "too small");
+    EXPECT_NE(list_faults(report).find("does_not_fit: too small"), std::string::npos) << list_faults(report);
+}
+
 TEST(GarmentSewing, closes_the_seams_of_the_outer_tube_outside_of_the_inner_one) {
     const Body body = post(0.1, 1.7);
     const BodyCollider collider(body, kCoarse);

@@ -1,4 +1,6 @@
 // What a session says of a garment that has come to rest.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "sim/inspection/report.h"
@@ -31,6 +33,34 @@ TEST(SessionReport, is_what_dress_reports_once_the_garment_rests) {
     session.set_pattern(pattern);
     session.advance(1);
     EXPECT_EQ(session.frame()->report, nullptr) << "it hangs otherwise now";
+}
+
+TEST(SessionReport, tells_what_is_too_small_while_it_still_moves) {
+    Pattern pattern = session_pattern("skirt");
+    for (Panel& panel : pattern.panels) {
+        for (Vec2d& v : panel.vertices) v.x() *= 0.6;
+        for (OutlineEdge& edge : panel.edges) {
+            for (Vec2d& control : edge.control) control.x() *= 0.6;
+        }
+    }
+    SessionOptions options = coarse_options();
+    options.reports_faults = true;
+    Session session(SessionDrive::Caller);
+    session.set_body(session_body());
+    session.set_options(options);
+    session.set_pattern(pattern);
+    session.start();
+    for (int i = 0; i < 600 && session.frame()->report == nullptr; ++i) session.advance(1);
+    ASSERT_EQ(session.frame()->stage, SessionStage::Draping);
+    const std::shared_ptr<const DressReport> report = session.frame()->report;
+    ASSERT_NE(report, nullptr);
+    EXPECT_FALSE(report->settled);
+    EXPECT_EQ(
+        std::ranges::count(report->faults, FaultClass::DoesNotFit, [](const DressFault& f) { return class_of(f); }), 1);
+    session.advance(1);
+    if (session.frame()->stage == SessionStage::Draping) {
+        EXPECT_EQ(session.frame()->report, report) << "found once";
+    }
 }
 
 TEST(SessionReport, is_not_made_unless_it_is_asked_for) {
