@@ -20,6 +20,7 @@ struct Theme {
     sim::Rgb8 faint{0x77, 0x78, 0x7A};   // secondary text
     sim::Rgb8 accent{0x1F, 0x6F, 0x8B};  // selected or active items
     sim::Rgb8 warning{0x9A, 0x66, 0x0E};
+    sim::Rgb8 question{0xFB, 0xF1, 0xDC};  // behind a question to the user
     sim::Rgb8 error{0xAE, 0x2F, 0x27};
     float font_px = 15;  // px, at display scale 1
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <sstream>
 #include <utility>
 
 #include "editor/ui/actions.h"
@@ -82,12 +83,28 @@ std::optional<int> score(const std::string& text, const std::string& wanted) {
     return total;
 }
 
+// Whether all words are in what is written of an action, also in its tip.
+bool has_words(const Action& action, const std::string& words) {
+    const std::string all = lower(action.menu + " " + action.title + " " + action.tip);
+    std::istringstream rest(words);
+    int count = 0;
+    for (std::string word; rest >> word; ++count) {
+        if (all.find(word) == std::string::npos) return false;
+    }
+    return count > 0;
+}
+
 }  // namespace
 
 std::string text_of(const Chord& chord) {
     if (chord.key == Key::None) return "";
     return std::string(chord.modifiers.ctrl ? "Ctrl+" : "") + (chord.modifiers.shift ? "Shift+" : "") +
            (chord.modifiers.alt ? "Alt+" : "") + key_text(chord.key);
+}
+
+std::string tip_for(const Action& action, const AppState& state) {
+    if (action.needs.empty() || !action.can || action.can(state)) return action.tip;
+    return action.tip + (action.tip.empty() ? "" : "\n") + "It needs " + action.needs;
 }
 
 std::string chord_text(const Action& action) {
@@ -122,8 +139,9 @@ std::vector<const Action*> search(const std::vector<Action>& actions, std::strin
     for (const Action& action : actions) {
         const auto in_title = score(lower(action.title), letters);
         const auto in_both = score(lower(action.menu + " " + action.title), letters);
-        if (in_title || in_both)
-            found.emplace_back(std::max(in_title.value_or(-100) + 2, in_both.value_or(-100)), &action);
+        constexpr int kLast = -100;
+        if (in_title || in_both || has_words(action, letters))
+            found.emplace_back(std::max(in_title.value_or(kLast) + 2, in_both.value_or(kLast)), &action);
     }
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<const Action*> sorted;

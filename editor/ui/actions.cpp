@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "editor/geometry/draft.h"
+#include "editor/geometry/outline_edit.h"
 #include "editor/geometry/panel_edit.h"
 #include "editor/geometry/sewing.h"
 #include "editor/tools/proposal_tool.h"
@@ -370,11 +372,23 @@ const Selection& selected(const AppState& state) {
 bool has_panels(const AppState& state) {
     return !selected(state).panels.empty();
 }
+// The selected seams, or those of the selected edges.
+std::set<int> chosen_seams(const AppState& state) {
+    if (!selected(state).seams.empty()) return selected(state).seams;
+    const sim::Pattern& pattern = state.workspace.document->pattern();
+    std::set<int> seams;
+    for (const PartRef& edge : selected(state).edges) {
+        const std::optional<int> panel = panel_index(pattern, edge.panel);
+        const std::optional<int> seam = panel ? seam_at(pattern, {*panel, edge.index}) : std::nullopt;
+        if (seam) seams.insert(*seam);
+    }
+    return seams;
+}
 bool has_seams(const AppState& state) {
     return !selected(state).seams.empty();
 }
 bool has_one_seam(const AppState& state) {
-    return one_of_each_sewing(state.workspace.document->pattern(), selected(state).seams).size() == 1;
+    return one_of_each_sewing(state.workspace.document->pattern(), chosen_seams(state)).size() == 1;
 }
 
 // The selected panels, with their positions on the sheet, and their indices.
@@ -403,7 +417,7 @@ Vec2d beside_selected(const AppState& state) {
 
 // Deleting a seam renumbers the others, so each command uses the first selected seam when it runs.
 void with_seam(AppState& state, const std::function<Command(int)>& make) {
-    state.workspace.run(make(*selected(state).seams.begin()));
+    state.workspace.run(make(*chosen_seams(state).begin()));
 }
 
 void copy_panels(AppState& state) {
@@ -465,6 +479,7 @@ void add_clipboard(std::vector<Action>& actions) {
     actions.push_back({.id = "edit.copy",
                        .menu = "Edit",
                        .title = "Copy panels",
+                       .needs = "a selected panel",
                        .chords = {{key_of('C'), {.ctrl = true}}},
                        .begins_group = true,
                        .run = copy_panels,
@@ -472,12 +487,14 @@ void add_clipboard(std::vector<Action>& actions) {
     actions.push_back({.id = "edit.paste",
                        .menu = "Edit",
                        .title = "Paste panels",
+                       .needs = "panels that were copied",
                        .chords = {{key_of('V'), {.ctrl = true}}},
                        .run = paste_panels,
                        .can = [](const AppState& state) { return !state.clipboard.panels.empty(); }});
     actions.push_back({.id = "edit.duplicate",
                        .menu = "Edit",
                        .title = "Duplicate panels",
+                       .needs = "a selected panel",
                        .chords = {{key_of('D'), {.ctrl = true}}},
                        .run = [](AppState& state) { duplicate_selected(state, false); },
                        .can = has_panels});
@@ -494,7 +511,13 @@ void unfold_selected(AppState& state, bool has_linked_halves) {
 
 void add_panels(std::vector<Action>& actions) {
     const auto add = [&](const char* id, const char* title, const char* tip, std::function<void(AppState&)> run) {
-        actions.push_back({.id = id, .menu = "Panel", .title = title, .tip = tip, .run = run, .can = has_panels});
+        actions.push_back({.id = id,
+                           .menu = "Panel",
+                           .title = title,
+                           .tip = tip,
+                           .needs = "a selected panel",
+                           .run = run,
+                           .can = has_panels});
     };
     add("panel.symmetric_copy", "Symmetric copy, linked",
         "For the body's other side, with seams: what is changed on one is changed on both", [](AppState& state) {
@@ -507,6 +530,7 @@ void add_panels(std::vector<Action>& actions) {
     actions.push_back({.id = "panel.unlink",
                        .menu = "Panel",
                        .title = "Unlink from its mirror image or copy, and its halves",
+                       .needs = "a selected panel that is linked",
                        .run =
                            [](AppState& state) {
                                for_each_panel(state,
@@ -519,10 +543,12 @@ void add_panels(std::vector<Action>& actions) {
     add("panel.unfold", "Unfold over the selected edge", "What was drawn as a half on the fold is opened",
         [](AppState& state) { unfold_selected(state, false); });
     actions.back().can = has_one_edge;
+    actions.back().needs = "one selected edge";
     add("panel.unfold_linked", "Unfold over the selected edge, linked",
         "It stays symmetric: what is changed in one half is changed in both",
         [](AppState& state) { unfold_selected(state, true); });
     actions.back().can = has_one_edge;
+    actions.back().needs = "one selected edge";
 }
 
 void edit_seams(AppState& state) {
@@ -537,6 +563,7 @@ void add_seams(std::vector<Action>& actions) {
                            .menu = "Seam",
                            .title = title,
                            .tip = tip,
+                           .needs = "a selected seam, or edge of one",
                            .run = [make](AppState& state) { with_seam(state, make); },
                            .can = has_one_seam});
     };
@@ -552,6 +579,7 @@ void add_seams(std::vector<Action>& actions) {
     actions.push_back({.id = "seam.delete",
                        .menu = "Seam",
                        .title = "Delete",
+                       .needs = "a selected seam",
                        .run =
                            [](AppState& state) {
                                const std::set<int>& seams = selected(state).seams;

@@ -36,7 +36,7 @@ void show_action(AppState& state, const Action& action) {
     const std::string keys = chord_text(action);
     if (ImGui::MenuItem(action.title.c_str(), keys.c_str(), is_on, can)) run_action(state, action);
     note_widget(state.widgets, "menu." + action.id);
-    show_tip(action.tip, kTipWidth);
+    show_tip(tip_for(action, state), kTipWidth);
     if (action.id == "file.open") show_recent_files(state);
 }
 
@@ -114,9 +114,8 @@ float show_question(AppState& state) {
     const float height = 2 * ImGui::GetFrameHeight();
     ImGui::SetNextWindowPos({0, top});
     ImGui::SetNextWindowSize({ImGui::GetIO().DisplaySize.x, height});
-    const sim::Rgb8& tint = state.theme.warning;
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0xFB, 0xF1, 0xDC, 255));
-    ImGui::PushStyleColor(ImGuiCol_Border, IM_COL32(tint[0], tint[1], tint[2], 120));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, colour_of(state.theme.question));
+    ImGui::PushStyleColor(ImGuiCol_Border, colour_of(state.theme.warning, 120));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
     ImGui::Begin("##question", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |

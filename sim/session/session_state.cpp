@@ -185,6 +185,7 @@ void SessionState::inspect() {
     report.options = options_;
     DrapeResult result = dressing_.result();
     result.settled = report.settled = dressing_.stage() == DressingStage::Done;
+    if (!result.settled) result.fall_speed = result.rms_speed;
     std::optional<TightLevel> too_small;
     if (too_small_when_sewn_ && (is_too_small(cloth, *dressing_.body()) || is_overstretched(cloth)))
         too_small = too_small_when_sewn_;

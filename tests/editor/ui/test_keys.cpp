@@ -146,6 +146,18 @@ TEST_F(KeysOfEditor, ask_for_a_number_by_a_right_click_while_something_is_drawn)
     EXPECT_NEAR((drawn.vertices[1] - drawn.vertices[0]).norm(), 0.125, 1e-6);
 }
 
+TEST_F(KeysOfEditor, an_edge_stands_for_its_seam_in_the_menu) {
+    const Action& reverse = *find_action(editor_.state().actions, "seam.reverse");
+    EXPECT_EQ(tip_for(reverse, editor_.state()), reverse.tip + "\nIt needs a selected seam, or edge of one");
+    const sim::Seam seam = document().pattern().seams.at(0);
+    Selection selected;
+    selected.edges.insert({document().pattern().panels[as_size(seam.first.panel)].name, seam.first.edge});
+    document().select(selected);
+    EXPECT_EQ(tip_for(reverse, editor_.state()), reverse.tip);
+    play("action seam.reverse\nframes 2\n");
+    EXPECT_NE(document().pattern().seams.at(0).is_reversed, seam.is_reversed);
+}
+
 // Keys of Marvelous Designer.
 class OtherKeys : public KeysOfEditor {
  protected:
@@ -204,6 +216,13 @@ TEST(KeyMaps, bind_no_key_twice) {
             EXPECT_TRUE(find_action(make_actions(map), "tool." + std::string(tool.id))) << tool.id;
         }
     }
+}
+
+TEST(ActionSearch, finds_by_letters_in_order_and_by_words_of_the_tip) {
+    const std::vector<Action> actions = make_actions(KeyMap::Selvedge);
+    EXPECT_EQ(search(actions, "symcop").at(0)->id, "panel.symmetric_copy");
+    EXPECT_EQ(search(actions, "print pdf").at(0)->id, "file.print");
+    EXPECT_TRUE(search(actions, "print zebra").empty());
 }
 
 TEST(KeyMaps, are_kept_by_the_program) {
