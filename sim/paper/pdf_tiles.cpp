@@ -1,6 +1,7 @@
 #include "sim/paper/pdf_tiles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -46,45 +47,99 @@ std::optional<Vec2d> shift_between(const DrawnPath& a, const DrawnPath& b) {
     return shift;
 }
 
-// Finds paths that are the same but for their place.
+// Finds paths that are the same but for their place, or at the same place.
 class PathIndex {
  public:
+    enum class Match { Anywhere, AtOnePlace };
+    explicit PathIndex(Match match) : is_placed_(match == Match::AtOnePlace) {}
+
     void add(const DrawnPath& path, std::size_t page, std::size_t shape) {
-        entries_[key_of(path, 0, 0)].push_back({&path, page, shape});
+        entries_[key_of(path)].push_back({&path, page, shape});
     }
 
-    // Calls visit(page, shape, shift from `path` to it).
+    // Calls visit(page, shape, shift from `path` to it). Of paths that are there by hundreds, as the strokes of a
+    // hatching, none is visited.
     template <class Visit>
     void for_each_alike(const DrawnPath& path, Visit visit) const {
-        for (const int dx : {-1, 0, 1}) {
-            for (const int dy : {-1, 0, 1}) {
-                const auto found = entries_.find(key_of(path, dx, dy));
-                if (found == entries_.end()) continue;
-                for (const Entry& entry : found->second) {
-                    if (entry.path == &path) continue;
-                    if (const auto shift = shift_between(path, *entry.path)) visit(entry.page, entry.shape, *shift);
-                }
+        constexpr std::size_t kMost = 600;
+        const Key own = key_of(path);
+        std::vector<Key> keys{own};
+        for (std::size_t i = 0; i < own.steps.size(); ++i) {
+            const std::size_t count = keys.size();
+            for (std::size_t k = 0; k < count && own.beside[i] != 0; ++k) {
+                keys.push_back(keys[k]);
+                keys.back().steps[i] += own.beside[i];
+            }
+        }
+        for (const Key& key : keys) {
+            const auto found = entries_.find(key);
+            if (found == entries_.end() || found->second.size() > kMost) continue;
+            for (const Entry& entry : found->second) {
+                if (entry.path == &path) continue;
+                if (const auto shift = shift_between(path, *entry.path)) visit(entry.page, entry.shape, *shift);
             }
         }
     }
 
  private:
-    using Key = std::tuple<std::size_t, bool, long, long>;
+    // Edges, and extent and place in steps that are wider than what places are off; and where a value is near the end
+    // of its step, which one is beside it.
+    struct Key {
+        std::size_t edges = 0;
+        bool is_closed = false;
+        std::array<long, 4> steps = {};
+        std::array<int, 4> beside = {};
+
+        bool operator<(const Key& other) const {
+            return std::tie(edges, is_closed, steps) < std::tie(other.edges, other.is_closed, other.steps);
+        }
+    };
     struct Entry {
         const DrawnPath* path;
         std::size_t page, shape;
     };
 
-    // Edges, and the extent in steps that are far wider than what places are off.
-    static Key key_of(const DrawnPath& path, int dx, int dy) {
-        constexpr double kStep = 1;  // mm
+    Key key_of(const DrawnPath& path) const {
+        constexpr double kStep = 1, kNear = 3 * kSamePlace;  // mm
         SheetBox box;
         for (const Vec2d& v : path.vertices) box.extend(v);
-        return {path.edges.size(), path.is_closed, std::lround(box.sizes().x() / kStep) + dx,
-                std::lround(box.sizes().y() / kStep) + dy};
+        Key key{.edges = path.edges.size(), .is_closed = path.is_closed};
+        const std::array<double, 4> values{box.sizes().x(), box.sizes().y(), box.min().x(), box.min().y()};
+        for (std::size_t i = 0; i < (is_placed_ ? 4U : 2U); ++i) {
+            key.steps[i] = std::lround(values[i] / kStep);
+            const double off = values[i] / kStep - static_cast<double>(key.steps[i]);
+            key.beside[i] = off > 0.5 - kNear / kStep ? 1 : off < kNear / kStep - 0.5 ? -1 : 0;
+        }
+        return key;
     }
 
+    bool is_placed_;
     std::map<Key, std::vector<Entry>> entries_;
+};
+
+// Texts by what they say and where they are.
+class TextIndex {
+ public:
+    void add(const std::string& text, const Vec2d& at, std::size_t page) {
+        entries_[key_of(text, at, 0, 0)].insert(page);
+    }
+
+    // Whether the text is there, about, on another page than this one.
+    bool has_on_other(const std::string& text, const Vec2d& at, std::size_t page) const {
+        for (int i = 0; i < 9; ++i) {
+            const auto found = entries_.find(key_of(text, at, i % 3 - 1, i / 3 - 1));
+            if (found != entries_.end() && (found->second.size() > 1 || !found->second.contains(page))) return true;
+        }
+        return false;
+    }
+
+ private:
+    using Key = std::tuple<std::string, long, long>;
+    static Key key_of(const std::string& text, const Vec2d& at, int dx, int dy) {
+        constexpr double kStep = 1;  // mm
+        return {text, std::lround(at.x() / kStep) + dx, std::lround(at.y() / kStep) + dy};
+    }
+    std::map<Key, std::set<std::size_t>> entries_;
 };
 
 // A part of a path that a page shows, in the frame of the sheet.
@@ -103,9 +158,11 @@ class TileJoiner {
     }
 
     JoinedTiles join() {
-        mark_repeated();
-        join_by_shared_paths();
-        if (groups_of_several() == 0) join_by_borders();
+        if (pages_.size() > 1) {
+            mark_repeated();
+            join_by_shared_paths();
+            if (groups_of_several() == 0) join_by_borders();
+        }
         choose_pages();
         mark_at_borders();
         lay_out_groups();
@@ -119,7 +176,7 @@ class TileJoiner {
     // ---- What belongs to the print: it is at the same place on several pages.
 
     void mark_repeated() {
-        PathIndex index;
+        PathIndex index(PathIndex::Match::AtOnePlace);
         for (std::size_t p = 0; p < pages_.size(); ++p) {
             for (std::size_t s = 0; s < pages_[p].shapes.size(); ++s) index.add(path(p, s), p, s);
         }
@@ -187,7 +244,7 @@ class TileJoiner {
     };
 
     void join_by_shared_paths() {
-        PathIndex index;
+        PathIndex index(PathIndex::Match::Anywhere);
         const auto may_tell = [&](std::size_t p, std::size_t s) {
             return !is_furniture_[p][s] && pages_[p].shapes[s].box.sizes().maxCoeff() > kLargeShape;
         };
@@ -338,13 +395,14 @@ class TileJoiner {
             if (group.size() < 2) continue;
             for (const std::size_t p : group) is_joined[p] = true;
         }
+        const PathIndex print = print_of(is_joined);
         std::vector<double> largest(pages_.size(), 0);
         for (std::size_t p = 0; p < pages_.size(); ++p) largest[p] = largest_on(p);
         const bool has_large = std::ranges::any_of(largest, [](double size) { return size >= kSmallestPart; });
         for (std::size_t p = 0; p < pages_.size(); ++p) {
             if (is_joined[p]) {
                 out_.joined.push_back(p);
-            } else if (has_group ? shares_print_with(p, is_joined) : !has_large || largest[p] >= kSmallestPart) {
+            } else if (has_group ? shares_print_with(p, print) : !has_large || largest[p] >= kSmallestPart) {
                 out_.single.push_back(p);
             } else {
                 out_.left.push_back(p);
@@ -367,19 +425,26 @@ class TileJoiner {
     }
 
     // Whether a page has frame or marks where pages that were joined have them.
-    bool shares_print_with(std::size_t p, const std::vector<bool>& is_joined) const {
+    bool shares_print_with(std::size_t p, const PathIndex& print) const {
         for (std::size_t s = 0; s < pages_[p].shapes.size(); ++s) {
+            bool is_shared = false;
             if (!is_furniture_[p][s]) continue;
-            for (std::size_t q = 0; q < pages_.size(); ++q) {
-                if (!is_joined[q] || pages_[q].size != pages_[p].size) continue;
-                for (std::size_t r = 0; r < pages_[q].shapes.size(); ++r) {
-                    if (!is_furniture_[q][r]) continue;
-                    const auto shift = shift_between(path(p, s), path(q, r));
-                    if (shift && shift->norm() < kSamePlace) return true;
-                }
-            }
+            print.for_each_alike(path(p, s), [&](std::size_t q, std::size_t, const Vec2d& shift) {
+                is_shared = is_shared || (shift.norm() < kSamePlace && pages_[q].size == pages_[p].size);
+            });
+            if (is_shared) return true;
         }
         return false;
+    }
+
+    PathIndex print_of(const std::vector<bool>& is_joined) const {
+        PathIndex print(PathIndex::Match::AtOnePlace);
+        for (std::size_t p = 0; p < pages_.size(); ++p) {
+            for (std::size_t s = 0; s < pages_[p].shapes.size() && is_joined[p]; ++s) {
+                if (is_furniture_[p][s]) print.add(path(p, s), p, s);
+            }
+        }
+        return print;
     }
 
     // ---- Glue lines and marks that are on one page only.
@@ -537,6 +602,11 @@ class TileJoiner {
 
     void join_runs() {
         const std::vector<RunEnd> ends = run_ends();
+        constexpr std::size_t kMostEnds = 20'000;
+        if (ends.size() > kMostEnds) {
+            out_.notes.push_back("more than 20,000 lines end at borders of pages: they are not joined");
+            return follow(ends, std::vector<std::optional<std::size_t>>(ends.size()));
+        }
         struct Match {
             double cost = 0;
             std::size_t a = 0, b = 0;
@@ -616,30 +686,25 @@ class TileJoiner {
     // ---- Texts.
 
     void add_texts() {
-        std::map<std::string, std::vector<std::pair<std::size_t, Vec2d>>> places;
+        TextIndex on_pages, on_sheet;
         for (const std::size_t p : pages_on_sheet()) {
-            for (const PdfText& text : pages_[p].texts) places[text.text].emplace_back(p, text.middle());
+            for (const PdfText& text : pages_[p].texts) on_pages.add(text.text, text.middle(), p);
         }
         const bool is_print = out_.joined.size() + out_.single.size() > 1;
         for (const std::size_t p : pages_on_sheet()) {
             for (const PdfText& text : pages_[p].texts) {
-                const auto is_at_same = [&](const auto& other) {
-                    return other.first != p && (other.second - text.middle()).norm() < kSamePlace;
-                };
-                if (is_print && (is_page_text(text.text) || std::ranges::any_of(places[text.text], is_at_same)))
+                if (is_print && (is_page_text(text.text) || on_pages.has_on_other(text.text, text.middle(), p)))
                     continue;
                 const Vec2d at = text.middle() + at_[p];
-                const bool is_known = std::ranges::any_of(out_.plain.texts, [&](const DrawnText& other) {
-                    constexpr double kNear = 1;  // mm
-                    return other.text == text.text && (other.at - at).norm() < kNear;
-                });
-                if (!is_known) out_.plain.texts.push_back({at, text.text});
+                if (on_sheet.has_on_other(text.text, at, pages_.size())) continue;
+                on_sheet.add(text.text, at, p);
+                out_.plain.texts.push_back({at, text.text});
             }
         }
     }
 
     void drop_repeated_shapes() {
-        PathIndex index;
+        PathIndex index(PathIndex::Match::AtOnePlace);
         std::vector<PlainShape>& shapes = out_.plain.shapes;
         for (std::size_t s = 0; s < shapes.size(); ++s) index.add(shapes[s].path, 0, s);
         std::vector<bool> is_repeated(shapes.size(), false);
