@@ -37,20 +37,26 @@ double angle_between(double a, double b) {
     return std::min(off, std::numbers::pi - off);
 }
 
-int count_matches(std::vector<BorderCrossing> ours, const std::vector<BorderCrossing>& theirs) {
+// Lines that go on across a border, and how far their parts lie apart there, as a share of what is allowed.
+struct BorderMatches {
+    int count = 0;
+    double off = 0;
+};
+BorderMatches match_crossings(std::vector<BorderCrossing> ours, const std::vector<BorderCrossing>& theirs) {
     constexpr double kNear = 1.2;    // mm: a pen's width, and what paper and print give
     constexpr double kAngle = 0.35;  // rad
-    int matched = 0;
+    BorderMatches matches;
     for (const BorderCrossing& one : theirs) {
         const auto fits = [&](const BorderCrossing& other) {
             return std::abs(other.at - one.at) < kNear && angle_between(other.angle, one.angle) < kAngle;
         };
         const auto found = std::ranges::find_if(ours, fits);
         if (found == ours.end()) continue;
+        matches.off += std::abs(found->at - one.at) / kNear;
         ours.erase(found);
-        ++matched;
+        ++matches.count;
     }
-    return matched;
+    return matches;
 }
 
 class GridFitter {
@@ -306,7 +312,8 @@ class GridFitter {
         return places;
     }
 
-    // Whether small shapes of the print, drawn near the upper and the lower border, lie on each other in this grid.
+    // Whether a small shape of the print that is near the upper border lies on an equal one near the lower border of
+    // the next page.
     bool do_marks_meet(Eigen::Index axis, double cell) const {
         constexpr double kMark = 30, kSame = 0.5;  // mm
         Vec2d pitch = Vec2d::Zero();
@@ -320,8 +327,10 @@ class GridFitter {
         }
         return std::ranges::any_of(marks, [&](const TileShape* low) {
             return std::ranges::any_of(marks, [&](const TileShape* high) {
-                return (low->box.min() + pitch - high->box.min()).norm() < kSame &&
-                       (low->box.max() + pitch - high->box.max()).norm() < kSame;
+                const std::vector<Vec2d>&a = low->plain.path.vertices, &b = high->plain.path.vertices;
+                if (a.size() != b.size() || (low->box.min() + pitch - high->box.min()).norm() > kSame) return false;
+                return std::ranges::equal(
+                    a, b, [&](const Vec2d& p, const Vec2d& q) { return (p + pitch - q).norm() < kSame; });
             });
         });
     }
@@ -343,18 +352,20 @@ class GridFitter {
         CellGuess best = {.second = pages_.front()->size[axis]};
         for (const CellGuess& guess : guesses_[static_cast<std::size_t>(axis)]) {
             int good = 0, all = 0;
+            double off = 0;
             for (const auto& [low, high] : neighbours) {
                 const auto& ours = crossings(low, axis, guess.second, true);
                 const auto& theirs = crossings(high, axis, guess.first, false);
-                const int same = count_matches(ours, theirs);
+                const BorderMatches same = match_crossings(ours, theirs);
                 work_ += 1 + ours.size() * theirs.size();
-                good += same;
-                all += static_cast<int>(ours.size() + theirs.size()) - 2 * same;
+                good += same.count;
+                off += same.off;
+                all += static_cast<int>(ours.size() + theirs.size()) - 2 * same.count;
             }
             // Level lines go on wherever the borders are: marks that meet decide, then strips that pages share, then
             // the widest cell.
-            constexpr double kMeeting = 0.4, kOverlapping = 0.2, kWide = 1e-6;
-            const double score = score_of(good, all) + (guess.do_marks_meet ? kMeeting : 0) +
+            constexpr double kMeeting = 0.4, kOverlapping = 0.2, kWide = 1e-6, kOff = 0.5;
+            const double score = score_of(good, all) - kOff * off + (guess.do_marks_meet ? kMeeting : 0) +
                                  (guess.is_overlapped ? kOverlapping : 0) + kWide * (guess.second - guess.first);
             if (score <= most) continue;
             most = score;

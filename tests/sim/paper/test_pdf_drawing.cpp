@@ -111,6 +111,20 @@ TEST(PdfTiles, that_share_a_strip_with_their_neighbours_are_laid_over_each_other
     expect_fronts(tiled(two_fronts(), {.overlap = 7.5, .is_cut = true, .is_by_columns = true}).bytes(), 2);
 }
 
+TEST(PdfTiles, with_half_marks_at_their_frames_are_laid_by_their_lines_not_by_the_marks) {
+    const auto triangles = [](int, int) {
+        return pdf_line({{9, 142}, {15, 148}, {9, 154}}) + pdf_line({{201, 142}, {195, 148}, {201, 154}});
+    };
+    expect_fronts(tiled(two_fronts(), {.page = {210, 297},
+                                       .margin = 9,
+                                       .overlap = 12,
+                                       .is_cut = true,
+                                       .has_crosses = false,
+                                       .contents = triangles})
+                      .bytes(),
+                  2);
+}
+
 TEST(PdfTiles, lie_where_their_labels_say_whatever_their_order_and_with_pages_left_out) {
     const auto label = [](int column, int row) {
         return "Row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1);
