@@ -15,132 +15,18 @@
 #include "sim/paper/page_grid_fit.h"
 #include "sim/paper/page_labels.h"
 #include "sim/paper/path_builder.h"
+#include "sim/paper/path_index.h"
 
 namespace selvedge::sim {
 namespace {
 
 using SheetBox = Eigen::AlignedBox2d;
 
-constexpr double kSamePlace = 0.15;  // mm: what rounding to 1/100 pt and to 1/256 pt gives, and some more
-constexpr double kLargeShape = 20;   // mm: smaller ones are marks and letters, which repeat
+constexpr double kLargeShape = 20;  // mm: smaller ones are marks and letters, which repeat
 
 SheetBox moved(const SheetBox& box, const Vec2d& by) {
     return {Vec2d(box.min() + by), Vec2d(box.max() + by)};
 }
-
-// How far one path lies from another that is as long and as bent; none: it is another path.
-std::optional<Vec2d> shift_between(const DrawnPath& a, const DrawnPath& b) {
-    if (a.edges.size() != b.edges.size() || a.vertices.size() != b.vertices.size() || a.is_closed != b.is_closed)
-        return std::nullopt;
-    const Vec2d shift = b.vertices.front() - a.vertices.front();
-    const auto is_off = [&](const Vec2d& p, const Vec2d& q) { return (q - p - shift).norm() > kSamePlace; };
-    for (std::size_t i = 0; i < a.vertices.size(); ++i) {
-        if (is_off(a.vertices[i], b.vertices[i])) return std::nullopt;
-    }
-    for (std::size_t i = 0; i < a.edges.size(); ++i) {
-        if (a.edges[i].kind != b.edges[i].kind) return std::nullopt;
-        if (a.edges[i].kind != CurveKind::Cubic) continue;
-        for (std::size_t k = 0; k < 2; ++k) {
-            if (is_off(a.edges[i].control[k], b.edges[i].control[k])) return std::nullopt;
-        }
-    }
-    return shift;
-}
-
-// Finds paths that are the same but for their place, or at the same place.
-class PathIndex {
- public:
-    enum class Match { Anywhere, AtOnePlace };
-    explicit PathIndex(Match match) : is_placed_(match == Match::AtOnePlace) {}
-
-    void add(const DrawnPath& path, std::size_t page, std::size_t shape) {
-        entries_[key_of(path)].push_back({&path, page, shape});
-    }
-
-    // Calls visit(page, shape, shift from `path` to it). Of paths that are there by hundreds, as the strokes of a
-    // hatching, none is visited.
-    template <class Visit>
-    void for_each_alike(const DrawnPath& path, Visit visit) const {
-        constexpr std::size_t kMost = 600;
-        const Key own = key_of(path);
-        std::vector<Key> keys{own};
-        for (std::size_t i = 0; i < own.steps.size(); ++i) {
-            const std::size_t count = keys.size();
-            for (std::size_t k = 0; k < count && own.beside[i] != 0; ++k) {
-                keys.push_back(keys[k]);
-                keys.back().steps[i] += own.beside[i];
-            }
-        }
-        for (const Key& key : keys) {
-            const auto found = entries_.find(key);
-            if (found == entries_.end() || found->second.size() > kMost) continue;
-            for (const Entry& entry : found->second) {
-                if (entry.path == &path) continue;
-                if (const auto shift = shift_between(path, *entry.path)) visit(entry.page, entry.shape, *shift);
-            }
-        }
-    }
-
- private:
-    // Edges, and extent and place in steps that are wider than what places are off; and where a value is near the end
-    // of its step, which one is beside it.
-    struct Key {
-        std::size_t edges = 0;
-        bool is_closed = false;
-        std::array<long, 4> steps = {};
-        std::array<int, 4> beside = {};
-
-        bool operator<(const Key& other) const {
-            return std::tie(edges, is_closed, steps) < std::tie(other.edges, other.is_closed, other.steps);
-        }
-    };
-    struct Entry {
-        const DrawnPath* path;
-        std::size_t page, shape;
-    };
-
-    Key key_of(const DrawnPath& path) const {
-        constexpr double kStep = 1, kNear = 3 * kSamePlace;  // mm
-        SheetBox box;
-        for (const Vec2d& v : path.vertices) box.extend(v);
-        Key key{.edges = path.edges.size(), .is_closed = path.is_closed};
-        const std::array<double, 4> values{box.sizes().x(), box.sizes().y(), box.min().x(), box.min().y()};
-        for (std::size_t i = 0; i < (is_placed_ ? 4U : 2U); ++i) {
-            key.steps[i] = std::lround(values[i] / kStep);
-            const double off = values[i] / kStep - static_cast<double>(key.steps[i]);
-            key.beside[i] = off > 0.5 - kNear / kStep ? 1 : off < kNear / kStep - 0.5 ? -1 : 0;
-        }
-        return key;
-    }
-
-    bool is_placed_;
-    std::map<Key, std::vector<Entry>> entries_;
-};
-
-// Texts by what they say and where they are.
-class TextIndex {
- public:
-    void add(const std::string& text, const Vec2d& at, std::size_t page) {
-        entries_[key_of(text, at, 0, 0)].insert(page);
-    }
-
-    // Whether the text is there, about, on another page than this one.
-    bool has_on_other(const std::string& text, const Vec2d& at, std::size_t page) const {
-        for (int i = 0; i < 9; ++i) {
-            const auto found = entries_.find(key_of(text, at, i % 3 - 1, i / 3 - 1));
-            if (found != entries_.end() && (found->second.size() > 1 || !found->second.contains(page))) return true;
-        }
-        return false;
-    }
-
- private:
-    using Key = std::tuple<std::string, long, long>;
-    static Key key_of(const std::string& text, const Vec2d& at, int dx, int dy) {
-        constexpr double kStep = 1;  // mm
-        return {text, std::lround(at.x() / kStep) + dx, std::lround(at.y() / kStep) + dy};
-    }
-    std::map<Key, std::set<std::size_t>> entries_;
-};
 
 // A part of a path that a page shows, in the frame of the sheet.
 struct TileRun {
@@ -187,7 +73,7 @@ class TileJoiner {
             for (std::size_t s = 0; s < pages_[p].shapes.size(); ++s) {
                 std::set<std::size_t> others;
                 index.for_each_alike(path(p, s), [&](std::size_t q, std::size_t, const Vec2d& shift) {
-                    if (q != p && shift.norm() < kSamePlace && pages_[p].size == pages_[q].size) others.insert(q);
+                    if (q != p && shift.norm() < kSamePathPlace && pages_[p].size == pages_[q].size) others.insert(q);
                 });
                 times[p][s] = others.size();
                 if (!others.empty() && !is_long_line(p, s)) most_pages = std::max(most_pages, others.size());
@@ -218,7 +104,7 @@ class TileJoiner {
             for (std::size_t r = 0; r < pages_[p].shapes.size(); ++r) {
                 if (r == s || times[r] == 0 || !is_long_line(p, r)) continue;
                 for (const Vec2d& other : {path(p, r).vertices.front(), path(p, r).vertices.back()}) {
-                    if ((other - end).norm() < 2 * kSamePlace) return true;
+                    if ((other - end).norm() < 2 * kSamePathPlace) return true;
                 }
             }
             return false;
@@ -269,7 +155,7 @@ class TileJoiner {
 
     static void add_vote(std::vector<PageVote>& votes, const Vec2d& shift, double weight) {
         for (PageVote& vote : votes) {
-            if ((vote.shift - shift).norm() > 2 * kSamePlace) continue;
+            if ((vote.shift - shift).norm() > 2 * kSamePathPlace) continue;
             vote.weight += weight;
             return;
         }
@@ -430,7 +316,7 @@ class TileJoiner {
             bool is_shared = false;
             if (!is_furniture_[p][s]) continue;
             print.for_each_alike(path(p, s), [&](std::size_t q, std::size_t, const Vec2d& shift) {
-                is_shared = is_shared || (shift.norm() < kSamePlace && pages_[q].size == pages_[p].size);
+                is_shared = is_shared || (shift.norm() < kSamePathPlace && pages_[q].size == pages_[p].size);
             });
             if (is_shared) return true;
         }
@@ -710,7 +596,7 @@ class TileJoiner {
         std::vector<bool> is_repeated(shapes.size(), false);
         for (std::size_t s = 0; s < shapes.size(); ++s) {
             index.for_each_alike(shapes[s].path, [&](std::size_t, std::size_t other, const Vec2d& shift) {
-                if (other < s && shift.norm() < 2 * kSamePlace && shapes[other].style == shapes[s].style)
+                if (other < s && shift.norm() < 2 * kSamePathPlace && shapes[other].style == shapes[s].style)
                     is_repeated[s] = true;
             });
         }
