@@ -233,6 +233,17 @@ TEST(PdfLayers, that_are_off_are_left_out_and_told_but_sizes_can_be_chosen) {
     EXPECT_NEAR(outline_box(small.pattern.panels[0]).sizes().x(), 0.130, 1e-4);
 }
 
+TEST(PdfDrawing, names_a_pair_without_the_side_of_the_one_that_is_drawn) {
+    const PanelsOfDrawing made = make_panels(
+        read_text(pdf_of(pdf_line({{20, 40}, {190, 50}, {170, 280}, {30, 270}}) + pdf_words(80, 150, "left_sleeve") +
+                         pdf_words(80, 140, "cut 2 \\(1 pair, mirrored\\)"))),
+        "pattern.pdf");
+    ASSERT_EQ(made.pattern.panels.size(), 2U);
+    EXPECT_EQ(made.pattern.panels[0].name, "sleeve");
+    EXPECT_EQ(made.pattern.panels[1].name, "sleeve_mirrored");
+    EXPECT_EQ(made.pattern.panels[1].mirror_of, "sleeve");
+}
+
 // ---- What is refused.
 
 const char* const kScan =
