@@ -12,7 +12,6 @@
 #include "render/image/photo.h"
 #include "sim/core/disjoint_sets.h"
 #include "sim/core/error.h"
-#include "sim/core/lower_case.h"
 #include "sim/core/printable.h"
 #include "sim/paper/drawing_file.h"
 #include "sim/paper/folded_ribbing.h"
@@ -134,8 +133,6 @@ void name_sides(sim::Pattern& pattern, const std::vector<sim::PanelRole>& roles,
         const bool has_twin =
             std::ranges::any_of(pattern.panels, [&](const sim::Panel& other) { return other.mirror_of == old; });
         if ((panel.mirror_of.empty() && !has_twin) || roles[p].flank == sim::Flank::None) continue;
-        const std::string small = sim::lower_case(old);
-        if (small.find("left") != std::string::npos || small.find("right") != std::string::npos) continue;
         const std::string side = roles[p].flank == sim::Flank::Left ? "left_" : "right_";
         const std::string name = side + without_suffix(old, "_mirrored");
         if (std::ranges::any_of(pattern.panels, [&](const sim::Panel& other) { return other.name == name; })) continue;

@@ -31,17 +31,21 @@
 namespace selvedge::sim {
 namespace {
 
-// "right_sleeve" for "left_sleeve"; a name without a side gets "_mirrored".
-std::string name_of_image(const std::string& name) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kSides{
-        {{"left", "right"}, {"Left", "Right"}, {"LEFT", "RIGHT"}}};
-    for (const auto& [left, right] : kSides) {
-        for (const auto& [from, to] : {std::pair(left, right), std::pair(right, left)}) {
-            const std::size_t at = name.find(from);
-            if (at != std::string::npos) return std::string(name).replace(at, from.size(), to);
+// "sleeve" for "left_sleeve", of which the other is cut, too: seams tell which is which.
+std::string without_side(const std::string& name) {
+    const std::string small = lower_case(name);
+    for (const std::string_view side : {"left", "right"}) {
+        const std::size_t at = small.find(side);
+        if (at == std::string::npos || small.size() != name.size()) continue;
+        std::string rest = name.substr(0, at), after = name.substr(at + side.size());
+        const auto is_gap = [](char c) { return c == '_' || c == ' ' || c == '-'; };
+        while (!after.empty() && is_gap(after.front())) after.erase(0, 1);
+        if (after.empty()) {
+            while (!rest.empty() && is_gap(rest.back())) rest.pop_back();
         }
+        return rest + after;
     }
-    return name + "_mirrored";
+    return name;
 }
 
 constexpr double kChordError = 1e-4;  // m, of lines from curves
@@ -623,8 +627,10 @@ class PanelMaker {
         Panel& panel = out_.pattern.panels[p];
         panel.pieces = std::max(1, panel.pieces / 2);
         image.pieces = panel.pieces;
+        if (const std::string name = without_side(panel.name); !name.empty() && free_name(name) == name)
+            panel.name = name;
         image.mirror_of = panel.name;
-        image.name = free_name(name_of_image(panel.name));
+        image.name = free_name(panel.name + "_mirrored");
         out_.pattern.panels.push_back(std::move(image));
     }
 

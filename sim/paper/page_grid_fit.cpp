@@ -28,6 +28,7 @@ struct LineEnd {
 struct CellGuess {
     double first = 0, second = 0;
     bool is_overlapped = false;  // beyond the upper border, the page shows a strip of its neighbour
+    bool do_marks_meet = false;
 };
 using Borders = std::pair<std::vector<double>, std::vector<double>>;  // lower and upper ones
 
@@ -36,20 +37,26 @@ double angle_between(double a, double b) {
     return std::min(off, std::numbers::pi - off);
 }
 
-int count_matches(std::vector<BorderCrossing> ours, const std::vector<BorderCrossing>& theirs) {
+// Lines that go on across a border, and how far their parts lie apart there, as a share of what is allowed.
+struct BorderMatches {
+    int count = 0;
+    double off = 0;
+};
+BorderMatches match_crossings(std::vector<BorderCrossing> ours, const std::vector<BorderCrossing>& theirs) {
     constexpr double kNear = 1.2;    // mm: a pen's width, and what paper and print give
     constexpr double kAngle = 0.35;  // rad
-    int matched = 0;
+    BorderMatches matches;
     for (const BorderCrossing& one : theirs) {
         const auto fits = [&](const BorderCrossing& other) {
             return std::abs(other.at - one.at) < kNear && angle_between(other.angle, one.angle) < kAngle;
         };
         const auto found = std::ranges::find_if(ours, fits);
         if (found == ours.end()) continue;
+        matches.off += std::abs(found->at - one.at) / kNear;
         ours.erase(found);
-        ++matched;
+        ++matches.count;
     }
-    return matched;
+    return matches;
 }
 
 class GridFitter {
@@ -65,6 +72,7 @@ class GridFitter {
         std::optional<GridFit> best;
         double most = 0;
         for (const std::vector<std::pair<int, int>>& places : arrangements()) {
+            if (work_ > kMostWork) break;
             GridFit fit{.places = places};
             if (!choose_cell(0, fit) || !choose_cell(1, fit)) continue;
             const double score = score_of(fit.matched, fit.unmatched);
@@ -78,6 +86,8 @@ class GridFitter {
     }
 
  private:
+    static constexpr std::size_t kMostWork = 60'000'000;  // pairs of lines: some tenths of a second
+
     static double score_of(int matched, int unmatched) { return matched - 0.5 * unmatched; }
 
     // ---- What crosses a border.
@@ -90,7 +100,8 @@ class GridFitter {
             if (is_furniture_[p][s] || page.shapes[s].plain.is_filled_only) continue;
             const DrawnPath& path = page.shapes[s].plain.path;
             const std::vector<CurvePiece> pieces = pieces_of(path);
-            if (!path.is_closed) {
+            constexpr std::size_t kMostEnds = 200;  // more are a hatching, or letters
+            if (!path.is_closed && ends.size() < kMostEnds) {
                 ends.push_back({path.vertices.front(), pieces.front().leaves()});
                 ends.push_back({path.vertices.back(), pieces.back().arrives()});
             }
@@ -122,6 +133,8 @@ class GridFitter {
             }
         }
         std::ranges::sort(found, {}, &BorderCrossing::at);
+        constexpr std::size_t kMostCrossings = 200;  // more are a hatching
+        if (found.size() > kMostCrossings) found.clear();
         return crossings_[key] = std::move(found);
     }
 
@@ -188,9 +201,9 @@ class GridFitter {
         std::vector<CellGuess> all;
         for (const double a : low) {
             for (const double b : high) {
-                all.push_back({a, b, false});
+                all.push_back({a, b, false, do_marks_meet(axis, b - a)});
                 for (const double strip : strips_) {
-                    if (b - strip > a) all.push_back({a, b - strip, true});
+                    if (b - strip > a) all.push_back({a, b - strip, true, do_marks_meet(axis, b - strip - a)});
                 }
             }
         }
@@ -224,7 +237,7 @@ class GridFitter {
 
     // Where pages show a strip of their neighbours, a line that ends at the border of one lies within the other: at the
     // same height, as far from the end as the pages lie apart. The widths of such strips that most ends have, mm.
-    std::vector<double> find_strips() const {
+    std::vector<double> find_strips() {
         constexpr double kStep = 0.1, kLeast = 0.7, kMost = 40;  // mm
         std::map<long, std::vector<double>> votes;
         for (const Eigen::Index axis : {Eigen::Index(0), Eigen::Index(1)}) {
@@ -252,8 +265,9 @@ class GridFitter {
         std::ranges::sort(order);
         constexpr std::size_t kMostStrips = 3;
         std::vector<double> strips;
-        for (const auto& [count, strip] : order) {
+        for (const auto& one : order) {
             constexpr double kOther = 0.35;  // mm
+            const double strip = one.second;
             const bool is_known =
                 std::ranges::any_of(strips, [&](double known) { return std::abs(known - strip) < kOther; });
             if (!is_known && strips.size() < kMostStrips) strips.push_back(strip);
@@ -261,15 +275,16 @@ class GridFitter {
         return strips;
     }
 
-    std::vector<double> pitches_by_ends(Eigen::Index axis, double low, double high) const {
+    std::vector<double> pitches_by_ends(Eigen::Index axis, double low, double high) {
         std::vector<double> pitches;
         for (std::size_t p = 0; p < pages_.size(); ++p) {
             for (const LineEnd& end : ends_[p]) {
                 constexpr double kNear = 0.3;  // mm
                 const bool is_low = std::abs(end.at[axis] - low) < kNear;
                 if (!is_low && std::abs(end.at[axis] - high) > kNear) continue;
-                for (std::size_t q = 0; q < pages_.size(); ++q) {
+                for (std::size_t q = 0; q < pages_.size() && work_ < kMostWork / 2; ++q) {
                     if (q == p) continue;
+                    work_ += lines_[q].size();
                     for (const double at : places_at_height(q, axis, end))
                         pitches.push_back(is_low ? at - end.at[axis] : end.at[axis] - at);
                 }
@@ -283,7 +298,9 @@ class GridFitter {
         constexpr double kSteep = 0.2, kSame = 0.1;  // of the length; rad
         const double height = end.at[1 - axis];
         std::vector<double> places;
-        for (const std::vector<Vec2d>& line : lines_[p]) {
+        constexpr std::size_t kMostLines = 20'000;
+        for (std::size_t l = 0; l < std::min(kMostLines, lines_[p].size()); ++l) {
+            const std::vector<Vec2d>& line = lines_[p][l];
             for (std::size_t i = 0; i + 1 < line.size(); ++i) {
                 const Vec2d &a = line[i], &b = line[i + 1];
                 if ((a[1 - axis] < height) == (b[1 - axis] < height)) continue;
@@ -295,11 +312,12 @@ class GridFitter {
         return places;
     }
 
-    // Whether small shapes of the print, drawn near the upper and the lower border, lie on each other in this grid.
-    bool do_marks_meet(Eigen::Index axis, const CellGuess& guess) const {
+    // Whether a small shape of the print that is near the upper border lies on an equal one near the lower border of
+    // the next page.
+    bool do_marks_meet(Eigen::Index axis, double cell) const {
         constexpr double kMark = 30, kSame = 0.5;  // mm
         Vec2d pitch = Vec2d::Zero();
-        pitch[axis] = guess.second - guess.first;
+        pitch[axis] = cell;
         std::vector<const TileShape*> marks;
         for (std::size_t p = 0; p < pages_.size() && marks.size() < 200; ++p) {
             for (std::size_t s = 0; s < pages_[p]->shapes.size(); ++s) {
@@ -309,8 +327,10 @@ class GridFitter {
         }
         return std::ranges::any_of(marks, [&](const TileShape* low) {
             return std::ranges::any_of(marks, [&](const TileShape* high) {
-                return (low->box.min() + pitch - high->box.min()).norm() < kSame &&
-                       (low->box.max() + pitch - high->box.max()).norm() < kSame;
+                const std::vector<Vec2d>&a = low->plain.path.vertices, &b = high->plain.path.vertices;
+                if (a.size() != b.size() || (low->box.min() + pitch - high->box.min()).norm() > kSame) return false;
+                return std::ranges::equal(
+                    a, b, [&](const Vec2d& p, const Vec2d& q) { return (p + pitch - q).norm() < kSame; });
             });
         });
     }
@@ -332,17 +352,20 @@ class GridFitter {
         CellGuess best = {.second = pages_.front()->size[axis]};
         for (const CellGuess& guess : guesses_[static_cast<std::size_t>(axis)]) {
             int good = 0, all = 0;
+            double off = 0;
             for (const auto& [low, high] : neighbours) {
                 const auto& ours = crossings(low, axis, guess.second, true);
                 const auto& theirs = crossings(high, axis, guess.first, false);
-                const int same = count_matches(ours, theirs);
-                good += same;
-                all += static_cast<int>(ours.size() + theirs.size()) - 2 * same;
+                const BorderMatches same = match_crossings(ours, theirs);
+                work_ += 1 + ours.size() * theirs.size();
+                good += same.count;
+                off += same.off;
+                all += static_cast<int>(ours.size() + theirs.size()) - 2 * same.count;
             }
             // Level lines go on wherever the borders are: marks that meet decide, then strips that pages share, then
             // the widest cell.
-            constexpr double kMeeting = 0.4, kOverlapping = 0.2, kWide = 1e-6;
-            const double score = score_of(good, all) + (do_marks_meet(axis, guess) ? kMeeting : 0) +
+            constexpr double kMeeting = 0.4, kOverlapping = 0.2, kWide = 1e-6, kOff = 0.5;
+            const double score = score_of(good, all) - kOff * off + (guess.do_marks_meet ? kMeeting : 0) +
                                  (guess.is_overlapped ? kOverlapping : 0) + kWide * (guess.second - guess.first);
             if (score <= most) continue;
             most = score;
@@ -365,6 +388,7 @@ class GridFitter {
     std::map<std::tuple<std::size_t, Eigen::Index, double, bool>, std::vector<BorderCrossing>> crossings_;
     std::array<Borders, 2> borders_;
     std::vector<double> strips_;
+    std::size_t work_ = 0;  // pairs of lines that were compared
     std::array<std::vector<CellGuess>, 2> guesses_;
 };
 

@@ -53,7 +53,7 @@ struct PdfFile {
 };
 
 struct PdfLimits {
-    ChildLimits child = {.processor_seconds = 20, .wall_seconds = 60, .answer_bytes = std::size_t(512) << 20};
+    ChildLimits child = {.processor_seconds = 10, .wall_seconds = 60, .answer_bytes = std::size_t(512) << 20};
     std::size_t pages = 500;
     std::size_t points = 2'000'000;  // of all pages
     std::size_t texts = 100'000;     // likewise

@@ -390,20 +390,41 @@ class FileRecorder {
 
     void add_page(int number) {
         Recording all = recording_of(number);
-        if (!all.things.empty()) {
+        if (!all.things.empty() && has_layers(number, all)) {
             for (std::size_t i = 0; i < groups_.size(); ++i) add_layer(number, i, all);
         }
         file_.pages.push_back(std::move(all.page));
+    }
+
+    // Whether a page draws less when all layers are off.
+    bool has_layers(int number, const Recording& all) {
+        if (groups_.empty()) return false;
+        std::vector<OptionalContentGroup::State> states;
+        for (OptionalContentGroup* group : groups_) {
+            states.push_back(group->getState());
+            group->setState(OptionalContentGroup::Off);
+        }
+        const std::size_t things = again(number).things.size();
+        for (std::size_t i = 0; i < groups_.size(); ++i) groups_[i]->setState(states[i]);
+        return things != all.things.size();
+    }
+
+    // A recording of a page whose things count already.
+    Recording again(int number) {
+        const std::size_t points = points_left_, texts = texts_left_;
+        points_left_ = limits_.points;
+        texts_left_ = limits_.texts;
+        Recording recording = recording_of(number);
+        points_left_ = points;
+        texts_left_ = texts;
+        return recording;
     }
 
     // What is missing when a layer is off belongs to it, or to a group of layers that it switches.
     void add_layer(int number, std::size_t layer, Recording& all) {
         if (groups_[layer]->getState() == OptionalContentGroup::Off) return;
         groups_[layer]->setState(OptionalContentGroup::Off);
-        const std::size_t points = points_left_, texts = texts_left_;
-        const Recording rest = recording_of(number);
-        points_left_ = points;  // they count once
-        texts_left_ = texts;
+        const Recording rest = again(number);
         groups_[layer]->setState(OptionalContentGroup::On);
         std::size_t next = 0;
         std::vector<const Recording::Thing*> missing;

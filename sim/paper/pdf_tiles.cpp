@@ -1,6 +1,7 @@
 #include "sim/paper/pdf_tiles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -14,78 +15,18 @@
 #include "sim/paper/page_grid_fit.h"
 #include "sim/paper/page_labels.h"
 #include "sim/paper/path_builder.h"
+#include "sim/paper/path_index.h"
 
 namespace selvedge::sim {
 namespace {
 
 using SheetBox = Eigen::AlignedBox2d;
 
-constexpr double kSamePlace = 0.15;  // mm: what rounding to 1/100 pt and to 1/256 pt gives, and some more
-constexpr double kLargeShape = 20;   // mm: smaller ones are marks and letters, which repeat
+constexpr double kLargeShape = 20;  // mm: smaller ones are marks and letters, which repeat
 
 SheetBox moved(const SheetBox& box, const Vec2d& by) {
     return {Vec2d(box.min() + by), Vec2d(box.max() + by)};
 }
-
-// How far one path lies from another that is as long and as bent; none: it is another path.
-std::optional<Vec2d> shift_between(const DrawnPath& a, const DrawnPath& b) {
-    if (a.edges.size() != b.edges.size() || a.vertices.size() != b.vertices.size() || a.is_closed != b.is_closed)
-        return std::nullopt;
-    const Vec2d shift = b.vertices.front() - a.vertices.front();
-    const auto is_off = [&](const Vec2d& p, const Vec2d& q) { return (q - p - shift).norm() > kSamePlace; };
-    for (std::size_t i = 0; i < a.vertices.size(); ++i) {
-        if (is_off(a.vertices[i], b.vertices[i])) return std::nullopt;
-    }
-    for (std::size_t i = 0; i < a.edges.size(); ++i) {
-        if (a.edges[i].kind != b.edges[i].kind) return std::nullopt;
-        if (a.edges[i].kind != CurveKind::Cubic) continue;
-        for (std::size_t k = 0; k < 2; ++k) {
-            if (is_off(a.edges[i].control[k], b.edges[i].control[k])) return std::nullopt;
-        }
-    }
-    return shift;
-}
-
-// Finds paths that are the same but for their place.
-class PathIndex {
- public:
-    void add(const DrawnPath& path, std::size_t page, std::size_t shape) {
-        entries_[key_of(path, 0, 0)].push_back({&path, page, shape});
-    }
-
-    // Calls visit(page, shape, shift from `path` to it).
-    template <class Visit>
-    void for_each_alike(const DrawnPath& path, Visit visit) const {
-        for (const int dx : {-1, 0, 1}) {
-            for (const int dy : {-1, 0, 1}) {
-                const auto found = entries_.find(key_of(path, dx, dy));
-                if (found == entries_.end()) continue;
-                for (const Entry& entry : found->second) {
-                    if (entry.path == &path) continue;
-                    if (const auto shift = shift_between(path, *entry.path)) visit(entry.page, entry.shape, *shift);
-                }
-            }
-        }
-    }
-
- private:
-    using Key = std::tuple<std::size_t, bool, long, long>;
-    struct Entry {
-        const DrawnPath* path;
-        std::size_t page, shape;
-    };
-
-    // Edges, and the extent in steps that are far wider than what places are off.
-    static Key key_of(const DrawnPath& path, int dx, int dy) {
-        constexpr double kStep = 1;  // mm
-        SheetBox box;
-        for (const Vec2d& v : path.vertices) box.extend(v);
-        return {path.edges.size(), path.is_closed, std::lround(box.sizes().x() / kStep) + dx,
-                std::lround(box.sizes().y() / kStep) + dy};
-    }
-
-    std::map<Key, std::vector<Entry>> entries_;
-};
 
 // A part of a path that a page shows, in the frame of the sheet.
 struct TileRun {
@@ -103,9 +44,11 @@ class TileJoiner {
     }
 
     JoinedTiles join() {
-        mark_repeated();
-        join_by_shared_paths();
-        if (groups_of_several() == 0) join_by_borders();
+        if (pages_.size() > 1) {
+            mark_repeated();
+            join_by_shared_paths();
+            if (groups_of_several() == 0) join_by_borders();
+        }
         choose_pages();
         mark_at_borders();
         lay_out_groups();
@@ -119,7 +62,7 @@ class TileJoiner {
     // ---- What belongs to the print: it is at the same place on several pages.
 
     void mark_repeated() {
-        PathIndex index;
+        PathIndex index(PathIndex::Match::AtOnePlace);
         for (std::size_t p = 0; p < pages_.size(); ++p) {
             for (std::size_t s = 0; s < pages_[p].shapes.size(); ++s) index.add(path(p, s), p, s);
         }
@@ -130,7 +73,7 @@ class TileJoiner {
             for (std::size_t s = 0; s < pages_[p].shapes.size(); ++s) {
                 std::set<std::size_t> others;
                 index.for_each_alike(path(p, s), [&](std::size_t q, std::size_t, const Vec2d& shift) {
-                    if (q != p && shift.norm() < kSamePlace && pages_[p].size == pages_[q].size) others.insert(q);
+                    if (q != p && shift.norm() < kSamePathPlace && pages_[p].size == pages_[q].size) others.insert(q);
                 });
                 times[p][s] = others.size();
                 if (!others.empty() && !is_long_line(p, s)) most_pages = std::max(most_pages, others.size());
@@ -161,7 +104,7 @@ class TileJoiner {
             for (std::size_t r = 0; r < pages_[p].shapes.size(); ++r) {
                 if (r == s || times[r] == 0 || !is_long_line(p, r)) continue;
                 for (const Vec2d& other : {path(p, r).vertices.front(), path(p, r).vertices.back()}) {
-                    if ((other - end).norm() < 2 * kSamePlace) return true;
+                    if ((other - end).norm() < 2 * kSamePathPlace) return true;
                 }
             }
             return false;
@@ -187,7 +130,7 @@ class TileJoiner {
     };
 
     void join_by_shared_paths() {
-        PathIndex index;
+        PathIndex index(PathIndex::Match::Anywhere);
         const auto may_tell = [&](std::size_t p, std::size_t s) {
             return !is_furniture_[p][s] && pages_[p].shapes[s].box.sizes().maxCoeff() > kLargeShape;
         };
@@ -212,7 +155,7 @@ class TileJoiner {
 
     static void add_vote(std::vector<PageVote>& votes, const Vec2d& shift, double weight) {
         for (PageVote& vote : votes) {
-            if ((vote.shift - shift).norm() > 2 * kSamePlace) continue;
+            if ((vote.shift - shift).norm() > 2 * kSamePathPlace) continue;
             vote.weight += weight;
             return;
         }
@@ -338,13 +281,14 @@ class TileJoiner {
             if (group.size() < 2) continue;
             for (const std::size_t p : group) is_joined[p] = true;
         }
+        const PathIndex print = print_of(is_joined);
         std::vector<double> largest(pages_.size(), 0);
         for (std::size_t p = 0; p < pages_.size(); ++p) largest[p] = largest_on(p);
         const bool has_large = std::ranges::any_of(largest, [](double size) { return size >= kSmallestPart; });
         for (std::size_t p = 0; p < pages_.size(); ++p) {
             if (is_joined[p]) {
                 out_.joined.push_back(p);
-            } else if (has_group ? shares_print_with(p, is_joined) : !has_large || largest[p] >= kSmallestPart) {
+            } else if (has_group ? shares_print_with(p, print) : !has_large || largest[p] >= kSmallestPart) {
                 out_.single.push_back(p);
             } else {
                 out_.left.push_back(p);
@@ -367,19 +311,26 @@ class TileJoiner {
     }
 
     // Whether a page has frame or marks where pages that were joined have them.
-    bool shares_print_with(std::size_t p, const std::vector<bool>& is_joined) const {
+    bool shares_print_with(std::size_t p, const PathIndex& print) const {
         for (std::size_t s = 0; s < pages_[p].shapes.size(); ++s) {
+            bool is_shared = false;
             if (!is_furniture_[p][s]) continue;
-            for (std::size_t q = 0; q < pages_.size(); ++q) {
-                if (!is_joined[q] || pages_[q].size != pages_[p].size) continue;
-                for (std::size_t r = 0; r < pages_[q].shapes.size(); ++r) {
-                    if (!is_furniture_[q][r]) continue;
-                    const auto shift = shift_between(path(p, s), path(q, r));
-                    if (shift && shift->norm() < kSamePlace) return true;
-                }
-            }
+            print.for_each_alike(path(p, s), [&](std::size_t q, std::size_t, const Vec2d& shift) {
+                is_shared = is_shared || (shift.norm() < kSamePathPlace && pages_[q].size == pages_[p].size);
+            });
+            if (is_shared) return true;
         }
         return false;
+    }
+
+    PathIndex print_of(const std::vector<bool>& is_joined) const {
+        PathIndex print(PathIndex::Match::AtOnePlace);
+        for (std::size_t p = 0; p < pages_.size(); ++p) {
+            for (std::size_t s = 0; s < pages_[p].shapes.size() && is_joined[p]; ++s) {
+                if (is_furniture_[p][s]) print.add(path(p, s), p, s);
+            }
+        }
+        return print;
     }
 
     // ---- Glue lines and marks that are on one page only.
@@ -537,6 +488,11 @@ class TileJoiner {
 
     void join_runs() {
         const std::vector<RunEnd> ends = run_ends();
+        constexpr std::size_t kMostEnds = 20'000;
+        if (ends.size() > kMostEnds) {
+            out_.notes.push_back("more than 20,000 lines end at borders of pages: they are not joined");
+            return follow(ends, std::vector<std::optional<std::size_t>>(ends.size()));
+        }
         struct Match {
             double cost = 0;
             std::size_t a = 0, b = 0;
@@ -616,36 +572,31 @@ class TileJoiner {
     // ---- Texts.
 
     void add_texts() {
-        std::map<std::string, std::vector<std::pair<std::size_t, Vec2d>>> places;
+        TextIndex on_pages, on_sheet;
         for (const std::size_t p : pages_on_sheet()) {
-            for (const PdfText& text : pages_[p].texts) places[text.text].emplace_back(p, text.middle());
+            for (const PdfText& text : pages_[p].texts) on_pages.add(text.text, text.middle(), p);
         }
         const bool is_print = out_.joined.size() + out_.single.size() > 1;
         for (const std::size_t p : pages_on_sheet()) {
             for (const PdfText& text : pages_[p].texts) {
-                const auto is_at_same = [&](const auto& other) {
-                    return other.first != p && (other.second - text.middle()).norm() < kSamePlace;
-                };
-                if (is_print && (is_page_text(text.text) || std::ranges::any_of(places[text.text], is_at_same)))
+                if (is_print && (is_page_text(text.text) || on_pages.has_on_other(text.text, text.middle(), p)))
                     continue;
                 const Vec2d at = text.middle() + at_[p];
-                const bool is_known = std::ranges::any_of(out_.plain.texts, [&](const DrawnText& other) {
-                    constexpr double kNear = 1;  // mm
-                    return other.text == text.text && (other.at - at).norm() < kNear;
-                });
-                if (!is_known) out_.plain.texts.push_back({at, text.text});
+                if (on_sheet.has_on_other(text.text, at, pages_.size())) continue;
+                on_sheet.add(text.text, at, p);
+                out_.plain.texts.push_back({at, text.text});
             }
         }
     }
 
     void drop_repeated_shapes() {
-        PathIndex index;
+        PathIndex index(PathIndex::Match::AtOnePlace);
         std::vector<PlainShape>& shapes = out_.plain.shapes;
         for (std::size_t s = 0; s < shapes.size(); ++s) index.add(shapes[s].path, 0, s);
         std::vector<bool> is_repeated(shapes.size(), false);
         for (std::size_t s = 0; s < shapes.size(); ++s) {
             index.for_each_alike(shapes[s].path, [&](std::size_t, std::size_t other, const Vec2d& shift) {
-                if (other < s && shift.norm() < 2 * kSamePlace && shapes[other].style == shapes[s].style)
+                if (other < s && shift.norm() < 2 * kSamePathPlace && shapes[other].style == shapes[s].style)
                     is_repeated[s] = true;
             });
         }

@@ -423,7 +423,7 @@ class PlainReader {
             std::vector<std::string> names;
             if (own_uses == 1) names.push_back(shape.path.name);
             for (auto group = shape.groups.rbegin(); group != shape.groups.rend(); ++group) {
-                if (is_shared(*group)) continue;
+                if (is_shared(*group) || (group->is_layer && names_kind_of_line(*group))) continue;
                 names.push_back(group->label);
                 names.push_back(group->id);
             }
@@ -441,6 +441,14 @@ class PlainReader {
                                             : name->substr(0, name->find('\n')).substr(0, 60);
             if (const auto split = split_size(part.name); split && split->second == part.size) part.name = split->first;
         }
+    }
+
+    // "Cutting lines" is no name of a part.
+    static bool names_kind_of_line(const PlainGroup& group) {
+        const std::string name = lower_case(group.label.empty() ? group.id : group.label);
+        return std::ranges::any_of(std::array<std::string_view, 8>{"cutting", "sewing", "stitch", "seam", "fold",
+                                                                   "grain", "notch", "internal"},
+                                   [&](std::string_view kind) { return says(name, kind); });
     }
 
     // Whether a group holds several parts, or is used by several, so that its name is not that of one.

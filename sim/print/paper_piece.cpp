@@ -279,7 +279,7 @@ void halve(PaperPiece& piece, double axis) {
         low = std::min(low, p.y());
         high = std::max(high, p.y());
     }
-    lines.push_back({PaperLayer::Fold, {Vec2d(axis, low), Vec2d(axis, high)}});
+    lines.push_back({.layer = PaperLayer::Fold, .points = {Vec2d(axis, low), Vec2d(axis, high)}, .is_fold_edge = true});
     piece.lines = std::move(lines);
     piece.is_on_fold = true;
 }

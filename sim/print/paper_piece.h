@@ -22,6 +22,7 @@ struct PaperLine {
     PaperLayer layer = PaperLayer::Internal;
     std::vector<Vec2d> points;
     bool is_dart_fold = false;  // from a dart's tip to its cap
+    bool is_fold_edge = false;  // the piece is cut on it, on folded fabric
 };
 
 // Lines of text round a point.

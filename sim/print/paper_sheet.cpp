@@ -215,7 +215,7 @@ std::vector<PaperStroke> strokes_of(const PaperPiece& piece, const LayerChoice& 
         if (line.layer == PaperLayer::Grain) {
             add_grain_line(line.points, strokes);
         } else {
-            strokes.push_back({line.layer, line.points});
+            strokes.push_back({.layer = line.layer, .points = line.points, .is_fold_edge = line.is_fold_edge});
         }
     }
     if (is_chosen(layers, PaperLayer::Notches)) {

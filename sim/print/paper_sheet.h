@@ -32,6 +32,7 @@ struct PaperStroke {
     PaperLayer layer = PaperLayer::Cut;
     std::vector<Vec2d> points;  // m, sheet coordinates
     bool is_closed = false;
+    bool is_fold_edge = false;  // see PaperLine
 };
 
 // Of a piece in its own frame. Where there is no allowance the sewing line is left to the cut line, if that is drawn.

@@ -126,7 +126,7 @@ void draw_sheet(PdfCanvas& canvas, const PaperSheet& sheet, const SheetView& vie
         constexpr double kThinnest = 0.12e-3;  // m
         style.width = std::max(kThinnest, style.width * std::sqrt(view.scale));
         for (double& dash : style.dashes) dash *= std::max(0.25, view.scale);
-        canvas.set_layer(title_of(stroke.layer));
+        canvas.set_layer(stroke.is_fold_edge ? "Cut on fold" : title_of(stroke.layer));
         canvas.draw_line(points, stroke.is_closed, style);
     }
     canvas.set_layer("");

@@ -111,6 +111,20 @@ TEST(PdfTiles, that_share_a_strip_with_their_neighbours_are_laid_over_each_other
     expect_fronts(tiled(two_fronts(), {.overlap = 7.5, .is_cut = true, .is_by_columns = true}).bytes(), 2);
 }
 
+TEST(PdfTiles, with_half_marks_at_their_frames_are_laid_by_their_lines_not_by_the_marks) {
+    const auto triangles = [](int, int) {
+        return pdf_line({{9, 142}, {15, 148}, {9, 154}}) + pdf_line({{201, 142}, {195, 148}, {201, 154}});
+    };
+    expect_fronts(tiled(two_fronts(), {.page = {210, 297},
+                                       .margin = 9,
+                                       .overlap = 12,
+                                       .is_cut = true,
+                                       .has_crosses = false,
+                                       .contents = triangles})
+                      .bytes(),
+                  2);
+}
+
 TEST(PdfTiles, lie_where_their_labels_say_whatever_their_order_and_with_pages_left_out) {
     const auto label = [](int column, int row) {
         return "Row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1);
@@ -217,6 +231,17 @@ TEST(PdfLayers, that_are_off_are_left_out_and_told_but_sizes_can_be_chosen) {
     EXPECT_TRUE(shown.pattern.panels[0].internal_lines.empty());
     const PanelsOfDrawing small = make_panels(drawing, "pattern.pdf", {.size = "S"});
     EXPECT_NEAR(outline_box(small.pattern.panels[0]).sizes().x(), 0.130, 1e-4);
+}
+
+TEST(PdfDrawing, names_a_pair_without_the_side_of_the_one_that_is_drawn) {
+    const PanelsOfDrawing made = make_panels(
+        read_text(pdf_of(pdf_line({{20, 40}, {190, 50}, {170, 280}, {30, 270}}) + pdf_words(80, 150, "left_sleeve") +
+                         pdf_words(80, 140, "cut 2 \\(1 pair, mirrored\\)"))),
+        "pattern.pdf");
+    ASSERT_EQ(made.pattern.panels.size(), 2U);
+    EXPECT_EQ(made.pattern.panels[0].name, "sleeve");
+    EXPECT_EQ(made.pattern.panels[1].name, "sleeve_mirrored");
+    EXPECT_EQ(made.pattern.panels[1].mirror_of, "sleeve");
 }
 
 // ---- What is refused.

@@ -93,6 +93,18 @@ TEST(PrintedPdf, brings_back_what_its_layers_say_of_lines) {
     EXPECT_EQ(folds, 1);
 }
 
+TEST(PrintedPdf, of_halves_is_unfolded_over_the_line_that_is_drawn_on_the_fold) {
+    const Pattern vest = load_pattern(source_folder() + "/patterns/vest.json").pattern;
+    const PrintOptions halves{.paper = parse_page_size("a0"), .is_one_page = true, .are_halved = true};
+    const PanelsOfDrawing made = make_panels(parse_drawing(print_pdf(vest, halves).bytes, "vest.pdf"), "vest.pdf");
+    ASSERT_EQ(made.pattern.panels.size(), vest.panels.size());
+    for (const Panel& panel : made.pattern.panels) {
+        const auto original = std::ranges::find(vest.panels, panel.name, &Panel::name);
+        ASSERT_NE(original, vest.panels.end()) << panel.name;
+        EXPECT_LT(deviation(panel, *original), 5e-4) << panel.name;
+    }
+}
+
 TEST(PdfLayers, of_bytes_that_cairo_did_not_write_leave_them_as_they_are) {
     for (const std::string& bytes :
          {std::string(), std::string("%PDF-1.5\n"), std::string(300, 'x') + "startxref\n9\n"})
