@@ -156,7 +156,8 @@ std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional
 
 // What is too small for the body with lowered arms may fit it as it stands, and falls there.
 std::optional<GiveUp> still_given_up(std::optional<GiveUp> given_up, const Cloth& cloth, const Body& as_it_stands) {
-    return given_up == GiveUp::TooSmall && !fits_nowhere(cloth, as_it_stands) ? std::nullopt : given_up;
+    if (given_up != GiveUp::TooSmall || fits_nowhere(cloth, as_it_stands)) return given_up;
+    return is_too_small(cloth, as_it_stands) && is_overstretched(cloth) ? given_up : std::nullopt;
 }
 
 // None for cloth that is not finite: nothing is checked of it.
