@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -57,8 +58,22 @@ std::string describe_point(const BodyLimbs& limbs, const Pattern& pattern, std::
     return beside + "'" + pattern.panels[panel].name + "'" + describe_position(x);
 }
 
-// One fault for each part of the body through which edges pass, at its deepest edge.
-void add_passages(const std::vector<PassingEdge>& passing, const std::vector<std::uint16_t>& panels,
+// For example "too small at the waist (y 1.02 m) by 36.5 cm".
+std::string describe_too_small(const TightLevel& level, const std::string& part) {
+    char where[96];
+    std::snprintf(where, sizeof where, "(y %.2f m) by %.1f cm", level.y, shortfall(level) * 100);
+    return "too small " + (part.empty() ? std::string() : "at the " + part + " ") + where;
+}
+
+FitOptions fit_options(const Cloth& cloth) {
+    FitOptions fit;
+    for (const Fabric& fabric : cloth.material.fabrics) fit.strain_limits.push_back(fabric.strain_limit);
+    return fit;
+}
+
+// One fault for each part of the body through which edges pass, at its deepest edge: of fit, where what is round a limb
+// is too small for it.
+void add_passages(const std::vector<PassingEdge>& passing, const Cloth& cloth, const DrawMesh& mesh, const Body& body,
                   const BodyLimbs& limbs, const Pattern& pattern, DressReport& report) {
     std::map<std::string, const PassingEdge*> deepest;
     for (const PassingEdge& edge : passing) {
@@ -66,8 +81,12 @@ void add_passages(const std::vector<PassingEdge>& passing, const std::vector<std
         if (known == nullptr || edge.depth > known->depth) known = &edge;
     }
     for (const auto& [part, edge] : deepest) {
+        if (const auto small = too_small_for_limb(mesh, body, limbs, edge->at.cast<double>(), fit_options(cloth))) {
+            add_fault(report, "does_not_fit", describe_too_small(*small, part), shortfall(*small));
+            continue;
+        }
         add_fault(report, "through_body",
-                  "cloth passes through " + describe_point(limbs, pattern, panels[edge->triangle], edge->at),
+                  "cloth passes through " + describe_point(limbs, pattern, mesh.panel[edge->triangle], edge->at),
                   static_cast<double>(edge->depth));
     }
 }
@@ -86,7 +105,7 @@ void validate_contact(const Cloth& cloth, const BodyCollider& body, const Patter
     const BodyLimbs limbs = find_limbs(body.body());
     contact.deepest_face_m = static_cast<double>(found.deepest);
     contact.deepest_face_at = describe_point(limbs, pattern, mesh.panel[found.triangle], found.at);
-    add_passages(found.passing, mesh.panel, limbs, pattern, report);
+    add_passages(found.passing, cloth, mesh, body.body(), limbs, pattern, report);
     if (contact.deepest_m > limits.depth) {
         const VertexId deepest = cloth.mesh.leaf_vertices()[found.vertex];
         add_fault(report, "inside_body", describe_place(cloth, pattern, deepest), contact.deepest_m);
@@ -130,7 +149,8 @@ std::string describe_tight(const std::vector<TightLevel>& tight) {
     double most = 0;
     for (const TightLevel& level : tight) most = std::max(most, shortfall(level));
     char where[64];
-    const double low = tight.front().y, high = tight.back().y;
+    const auto [lowest, highest] = std::ranges::minmax_element(tight, {}, &TightLevel::y);
+    const double low = lowest->y, high = highest->y;
     if (low == high) {
         std::snprintf(where, sizeof where, "%.2f m up", low);
     } else {
@@ -168,13 +188,6 @@ void validate_layers(const Cloth& cloth, const Pattern& pattern, DressReport& re
               (order.wrong == 1 ? "1 vertex lies" : std::to_string(order.wrong) + " vertices lie") +
                   " inside of a lower layer, one at " + describe_place(cloth, pattern, *order.wrong_vertex),
               order.wrong);
-}
-
-// For example "too small at the waist (y 1.02 m) by 36.5 cm".
-std::string describe_too_small(const TightLevel& level, const std::string& part) {
-    char where[96];
-    std::snprintf(where, sizeof where, "(y %.2f m) by %.1f cm", level.y, shortfall(level) * 100);
-    return "too small " + (part.empty() ? std::string() : "at the " + part + " ") + where;
 }
 
 // Whether the cloth need not stretch there by more than its fabric does.
@@ -272,12 +285,6 @@ void validate_rest(const Cloth& cloth, const Pattern& pattern, const DrapeResult
     }
 }
 
-FitOptions fit_options(const Cloth& cloth) {
-    FitOptions fit;
-    for (const Fabric& fabric : cloth.material.fabrics) fit.strain_limits.push_back(fabric.strain_limit);
-    return fit;
-}
-
 // What of the strains (per leaf triangle) is beyond the fabrics' limits and what tightness explains.
 std::vector<TriangleStrain> unexplained_of(const std::vector<TriangleStrain>& strains, const Cloth& cloth,
                                            const std::vector<TightLevel>& tight) {
@@ -303,7 +310,11 @@ void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& patte
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
     if (strains.empty()) return;
     report.stretch = stretch_statistics(strains);
-    const std::vector<TightLevel> tight = tight_levels(draw_mesh(cloth, {}), body, fit_options(cloth));
+    const DrawMesh garment = draw_mesh(cloth, {});
+    std::vector<TightLevel> tight = tight_levels(garment, body, fit_options(cloth));
+    if (is_fault(stretch_statistics(unexplained_of(strains, cloth, tight)), limits))
+        std::ranges::copy(tight_round_level_limbs(garment, body, find_limbs(body), fit_options(cloth)),
+                          std::back_inserter(tight));
     const SmallFor small = validate_fit(tight, too_small, body, pattern, limits, report);
     if (draped.given_up == GiveUp::SlipsDown || is_given_up_as_too_small(draped, report)) return;
     std::vector<TriangleStrain> unexplained = unexplained_of(strains, cloth, tight);

@@ -68,13 +68,48 @@ double girth_of_gap(double distance) {
     return 2 * std::numbers::pi * distance;
 }
 
-// Sets where the loop lies round the body, and the girths of the body there.
-void put_round(TightLevel& level, const std::vector<SectionLoop>& enclosed, double y, const FitOptions& options) {
-    const double tape = girth_of(enclosed, level_at(y));
-    level.y = level.low.y() = level.high.y() = y;
+void set_body_girths(TightLevel& level, const std::vector<SectionLoop>& enclosed, const Plane& plane,
+                     const FitOptions& options) {
+    const double tape = girth_of(enclosed, plane);
     level.body_girth = tape + girth_of_gap(options.thickness);
     level.contact_girth = tape + girth_of_gap(options.contact_offset);
+}
+
+// Sets where the loop lies round the body, and the girths of the body there.
+void put_round(TightLevel& level, const std::vector<SectionLoop>& enclosed, double y, const FitOptions& options) {
+    set_body_girths(level, enclosed, level_at(y), options);
+    level.y = level.low.y() = level.high.y() = y;
     level.enclosed = box_of(enclosed);
+}
+
+TightLevel level_of(const GarmentLoop& loop) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3d& point : loop.points) box.extend(point);
+    return {.garment_girth = loop.girth, .limit_girth = loop.limit_girth, .low = box.min(), .high = box.max()};
+}
+
+bool is_tight(const TightLevel& level, const FitOptions& options) {
+    return level.garment_girth < (1 - options.tolerance) * level.contact_girth;
+}
+
+// Loops of the garment that go round the plane's point, on the line of a limb.
+void add_tight_round(const DrawMesh& garment, const Body& body, const FitOptions& options, const Plane& plane,
+                     std::vector<TightLevel>& levels) {
+    const std::vector<GarmentLoop> loops = cut_garment(garment, plane, options.strain_limits);
+    if (std::ranges::none_of(loops,
+                             [&](const GarmentLoop& loop) { return goes_round(loop.points, plane, plane.point); }))
+        return;
+    const std::vector<SectionLoop> sections = section(body, plane);
+    for (const GarmentLoop& loop : loops) {
+        if (!goes_round(loop.points, plane, plane.point)) continue;
+        const std::vector<SectionLoop> enclosed = enclosed_by(loop, sections, plane);
+        if (enclosed.empty()) continue;
+        TightLevel level = level_of(loop);
+        level.y = plane.point.y();
+        set_body_girths(level, enclosed, plane, options);
+        level.enclosed = box_of(enclosed);
+        if (is_tight(level, options) && goes_round_all(loop, enclosed, plane)) levels.push_back(level);
+    }
 }
 
 void add_tight_loops(const DrawMesh& garment, const LevelSections& body, const FitOptions& options, double y,
@@ -86,13 +121,9 @@ void add_tight_loops(const DrawMesh& garment, const LevelSections& body, const F
     for (const GarmentLoop& loop : loops) {
         const std::vector<SectionLoop> enclosed = enclosed_by(loop, sections, plane);
         if (enclosed.empty()) continue;
-        Eigen::AlignedBox3d box;
-        for (const Vec3d& point : loop.points) box.extend(point);
-        TightLevel level{
-            .garment_girth = loop.girth, .limit_girth = loop.limit_girth, .low = box.min(), .high = box.max()};
+        TightLevel level = level_of(loop);
         put_round(level, enclosed, y, options);
-        const bool is_tight = level.garment_girth < (1 - options.tolerance) * level.contact_girth;
-        if (is_tight && goes_round_all(loop, enclosed, plane)) levels.push_back(std::move(level));
+        if (is_tight(level, options) && goes_round_all(loop, enclosed, plane)) levels.push_back(level);
     }
 }
 
@@ -137,6 +168,55 @@ std::vector<TightLevel> tight_levels(const DrawMesh& garment, const Body& body, 
     const LevelSections sections(body);
     for (int i = first; i <= last; ++i) add_tight_loops(garment, sections, options, i * options.step, levels);
     return levels;
+}
+
+std::vector<TightLevel> tight_round_level_limbs(const DrawMesh& garment, const Body& body, const BodyLimbs& limbs,
+                                                const FitOptions& options) {
+    constexpr double kLevel = 0.5;  // sine of the angle to the level: steeper limbs are cut well by level planes
+    SELVEDGE_ASSERT(options.step > 0);
+    std::vector<TightLevel> levels;
+    for (const LimbKind kind : {LimbKind::LeftArm, LimbKind::RightArm, LimbKind::LeftLeg, LimbKind::RightLeg}) {
+        const std::vector<LimbJoint>& joints = limbs[kind].joints;
+        for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
+            const Vec3d &from = joints[i].centre, along = joints[i + 1].centre - from;
+            const double length = along.norm();
+            if (!(length > 0) || std::abs(along.y()) > kLevel * length) continue;
+            for (double at = 0; at < length; at += options.step)
+                add_tight_round(garment, body, options, {.point = from + at / length * along, .normal = along / length},
+                                levels);
+        }
+    }
+    return levels;
+}
+
+std::optional<TightLevel> too_small_for_limb(const DrawMesh& garment, const Body& body, const BodyLimbs& limbs,
+                                             const Vec3d& x, const FitOptions& options) {
+    const auto position = nearest_on_limbs(limbs, x);
+    if (!position || !position->limb || *position->limb == LimbKind::Head) return std::nullopt;
+    const std::vector<LimbJoint>& joints = limbs[*position->limb].joints;
+    const Vec3d& from = joints[position->joint].centre;
+    const Vec3d along = joints[position->joint + 1].centre - from;
+    if (!(along.norm() > 0)) return std::nullopt;
+    const Plane plane{.point = from + position->share * along, .normal = along.normalized()};
+    const auto limb = nearest_loop(section(body, plane), plane.point);
+    if (!limb) return std::nullopt;
+    const double reach =
+        2 * std::sqrt(limb->area / std::numbers::pi);  // m, from its middle: what is farther is another's
+    const GarmentLoop* longest = nullptr;              // cloth that a limb cuts has scraps beside it
+    const std::vector<GarmentLoop> loops = cut_garment(garment, plane, options.strain_limits);
+    for (const GarmentLoop& loop : loops) {
+        if ((middle_of_box(loop.points) - limb->centre).norm() > reach) continue;
+        if (longest == nullptr || loop.girth > longest->girth) longest = &loop;
+    }
+    if (longest == nullptr) return std::nullopt;
+    TightLevel level = level_of(*longest);
+    level.y = plane.point.y();
+    set_body_girths(level, {*limb}, plane, options);
+    level.enclosed = box_of({*limb});
+    constexpr double kWhole = 0.5;  // of the limb's girth: less is no sleeve or leg, but a scrap of one
+    const bool is_whole = level.garment_girth > kWhole * level.body_girth;
+    const bool is_too_small = shortfall(level, options) > 0 && level.limit_girth < level.body_girth;
+    return is_whole && is_too_small ? std::optional(level) : std::nullopt;
 }
 
 double shortfall(const TightLevel& level, const FitOptions& options) {

@@ -3,12 +3,14 @@
 // both: the garment's girth is the length of the cut in material coordinates, the body's girth is the tape length
 // around everything that the garment encloses (girths: ISO 8559-1). Also measures the clearance between garment and
 // body.
+#include <optional>
 #include <vector>
 
 #include "sim/body/body.h"
 #include "sim/body/section.h"
 #include "sim/core/math.h"
 #include "sim/mesh/draw_mesh.h"
+#include "sim/place/limbs.h"
 
 namespace selvedge::sim {
 
@@ -21,9 +23,10 @@ struct FitOptions {
     std::vector<double> strain_limits{};  // of the fabric, per panel; empty: 0
 };
 
-// A level at which one closed loop of the garment is shorter than a tape at the contact offset round what it encloses.
+// A level, or a plane round a limb, at which one closed loop of the garment is shorter than a tape at the contact
+// offset round what it encloses.
 struct TightLevel {
-    double y = 0;                    // m
+    double y = 0;                    // m; of the limb's middle
     double garment_girth = 0;        // m, around the garment in material coordinates
     double limit_girth = 0;          // m, the same with each panel stretched to its fabric's limit
     double body_girth = 0;           // m, tape around the body over the cloth's thickness
@@ -38,6 +41,16 @@ struct TightLevel {
 // One tape goes around both legs in a skirt. Open garment sections have no girth and are skipped. Pre: triangles have
 // corner material coordinates and consistent orientation; positions are finite.
 std::vector<TightLevel> tight_levels(const DrawMesh& garment, const Body& body, const FitOptions& options = {});
+
+// The same round limbs that are nearly level, as arms in a T: by planes square to them, since level ones cut sleeves
+// open there. In the order of the limbs. Pre: as of tight_levels(); the limbs are of that body.
+std::vector<TightLevel> tight_round_level_limbs(const DrawMesh& garment, const Body& body, const BodyLimbs& limbs,
+                                                const FitOptions& options = {});
+
+// The garment's loop at a limb where cloth passes through that at a point: given if it is too small to go round the
+// limb there, also with each panel stretched to its limit. Pre: as of tight_round_level_limbs().
+std::optional<TightLevel> too_small_for_limb(const DrawMesh& garment, const Body& body, const BodyLimbs& limbs,
+                                             const Vec3d& x, const FitOptions& options = {});
 
 // By how much the loop is smaller than the body, m; 0 where the difference is below the tolerance. The contact offset
 // does not count.

@@ -154,6 +154,12 @@ std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional
     return std::nullopt;
 }
 
+// What is too small for the body with lowered arms may fit it as it stands, and falls there.
+std::optional<GiveUp> still_given_up(std::optional<GiveUp> given_up, const Cloth& cloth, const Body& as_it_stands) {
+    if (given_up != GiveUp::TooSmall || fits_nowhere(cloth, as_it_stands)) return given_up;
+    return is_too_small(cloth, as_it_stands) && is_overstretched(cloth) ? given_up : std::nullopt;
+}
+
 // None for cloth that is not finite: nothing is checked of it.
 std::optional<WearingCheck> check_wearing(Dressing& dressing, const MeasuredBody& wearer) {
     if (dressing.result().bad_vertex) return std::nullopt;
@@ -263,8 +269,8 @@ DressedGarment dress(const Pattern& pattern, const std::shared_ptr<const Prepare
     const BodyCollider* const own = result.bad_vertex ? nullptr : own_collider.get();
     const MeasuredBody as_given(body);
     if (own != nullptr) {
-        result =
-            move_to_own_pose(simulation, body, *prepared->dressing_pose(), *own, options, result.given_up, progress);
+        const std::optional<GiveUp> given_up = still_given_up(result.given_up, cloth, own->body());
+        result = move_to_own_pose(simulation, body, *prepared->dressing_pose(), *own, options, given_up, progress);
         too_small.reset();  // it was found in the other pose
         wearing = check_wearing(dressing, as_given);
         // What slipped may not slip in this pose. Then nothing excuses that it is not at rest.

@@ -219,6 +219,55 @@ TEST(Fit, each_trouser_leg_is_compared_with_its_own_leg) {
     EXPECT_EQ(explained_strain(levels, Vec3d(-0.1, 0.4, 0.07)), 0);
 }
 
+// Along x, at a height of 1.4 m, with a girth of 40 cm, and the limbs of a body that has it and a trunk beside it.
+Body level_arm() {
+    return shapes::box({0, 1.35, -0.05}, {0.6, 1.45, 0.05}, 8);
+}
+
+BodyLimbs limbs_of_level_arm() {
+    BodyLimbs limbs;
+    limbs.torso = {{{-1, 1, 0}, 0.1}, {{-1, 1.5, 0}, 0.1}};
+    limbs.limbs[index_of(LimbKind::LeftArm)] = {
+        .is_found = true,
+        .joints = {{{0.01, 1.4, 0}, 0.06}, {{0.3, 1.4, 0}, 0.06}, {{0.59, 1.4, 0}, 0.06}},
+        .line = {}};
+    return limbs;
+}
+
+DrawMesh level_sleeve(double girth) {
+    DrawMesh sleeve = round_garment({.girth = girth, .radius = 0.08, .low = 0.1, .high = 0.25});
+    for (Vec3f& x : sleeve.x) x = Vec3f(x.y(), 1.4F - x.x(), x.z());
+    return sleeve;
+}
+
+TEST(Fit, a_sleeve_on_a_level_arm_is_compared_with_the_arm_in_it) {
+    const Body arm = level_arm();
+    const DrawMesh sleeve = level_sleeve(0.37);
+    EXPECT_TRUE(tight_levels(sleeve, arm).empty()) << "level planes cut it open";
+    const std::vector<TightLevel> tight = tight_round_level_limbs(sleeve, arm, limbs_of_level_arm());
+    ASSERT_GE(tight.size(), 6U) << "one in 2 cm";
+    for (const TightLevel& level : tight) {
+        EXPECT_NEAR(level.garment_girth, 0.37, 1e-4);
+        EXPECT_NEAR(shortfall(level), 0.03 + kThicknessGirth, 1e-3);
+    }
+    EXPECT_NEAR(explained_strain(tight, Vec3d(0.2, 1.45, 0)), (0.4 + kOffsetGirth) / 0.37 - 1, 1e-3);
+    EXPECT_EQ(explained_strain(tight, Vec3d(0.5, 1.4, 0)), 0) << "beyond the cuff";
+    EXPECT_TRUE(tight_round_level_limbs(level_sleeve(0.42), arm, limbs_of_level_arm()).empty());
+}
+
+TEST(Fit, a_sleeve_that_cuts_a_limb_is_too_small_for_it_only_if_it_cannot_go_round) {
+    const Body arm = level_arm();
+    const BodyLimbs limbs = limbs_of_level_arm();
+    const Vec3d on_arm(0.2, 1.44, 0);
+    const auto small = too_small_for_limb(level_sleeve(0.37), arm, limbs, on_arm);
+    ASSERT_TRUE(small);
+    EXPECT_NEAR(shortfall(*small), 0.03 + kThicknessGirth, 1e-3);
+    EXPECT_FALSE(too_small_for_limb(level_sleeve(0.45), arm, limbs, on_arm)) << "it passes through for another reason";
+    EXPECT_FALSE(too_small_for_limb(level_sleeve(0.39), arm, limbs, on_arm, {.strain_limits = {0.05}}))
+        << "it stretches";
+    EXPECT_FALSE(too_small_for_limb(level_sleeve(0.37), arm, limbs, Vec3d(0.5, 1.44, 0))) << "beyond the cuff";
+}
+
 TEST(Fit, a_garment_that_hangs_open_or_beside_the_body_has_no_girth) {
     EXPECT_TRUE(tight_levels(round_garment({.girth = 0.5, .radius = 0.2, .is_open = true}), column()).empty());
     EXPECT_TRUE(tight_levels(round_garment({.girth = 0.5, .radius = 0.2, .x = 0.5}), column()).empty());
