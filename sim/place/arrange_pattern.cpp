@@ -21,6 +21,7 @@
 #include "sim/place/limbs.h"
 #include "sim/place/panel_cones.h"
 #include "sim/place/panel_flanks.h"
+#include "sim/place/panel_ring.h"
 #include "sim/place/placement.h"
 
 namespace selvedge::sim {
@@ -63,6 +64,7 @@ class Arranger {
             place_leg_cuff(p);
         }
         place_hoods();
+        place_rings();
         continue_seams(false);
         for (const auto part : {GarmentPart::CollarStand, GarmentPart::Collar}) {
             for (std::size_t p = 0; p < out_.roles.size(); ++p) {
@@ -71,7 +73,7 @@ class Arranger {
         }
         continue_seams(true);
         place_rest();
-        label_panels();
+        label_panels(pattern_, sewn_, out_.roles);
         pattern_.body_height = stature_.height();
         return std::move(out_);
     }
@@ -645,6 +647,22 @@ class Arranger {
         is_placed_[p] = true;
     }
 
+    // Panels without a part that are sewn side to side go round the waist.
+    void place_rings() {
+        const auto may_be = [&](std::size_t p) {
+            return panel(p).is_worn && !is_placed_[p] && out_.roles[p].part == GarmentPart::Unknown;
+        };
+        constexpr std::size_t kFewest = 4;
+        for (std::size_t p = 0; p < pattern_.panels.size(); ++p) {
+            const auto ring = may_be(p) ? ring_of(pattern_, sewn_, p, may_be) : std::vector<RingPlace>();
+            if (ring.size() < kFewest) continue;
+            const TrunkSection waist = trunk_section(body_, anchors_.waist, stature_.height());
+            arrange_ring(pattern_, ring, waist.centre + Vec3d(0, anchors_.waist - waist.centre.y(), 0),
+                         waist.reach + kOffWaist);
+            for (const RingPlace& place : ring) is_placed_[place.panel] = true;
+        }
+    }
+
     // What nothing tells of stands before the body, or behind it, by turns.
     void place_rest() {
         bool is_back = false;
@@ -658,16 +676,6 @@ class Arranger {
     }
 
     void note(std::size_t p, const std::string& text) { out_.notes.push_back(pattern_.panels[p].name + ": " + text); }
-
-    // Sleeves belong to arms; legs never close round one.
-    void label_panels() {
-        for (std::size_t p = 0; p < pattern_.panels.size(); ++p) {
-            const GarmentPart part = out_.roles[p].part;
-            if (part == GarmentPart::Sleeve || part == GarmentPart::Cuff) panel(p).label = "arm";
-            if (part == GarmentPart::Leg || part == GarmentPart::Skirt) panel(p).label = "leg";
-            if (part == GarmentPart::Torso) panel(p).label = "body";
-        }
-    }
 
     Pattern& pattern_;
     const Body& body_;

@@ -108,8 +108,8 @@ bool gather_waist(Pattern& pattern, const ClosedWaist& band, double waist, doubl
     constexpr double kAtRest = 0.9;     // of the waist: cutters make an elastic by a tenth shorter than the waist
     constexpr double kShortest = 0.2;   // of its edge (Elastic::share)
     if (band.edges.empty() || !(waist > 0) || band.length < kOverHips * hip) return false;
-    const double strain = 1 / kAtRest - 1, rings = total_length(pattern, band.edges) / band.length;
-    const double stiffness = tension_that_holds(pattern) / (strain * rings);
+    constexpr double kStrain = 1 / kAtRest - 1;                      // round the waist
+    const double stiffness = tension_that_holds(pattern) / kStrain;  // of each edge: one may lie on folds
     for (const SeamSide& side : band.edges) {
         std::optional<Elastic>& elastic = pattern.panels[as_size(side.panel)].edges[as_size(side.edge)].elastic;
         if (!elastic)

@@ -84,4 +84,17 @@ void find_flanks(const Pattern& pattern, const SewnEdges& sewn, std::vector<Pane
     }
 }
 
+void label_panels(Pattern& pattern, const SewnEdges& sewn, const std::vector<PanelRole>& roles) {
+    using enum GarmentPart;
+    for (std::size_t p = 0; p < roles.size(); ++p) {
+        const GarmentPart part = roles[p].part;
+        const bool is_of_leg =
+            std::ranges::any_of(sewn[p], [&](const SewnEdge& edge) { return roles[as_size(edge.panel)].part == Leg; });
+        std::string& label = pattern.panels[p].label;
+        if (part == Sleeve || (part == Cuff && !is_of_leg)) label = "arm";
+        if (part == Leg || part == Skirt || (part == Cuff && is_of_leg)) label = "leg";
+        if (part == Torso) label = "body";
+    }
+}
+
 }  // namespace selvedge::sim

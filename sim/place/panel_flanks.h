@@ -27,4 +27,8 @@ double middle_side(const Pattern& pattern, const SewnEdges& sewn, const std::vec
 // Sets the flank of each panel that lies on one side of the body: it has a mirror image, or its name says so.
 void find_flanks(const Pattern& pattern, const SewnEdges& sewn, std::vector<PanelRole>& roles);
 
+// Which part of the body each panel belongs to (Panel::label): sleeves and their cuffs to arms; legs, and theirs, never
+// close round one.
+void label_panels(Pattern& pattern, const SewnEdges& sewn, const std::vector<PanelRole>& roles);
+
 }  // namespace selvedge::sim

@@ -267,6 +267,21 @@ bool is_other_choice(const OpenBoundary& boundary, const std::vector<PanelFacts>
     return false;
 }
 
+// Of panels that are numbered in a row, the next ones are sewn to each other, side to side, on one side of the body.
+void weigh_row(Evidence& evidence, const Pattern& pattern, const std::vector<PanelFacts>& facts, const Sides& sides) {
+    const int a = sides.panels_a[0], b = sides.panels_b[0];
+    const PanelFacts &one = facts[as_size(a)], &other = facts[as_size(b)];
+    if (one.rank == 0 || other.rank == 0) return;
+    const auto is_image = [&](int panel) { return !pattern.panels[as_size(panel)].mirror_of.empty(); };
+    const bool is_across = one.twin >= 0 && other.twin >= 0 && is_image(a) != is_image(b);
+    const bool is_level = std::min(std::abs(rise(sides.points_a)), std::abs(rise(sides.points_b))) < kUpright;
+    if (is_across || is_level) evidence.is_possible = false;
+    const int apart = std::abs(one.rank - other.rank);
+    constexpr double kNext = 3.5, kFar = -2;  // odds
+    if (apart == 1) return add(evidence, kNext, "next in their row");
+    if (apart < one.row_length - 1) add(evidence, kFar);
+}
+
 void weigh_two_panels(Evidence& evidence, const OpenBoundary& boundary, const std::vector<PanelFacts>& facts,
                       const Sides& sides) {
     using enum GarmentPart;
@@ -274,6 +289,7 @@ void weigh_two_panels(Evidence& evidence, const OpenBoundary& boundary, const st
     const PanelFacts& one = facts[as_size(a)];
     const PanelFacts& other = facts[as_size(b)];
     const double odds = odds_of_parts(one.role, other.role);
+    if (sides.are_single()) weigh_row(evidence, boundary.pattern(), facts, sides);
     if (odds <= -6) evidence.is_possible = false;
     add(evidence, odds);
     if (one.role.part != other.role.part &&

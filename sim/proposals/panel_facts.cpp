@@ -1,7 +1,10 @@
 #include "sim/proposals/panel_facts.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 
+#include "sim/core/math.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 
@@ -34,6 +37,40 @@ double mean_hem(const Pattern& pattern, const std::vector<PanelRole>& roles) {
     return 0;
 }
 
+// The number at the end of a name; 0: there is none, or no word before it.
+int number_of(std::string_view name) {
+    const std::size_t word = name.find_last_not_of("0123456789");
+    constexpr std::size_t kMostDigits = 3;
+    if (word == name.npos || word + 1 == name.size() || name.size() - word - 1 > kMostDigits) return 0;
+    int number = 0;
+    for (const char digit : name.substr(word + 1)) number = 10 * number + (digit - '0');
+    return number;
+}
+
+// Panels without a part that are called by one word and the numbers from 1 on, as those of a corset, lie side by side
+// in this order. A program that only tells equal names apart begins with 2.
+void find_rows(const Pattern& pattern, std::vector<PanelFacts>& facts) {
+    constexpr int kShortestRow = 3;
+    std::map<std::string, std::map<int, std::size_t>> rows;  // by word and number
+    for (std::size_t p = 0; p < facts.size(); ++p) {
+        const Panel& panel = pattern.panels[p];
+        const int number = number_of(panel.name);
+        if (number == 0 || !panel.mirror_of.empty() || facts[p].role.part != GarmentPart::Unknown) continue;
+        rows[panel.name.substr(0, panel.name.find_last_not_of("0123456789") + 1)].emplace(number, p);
+    }
+    for (const auto& [word, row] : rows) {
+        const int length = static_cast<int>(row.size());
+        if (length < kShortestRow || row.begin()->first != 1 || row.rbegin()->first != length) continue;
+        for (const auto& [number, p] : row) {
+            for (const int own : {static_cast<int>(p), facts[p].twin}) {
+                if (own < 0) continue;
+                facts[as_size(own)].rank = number;
+                facts[as_size(own)].row_length = length;
+            }
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<PanelFacts> facts_of(const Pattern& pattern, std::string_view hints) {
@@ -63,6 +100,7 @@ std::vector<PanelFacts> facts_of(const Pattern& pattern, std::string_view hints)
         }
         all.push_back(facts);
     }
+    find_rows(pattern, all);
     const bool has_opening = std::ranges::any_of(
         pattern.panels, [](const Panel& panel) { return names_any(words_of_name(panel.name), kOpeningWords); });
     const double opening = mean_hem(pattern, roles);

@@ -18,6 +18,8 @@ struct PanelFacts {
     bool is_outer = false;         // by its name, as in "frontOutside" and "side back"
     bool is_inner = false;         // "frontInside", "centre back"
     bool has_opening = false;      // the garment is closed by buttons or a zip
+    int rank = 0;                  // of panels that are numbered in a row, from 1 on: "panel3"; 0: it is of none
+    int row_length = 0;            // how many these are, on one side of the body
 };
 
 std::vector<PanelFacts> facts_of(const Pattern& pattern, std::string_view hints);

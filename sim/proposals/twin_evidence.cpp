@@ -67,6 +67,7 @@ double odds_of_band(const OpenBoundary& boundary, const PanelFacts& facts, int o
 double odds_of_middle(const OpenBoundary& boundary, const PanelFacts& facts, int own, int twin,
                       const std::vector<Vec2d>& points) {
     if (facts.is_outer || std::abs(rise(points)) < kUpright) return kNever;
+    if (facts.rank > 1 && facts.rank < facts.row_length) return kNever;
     if (facts.role.face == Face::Front && facts.role.part == GarmentPart::Torso && facts.has_opening) return -4;
     if (straightness(points) < 0.97 || bulge(points) < -0.02) return kNever;  // an armhole, or a neckline
     if (const auto is_middle = is_towards_middle(facts, points))

@@ -182,8 +182,8 @@ TEST(ArrangePattern, gathers_a_closed_waistband_that_is_as_wide_as_the_hips_with
     const Fabric fabric = find_fabric("");
     const double weight = 9.81 * fabric.area_density * 1.2 * 0.54;  // N
     const double tension = band.edges[3].elastic->stiffness * (1 / 0.9 - 1);
-    EXPECT_NEAR(2 * 2 * std::numbers::pi * tension * fabric.friction, 1.25 * weight, 1e-3)
-        << "two rings hold it by friction";
+    EXPECT_NEAR(2 * std::numbers::pi * tension * fabric.friction, 1.25 * weight, 1e-3)
+        << "each ring holds it by friction";
     ASSERT_EQ(arrangement.notes.size(), 1U);
     EXPECT_NE(arrangement.notes[0].find("elastic"), std::string::npos) << arrangement.notes[0];
 }
@@ -248,6 +248,30 @@ TEST(ArrangePattern, stands_a_leg_of_one_panel_round_the_leg_its_crotch_between_
     EXPECT_FALSE(right.edges[0].elastic);
 }
 
+// Four gores, the first in the middle: their sides are sewn to each other all round.
+TEST(ArrangePattern, puts_panels_side_by_side_in_a_ring_round_the_waist) {
+    Pattern pattern;
+    for (const char* name : {"gore1", "gore2", "gore3", "gore4"})
+        pattern.panels.push_back(unplaced_rectangle(name, 0.2, 0.25));
+    pattern.seams = {{{0, 1}, {1, 3}}, {{1, 1}, {2, 3}}, {{2, 1}, {3, 3}}, {{3, 1}, {0, 3}}};
+    const Arrangement arrangement = arrange_pattern(pattern, mannequin());
+    EXPECT_TRUE(arrangement.notes.empty()) << "none is placed by guess";
+    Vec3d centre = Vec3d::Zero();
+    for (const Panel& panel : pattern.panels) centre += middle_of(panel) / 4;
+    std::vector<double> turns;
+    for (const Panel& panel : pattern.panels) {
+        EXPECT_GT(panel.wrap_radius, 0.1);
+        const Vec3d middle = middle_of(panel) - centre;
+        turns.push_back(std::atan2(middle.x(), middle.z()));
+        EXPECT_NEAR(middle.y(), 0, 1e-9);
+    }
+    for (std::size_t p = 0; p < 4; ++p) {
+        const double step = std::remainder(turns[(p + 1) % 4] - turns[p], 2 * std::numbers::pi);
+        EXPECT_NEAR(step, std::numbers::pi / 2, 1e-6)
+            << p << ": to the left of the body, seen from outside to the right";
+    }
+}
+
 TEST(ArrangePattern, puts_a_cuff_of_trousers_round_the_ankle_above_the_foot) {
     Pattern pattern = wide_legs();
     pattern.panels.push_back(unplaced_rectangle("cuff", 0.36, 0.06));
@@ -262,6 +286,7 @@ TEST(ArrangePattern, puts_a_cuff_of_trousers_round_the_ankle_above_the_foot) {
     EXPECT_LT((middle - ankle).cwiseProduct(Vec3d(1, 0, 1)).norm(), 0.01);
     EXPECT_GE(middle.y(), ankle.y() - 1e-9);
     EXPECT_LT(middle.y(), ankle.y() + 0.1);
+    EXPECT_EQ(cuff.label, "leg");
 }
 
 TEST(ArrangePattern, starts_a_band_lower_if_it_is_longer_than_the_waist) {

@@ -174,6 +174,21 @@ TEST(Drafts, have_ribbing_sewn_to_the_hems_that_it_ends) {
     EXPECT_FALSE(are_sewn(pairs, {"front", 4}, {"waistband", 1}) || are_sewn(pairs, {"front", 4}, {"waistband", 3}));
 }
 
+// Four gores of a corset, the first on the fold, all others in pairs, each as its neighbours are.
+TEST(Drafts, of_numbered_panels_have_each_sewn_to_the_next_and_only_the_last_to_its_mirror_image) {
+    Pattern pattern;
+    for (const char* name : {"panel1", "panel2", "panel3", "panel4"})
+        pattern.panels.push_back(rectangle(name, 0.07, 0.2));
+    for (const std::size_t p : {1U, 2U, 3U}) pattern.panels.push_back(mirror_image(pattern.panels[p]));
+    const Pairs pairs = sewn(pattern);
+    for (const auto& [a, b] :
+         {std::pair("panel1", "panel2"), std::pair("panel2", "panel3"), std::pair("panel3", "panel4"),
+          std::pair("panel4", "panel4_mirrored"), std::pair("panel1", "panel2_mirrored"),
+          std::pair("panel2_mirrored", "panel3_mirrored"), std::pair("panel3_mirrored", "panel4_mirrored")})
+        EXPECT_TRUE(are_panels_sewn(pairs, a, b)) << a << " " << b;
+    EXPECT_EQ(pairs.size(), 7U) << testing::PrintToString(pairs);
+}
+
 // A trouser half: hem 0, inseam 1, crotch 2, waist 3, outseam 4.
 Panel leg(const char* name, double crotch) {
     Panel panel = polygon(name, {{0, 0}, {0.2, 0}, {0.2 + crotch, 0.7}, {0.2, 0.95}, {0, 0.95}});
