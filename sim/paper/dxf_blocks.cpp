@@ -61,7 +61,8 @@ class BlockPlacer {
         return box;
     }
 
-    // Whether all lines of a block run along the axes, and all other blocks that are placed lie within it: a page.
+    // Whether all lines of a block run along the axes, and all other blocks that are placed lie within it, and not upon
+    // each other: a page.
     bool is_sheet(std::size_t b) const {
         constexpr double kAlong = 1e-6;  // of a segment's length, off the axis
         if (maps_.size() < 2 || maps_.at(b).size() != 1) return false;
@@ -71,7 +72,13 @@ class BlockPlacer {
                 if (step.minCoeff() > kAlong * step.maxCoeff()) return false;
             }
         }
-        return placed_box(b).contains(whole_);
+        if (!placed_box(b).contains(whole_)) return false;
+        // Boxes that meet pairwise have a point in common.
+        Eigen::AlignedBox2d common = whole_;
+        for (const auto& other : maps_) {
+            if (other.first != b) common = common.intersection(placed_box(other.first));
+        }
+        return common.isEmpty();
     }
 
     // Of the drawing itself, or of a sheet of paper.

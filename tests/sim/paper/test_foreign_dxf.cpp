@@ -116,14 +116,22 @@ TEST(ForeignDxf, takes_no_block_that_frames_the_page_for_a_piece) {
     const std::string border = chain_on("0", {{-300, -50}, {900, -50}, {900, 700}, {-300, 700}, {-300, -50}}) +
                                chain_on("0", {{700, -50}, {900, -50}, {900, 50}, {700, 50}, {700, -50}});
     const std::string strip = chain_on("1", {{0, 0}, {400, 0}, {400, 60}, {0, 60}, {0, 0}});
+    const std::string apart = chain_on("1", {{0, 600}, {400, 600}, {400, 660}, {0, 660}, {0, 600}});
     const auto placed_at_0 = [](const std::string& name) {
         return dxf_group(0, "INSERT") + dxf_group(8, "1") + dxf_group(2, name) + at(10, {0, 0});
     };
     const PanelsOfDrawing made =
-        dxf_panels(file_of(block("FRONT", in_pieces("1")) + block("BORDER", border) + block("BAND", strip),
+        dxf_panels(file_of(block("FRONT", in_pieces("1")) + block("BORDER", border) + block("BAND", apart),
                            kMetric + placed_at_0("FRONT") + placed_at_0("BORDER") + placed_at_0("BAND")));
     ASSERT_EQ(made.pattern.panels.size(), 2U);
     EXPECT_TRUE(has_note(made.notes, "block 'BORDER': a page frame, left out"));
+    // Pieces that lie upon each other are none the less pieces.
+    const std::string wide =
+        block("WIDE", chain_on("1", {{-500, -500}, {900, -500}, {900, 900}, {-500, 900}, {-500, -500}}));
+    const PanelsOfDrawing stacked =
+        dxf_panels(file_of(block("FRONT", in_pieces("1")) + wide + block("BAND", strip),
+                           kMetric + placed_at_0("FRONT") + placed_at_0("WIDE") + placed_at_0("BAND")));
+    EXPECT_EQ(stacked.pattern.panels.size(), 3U);
 }
 
 TEST(ForeignDxf, reads_names_in_the_code_page_of_its_header) {
