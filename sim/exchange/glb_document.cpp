@@ -80,7 +80,8 @@ std::size_t Document::add_sparse(std::span<const Vec3f> values, const std::vecto
         return bounds == Bounds::Given ? add_positions(values) : add_vectors(values);
     const std::size_t index = add_kept(values, is_kept, kept, "VEC3");
     if (bounds == Bounds::None) return index;
-    Eigen::AlignedBox3f box(Vec3f(Vec3f::Zero()));
+    Eigen::AlignedBox3f box;
+    box.extend(Vec3f::Zero());  // of what is left out
     for (std::size_t i = 0; i < values.size(); ++i)
         if (is_kept[i]) box.extend(values[i]);
     set_bounds(index, numbers(box.min()), numbers(box.max()));
