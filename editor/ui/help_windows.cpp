@@ -7,6 +7,7 @@
 #include <functional>
 #include <sstream>
 
+#include "editor/frame/item.h"
 #include "editor/inspectors/material_inspector.h"
 #include "editor/tools/tool_host.h"
 #include "editor/ui/actions.h"
