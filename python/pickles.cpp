@@ -1,6 +1,5 @@
 #include "python/pickles.h"
 
-#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -29,18 +28,6 @@ sim::FlatReader opened(std::string_view bytes) {
     return reader;
 }
 
-void write_texts(sim::FlatWriter& writer, const std::vector<std::string>& texts) {
-    writer.value(std::uint64_t(texts.size()));
-    for (const std::string& text : texts) writer.text(text);
-}
-
-std::vector<std::string> read_texts(sim::FlatReader& reader) {
-    std::vector<std::string> texts;
-    const auto count = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < count && reader.is_sound(); ++i) texts.push_back(reader.text());
-    return texts;
-}
-
 void write_mesh(sim::FlatWriter& writer, const sim::DrawMesh& mesh) {
     writer.list(mesh.x);
     writer.list(mesh.normals);
@@ -49,7 +36,7 @@ void write_mesh(sim::FlatWriter& writer, const sim::DrawMesh& mesh) {
     writer.list(mesh.panel);
     writer.list(mesh.level);
     writer.list(mesh.vertex_level);
-    write_texts(writer, mesh.panel_names);
+    writer.texts(mesh.panel_names);
     writer.list(mesh.panel_grain_angles);
     writer.list(mesh.panel_sett_offsets);
     writer.list(mesh.turned_corners);
@@ -64,7 +51,7 @@ sim::DrawMesh read_mesh(sim::FlatReader& reader) {
     mesh.panel = reader.list<std::uint16_t>();
     mesh.level = reader.list<std::uint8_t>();
     mesh.vertex_level = reader.list<std::uint8_t>();
-    mesh.panel_names = read_texts(reader);
+    mesh.panel_names = reader.texts();
     mesh.panel_grain_angles = reader.list<float>();
     mesh.panel_sett_offsets = reader.list<Vec2f>();
     mesh.turned_corners = reader.list<std::uint8_t>();
@@ -80,14 +67,13 @@ std::string bytes_of(const sim::PreparedBody& body) {
     sim::FlatWriter writer = begun();
     writer.text(made.source);
     writer.text(to_bytes(*made.body));
-    write_texts(writer, made.notes);
+    writer.texts(made.notes);
     writer.value(made.readings.has_value());
     if (made.readings) write(writer, *made.readings);
-    writer.value(std::uint64_t(made.clips.size()));
-    for (const sim::Clip& clip : made.clips) {
+    writer.each(made.clips, [&](const sim::Clip& clip) {
         write(writer, clip);
-        write_texts(writer, clip.notes);
-    }
+        writer.texts(clip.notes);
+    });
     return writer.bytes();
 }
 
@@ -97,13 +83,12 @@ BodyPointer body_from(std::string_view bytes) {
     std::optional<sim::Body> body = sim::body_from_bytes(reader.text());
     if (!body) refuse();
     made.body = std::make_shared<const sim::Body>(std::move(*body));
-    made.notes = read_texts(reader);
+    made.notes = reader.texts();
     if (reader.value<bool>()) made.readings = sim::read_readings(reader);
-    const auto clips = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < clips && reader.is_sound(); ++i) {
-        if (!read(reader, made.clips.emplace_back())) refuse();
-        made.clips.back().notes = read_texts(reader);
-    }
+    made.clips = reader.each<sim::Clip>([&](sim::Clip& clip) {
+        read(reader, clip);
+        clip.notes = reader.texts();
+    });
     if (!reader.is_sound() || !reader.is_at_end()) refuse();
     return std::make_shared<sim::PreparedBody>(std::move(made));
 }
@@ -125,9 +110,7 @@ std::string bytes_of(Result& result) {
     const bool is_finite = result.dressed.report.stopped_because != kBadNumber;
     writer.list(is_finite ? contact_of(result).force : std::vector<Vec3f>());
     writer.list(is_finite ? contact_of(result).pressure : std::vector<float>());
-    const std::vector<std::vector<int>>& seams = seams_of(result);
-    writer.value(std::uint64_t(seams.size()));
-    for (const std::vector<int>& of_vertex : seams) writer.list(of_vertex);
+    writer.each(seams_of(result), [&](const std::vector<int>& of_vertex) { writer.list(of_vertex); });
     return writer.bytes();
 }
 
@@ -149,10 +132,8 @@ ResultPointer result_from(std::string_view bytes) {
     sim::ContactPressure contact{.force = reader.list<Vec3f>(), .pressure = {}};
     contact.pressure = reader.list<float>();
     if (result->dressed.report.stopped_because != kBadNumber) result->contact.set(std::move(contact));
-    std::vector<std::vector<int>> seams;
-    const auto count = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < count && reader.is_sound(); ++i) seams.push_back(reader.list<int>());
-    result->seams.set(std::move(seams));
+    result->seams.set(
+        reader.each<std::vector<int>>([&](std::vector<int>& of_vertex) { of_vertex = reader.list<int>(); }));
     if (!reader.is_sound() || !reader.is_at_end()) refuse();
     return result;
 }

@@ -29,6 +29,15 @@ class FlatWriter {
         value(std::uint64_t(items.size()));
         if (!items.empty()) bytes_.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(T));
     }
+    // Calls write(item) for each item, after their number.
+    template <class T, class Write>
+    void each(const std::vector<T>& items, const Write& write) {
+        value(std::uint64_t(items.size()));
+        for (const T& item : items) write(item);
+    }
+    void texts(const std::vector<std::string>& texts) {
+        each(texts, [this](const std::string& item) { text(item); });
+    }
     const std::string& bytes() const { return bytes_; }
 
  private:
@@ -57,6 +66,19 @@ class FlatReader {
         if (!items.empty()) take(static_cast<void*>(items.data()), items.size() * sizeof(T));
         return items;
     }
+    // Calls read(item) for a new item until all have been read, or the reader is no longer sound.
+    template <class T, class Read>
+    std::vector<T> each(const Read& read) {
+        const std::uint64_t count = value<std::uint64_t>();
+        std::vector<T> items;
+        for (std::uint64_t i = 0; i < count && is_sound_; ++i) read(items.emplace_back());
+        return items;
+    }
+    std::vector<std::string> texts() {
+        return each<std::string>([this](std::string& item) { item = text(); });
+    }
+    // Says that what was read is not sound.
+    void refuse() { is_sound_ = false; }
     bool is_sound() const { return is_sound_; }
     bool is_at_end() const { return bytes_.empty(); }
 

@@ -14,9 +14,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <new>
 #include <system_error>
+#include <utility>
 
 #include "sim/core/file_path.h"
+#include "sim/core/passing_error.h"
 #include "sim/core/process_memory.h"
 #include "sim/core/stopwatch.h"
 #include "sim/core/system_call_filter.h"
@@ -132,6 +135,31 @@ ChildResult run_in_child(const std::function<std::string()>& work, const ChildLi
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) return {ChildEnd::TimedOut, {}};
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return {ChildEnd::Crashed, {}};
     return result;
+}
+
+std::string answer_of_child(const std::function<std::string()>& work, const std::string& file,
+                            const ChildLimits& limits) {
+    ChildResult result = run_in_child(work, limits);
+    switch (result.end) {
+        case ChildEnd::NotStarted:
+            throw PassingError(file, "", "no process could be started to read it");
+        case ChildEnd::Crashed:
+            throw InputError(file, "", "the file crashes its reader");
+        case ChildEnd::Forbidden:
+            throw InputError(file, "", "the file makes its reader do what is forbidden to it");
+        case ChildEnd::TimedOut:
+            throw PassingError(file, "", "the file takes its reader too long");
+        case ChildEnd::TooMuch:
+            throw InputError(file, "", "the file holds too much");
+        case ChildEnd::Done:
+            break;
+    }
+    return std::move(result.answer);
+}
+
+void check_memory_of_child(const std::string& failure, const std::string& file) {
+    if (failure == std::bad_alloc().what())
+        throw PassingError(file, "", "its reader needs more memory than it may have");
 }
 
 }  // namespace selvedge::sim

@@ -30,4 +30,12 @@ struct ChildResult {
 // filters.
 ChildResult run_in_child(const std::function<std::string()>& work, const ChildLimits& limits = {});
 
+// What `work`, which reads `file`, answers in a child. Throws InputError, or PassingError where another try may
+// succeed, when the child ends in another way.
+std::string answer_of_child(const std::function<std::string()>& work, const std::string& file,
+                            const ChildLimits& limits);
+
+// Throws PassingError if `failure`, the message of an exception in the child, says that memory ran out.
+void check_memory_of_child(const std::string& failure, const std::string& file);
+
 }  // namespace selvedge::sim

@@ -62,15 +62,6 @@ Part most_frequent(const std::vector<Part>& parts) {
     return best;
 }
 
-// Of a point in the plane of a triangle.
-Vec3f shares_of(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
-    const Vec3f normal = (b - a).cross(c - a);
-    const float size = normal.squaredNorm();
-    if (!(size > 0)) return {1, 0, 0};
-    const float in_b = (p - a).cross(c - a).dot(normal) / size, in_c = (b - a).cross(p - a).dot(normal) / size;
-    return {1 - in_b - in_c, in_b, in_c};
-}
-
 }  // namespace
 
 KeptPlace::KeptPlace(const Cloth& cloth, const Body& body, const SurfaceBvh& surface)
@@ -107,7 +98,7 @@ void KeptPlace::find_anchors(const Cloth& cloth, const SurfaceBvh& surface, Piec
             const auto& t = triangles_[closest->triangle];
             const auto at = [&](std::size_t k) { return surface.points()[static_cast<std::size_t>(t[k])]; };
             piece.anchors.push_back(
-                {v, closest->triangle, shares_of(closest->point, at(0), at(1), at(2)), (x - closest->point).norm()});
+                {v, closest->triangle, barycentric(closest->point, at(0), at(1), at(2)), (x - closest->point).norm()});
         }
         if (piece.anchors.size() >= kFew) break;
     }
@@ -131,8 +122,7 @@ void KeptPlace::note(const Cloth& cloth, const SurfaceBvh& surface, double secon
         for (const Anchor& anchor : piece.anchors) {
             Vec3f& place = places.emplace_back(Vec3f::Zero());
             for (std::size_t k = 0; k < 3; ++k)
-                place += anchor.shares[static_cast<Eigen::Index>(k)] *
-                         surface.points()[static_cast<std::size_t>(triangles_[anchor.triangle][k])];
+                place += anchor.shares[k] * surface.points()[static_cast<std::size_t>(triangles_[anchor.triangle][k])];
         }
         std::vector<float> ways;
         for (const Anchor& anchor : piece.anchors) {

@@ -1,6 +1,7 @@
 #pragma once
 // Whether the pieces of a garment stay on the part of a moving body that holds them: a skirt on its waist, a shirt on
 // its shoulders. Each piece is watched by the vertices of its upper edge that lie on the body when it is dressed.
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -40,8 +41,8 @@ class KeptPlace {
     struct Anchor {
         std::uint32_t vertex = 0;
         std::uint32_t triangle = 0;
-        Vec3f shares = Vec3f::Zero();  // of the triangle's vertices
-        float away = 0;                // m, when it is dressed
+        std::array<float, 3> shares{};  // barycentric, of the triangle's vertices
+        float away = 0;                 // m, when it is dressed
     };
     struct Piece {
         std::vector<std::uint32_t> vertices;  // of the base mesh

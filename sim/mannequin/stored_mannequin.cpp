@@ -1,6 +1,5 @@
 #include "sim/mannequin/stored_mannequin.h"
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,8 +17,7 @@ std::string bytes_of(const Mannequin& mannequin) {
     FlatWriter writer;
     writer.text(to_bytes(mannequin.body));
     write(writer, report);
-    writer.value(std::uint64_t(report.messages.size()));
-    for (const std::string& message : report.messages) writer.text(message);
+    writer.texts(report.messages);
     writer.value(report.iterations);
     return writer.bytes();
 }
@@ -31,8 +29,7 @@ std::optional<Mannequin> mannequin_from_bytes(std::string_view bytes) {
     Mannequin mannequin{.body = std::move(*body), .report = {}};
     MeasureReport& report = mannequin.report;
     static_cast<MannequinReadings&>(report) = read_readings(reader);
-    const std::uint64_t messages = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < messages && reader.is_sound(); ++i) report.messages.push_back(reader.text());
+    report.messages = reader.texts();
     report.iterations = reader.value<int>();
     if (!reader.is_sound() || !reader.is_at_end()) return std::nullopt;
     return mannequin;

@@ -116,7 +116,7 @@ class Uprightness {
     // Unit; zero where both joints are at one place.
     Vec3d way(const Frames& frames, Joint from, Joint to) const {
         const Vec3d way = at(frames, to) - at(frames, from);
-        return way.norm() > 0 ? Vec3d(way.normalized()) : way;
+        return way.normalized();  // Eigen leaves zero as it is
     }
     double leg_straightness(const Frames& frames, const Vec3d& up) const {
         double least = 1;

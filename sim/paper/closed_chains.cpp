@@ -477,8 +477,10 @@ void cut_at_ends(const std::vector<PointLine>& lines, double gap, Cuts& cuts) {
     }
 }
 
-// Both lines where their segments cross, unless the end of one lies there.
+// Both lines where their segments cross, unless the end of one lies there. No more than kMostPairs of segments that lie
+// above each other are looked at: what a drawing of garments never has, and half a second.
 void cut_at_crossings(const std::vector<PointLine>& lines, double gap, Cuts& cuts) {
+    constexpr std::size_t kMostPairs = 100'000'000;
     struct Segment {
         std::size_t line = 0, index = 0;
         double low = 0, high = 0;  // along x
@@ -494,10 +496,12 @@ void cut_at_crossings(const std::vector<PointLine>& lines, double gap, Cuts& cut
     const auto is_at_end = [&](const Vec2d& p, const PointLine& line) {
         return (p - line.front()).norm() <= gap || (p - line.back()).norm() <= gap;
     };
+    std::size_t pairs = 0;
     for (auto one = segments.begin(); one != segments.end(); ++one) {
         const PointLine& line = lines[one->line];
         const Vec2d &a = line[one->index], along = line[one->index + 1] - a;
         for (auto two = one + 1; two != segments.end() && two->low <= one->high; ++two) {
+            if (++pairs > kMostPairs) return;
             if (two->line == one->line) continue;
             const PointLine& other = lines[two->line];
             const Vec2d &b = other[two->index], across = other[two->index + 1] - b;

@@ -21,7 +21,7 @@ class BlockPlacer {
 
     std::vector<DxfPiece> place(const std::vector<DxfInsert>& inserts, bool has_loose) {
         for (const DxfInsert& insert : inserts) collect(insert, Eigen::Affine2d::Identity(), 0);
-        for (const auto& placed : maps_) whole_.extend(placed_box(placed.first));
+        for (const auto& placed : maps_) whole_.extend(boxes_[placed.first] = placed_box(placed.first));
         const bool is_any_placed = has_loose || !maps_.empty();
         std::vector<DxfPiece> pieces;
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -72,11 +72,11 @@ class BlockPlacer {
                 if (step.minCoeff() > kAlong * step.maxCoeff()) return false;
             }
         }
-        if (!placed_box(b).contains(whole_)) return false;
+        if (!boxes_.at(b).contains(whole_)) return false;
         // Boxes that meet pairwise have a point in common.
         Eigen::AlignedBox2d common = whole_;
-        for (const auto& other : maps_) {
-            if (other.first != b) common = common.intersection(placed_box(other.first));
+        for (const auto& [other, box] : boxes_) {
+            if (other != b) common = common.intersection(box);
         }
         return common.isEmpty();
     }
@@ -217,6 +217,7 @@ class BlockPlacer {
     std::map<std::string, std::vector<std::size_t>> by_name_;
     std::map<std::string, std::size_t> placed_;                 // how often each name was placed so far
     std::map<std::size_t, std::vector<Eigen::Affine2d>> maps_;  // where blocks stand in the drawing
+    std::map<std::size_t, Eigen::AlignedBox2d> boxes_;          // of these blocks as they are placed
     Eigen::AlignedBox2d whole_;                                 // of all of them
     std::set<std::size_t> is_part_;
     std::set<std::size_t> hidden_;

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <exception>
-#include <new>
 #include <utility>
 
 #include "sim/core/flat_bytes.h"
-#include "sim/core/passing_error.h"
 #include "sim/paper/pdf_recorder.h"
 
 namespace selvedge::sim {
@@ -44,8 +42,7 @@ bool is_sound_page(const PdfPage& page, std::size_t layers) {
 void write_page(FlatWriter& writer, const PdfPage& page) {
     writer.value(page.size.x());
     writer.value(page.size.y());
-    writer.value(std::uint64_t(page.shapes.size()));
-    for (const PdfShape& shape : page.shapes) {
+    writer.each(page.shapes, [&](const PdfShape& shape) {
         writer.list(shape.points);
         writer.list(shape.is_curve);
         writer.value(shape.is_closed);
@@ -53,24 +50,20 @@ void write_page(FlatWriter& writer, const PdfPage& page) {
         writer.text(shape.style);
         writer.list(shape.layers);
         writer.list(shape.seen);
-    }
-    writer.value(std::uint64_t(page.texts.size()));
-    for (const PdfText& text : page.texts) {
+    });
+    writer.each(page.texts, [&](const PdfText& text) {
         writer.list(text.ends);
         writer.value(text.height);
         writer.text(text.text);
         writer.list(text.layers);
-    }
+    });
     writer.list(page.pictures);
 }
 
-PdfPage read_page(FlatReader& reader) {
-    PdfPage page;
+void read_page(FlatReader& reader, PdfPage& page) {
     page.size.x() = reader.value<double>();
     page.size.y() = reader.value<double>();
-    const std::uint64_t shapes = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < shapes && reader.is_sound(); ++i) {
-        PdfShape& shape = page.shapes.emplace_back();
+    page.shapes = reader.each<PdfShape>([&](PdfShape& shape) {
         shape.points = reader.list<Vec2d>();
         shape.is_curve = reader.list<std::uint8_t>();
         shape.is_closed = reader.value<std::uint8_t>();
@@ -78,17 +71,14 @@ PdfPage read_page(FlatReader& reader) {
         shape.style = reader.text();
         shape.layers = reader.list<std::int32_t>();
         shape.seen = reader.list<Vec2d>();
-    }
-    const std::uint64_t texts = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < texts && reader.is_sound(); ++i) {
-        PdfText& text = page.texts.emplace_back();
+    });
+    page.texts = reader.each<PdfText>([&](PdfText& text) {
         text.ends = reader.list<Vec2d>();
         text.height = reader.value<double>();
         text.text = reader.text();
         text.layers = reader.list<std::int32_t>();
-    }
+    });
     page.pictures = reader.list<Vec2d>();
-    return page;
 }
 
 }  // namespace
@@ -110,13 +100,11 @@ std::string bytes_of_pdf_answer(const PdfAnswer& answer) {
     FlatWriter writer;
     writer.text(answer.failure);
     writer.text(answer.file.title);
-    writer.value(std::uint64_t(answer.file.layers.size()));
-    for (const PdfLayer& layer : answer.file.layers) {
+    writer.each(answer.file.layers, [&](const PdfLayer& layer) {
         writer.text(layer.name);
         writer.value(layer.is_hidden);
-    }
-    writer.value(std::uint64_t(answer.file.pages.size()));
-    for (const PdfPage& page : answer.file.pages) write_page(writer, page);
+    });
+    writer.each(answer.file.pages, [&](const PdfPage& page) { write_page(writer, page); });
     return writer.bytes();
 }
 
@@ -125,14 +113,11 @@ std::optional<PdfAnswer> pdf_answer_of(std::string_view bytes) {
     PdfAnswer answer;
     answer.failure = reader.text();
     answer.file.title = reader.text();
-    const std::uint64_t layers = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < layers && reader.is_sound(); ++i) {
-        PdfLayer& layer = answer.file.layers.emplace_back();
+    answer.file.layers = reader.each<PdfLayer>([&](PdfLayer& layer) {
         layer.name = reader.text();
         layer.is_hidden = reader.value<std::uint8_t>();
-    }
-    const std::uint64_t pages = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < pages && reader.is_sound(); ++i) answer.file.pages.push_back(read_page(reader));
+    });
+    answer.file.pages = reader.each<PdfPage>([&](PdfPage& page) { read_page(reader, page); });
     if (!reader.is_sound() || !reader.is_at_end()) return std::nullopt;
     const std::size_t count = answer.file.layers.size();
     if (!std::ranges::all_of(answer.file.pages, [&](const PdfPage& page) { return is_sound_page(page, count); }))
@@ -141,7 +126,7 @@ std::optional<PdfAnswer> pdf_answer_of(std::string_view bytes) {
 }
 
 PdfFile read_pdf_file(std::string_view bytes, const std::string& file, const PdfLimits& limits) {
-    const ChildResult result = run_in_child(
+    const std::string read = answer_of_child(
         [&] {
             PdfAnswer answer;
             try {
@@ -151,25 +136,10 @@ PdfFile read_pdf_file(std::string_view bytes, const std::string& file, const Pdf
             }
             return bytes_of_pdf_answer(answer);
         },
-        limits.child);
-    switch (result.end) {
-        case ChildEnd::NotStarted:
-            throw PassingError(file, "", "no process could be started to read it");
-        case ChildEnd::Crashed:
-            throw InputError(file, "", "the file crashes its reader");
-        case ChildEnd::Forbidden:
-            throw InputError(file, "", "the file makes its reader do what is forbidden to it");
-        case ChildEnd::TimedOut:
-            throw PassingError(file, "", "the file takes its reader too long");
-        case ChildEnd::TooMuch:
-            throw InputError(file, "", "the file holds too much");
-        case ChildEnd::Done:
-            break;
-    }
-    std::optional<PdfAnswer> answer = pdf_answer_of(result.answer);
+        file, limits.child);
+    std::optional<PdfAnswer> answer = pdf_answer_of(read);
     if (!answer) throw InputError(file, "", "its pages have numbers that no drawing has");
-    if (answer->failure == std::bad_alloc().what())
-        throw PassingError(file, "", "its reader needs more memory than it may have");
+    check_memory_of_child(answer->failure, file);
     if (!answer->failure.empty()) throw InputError(file, "", answer->failure);
     return std::move(answer->file);
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace selvedge::sim {
@@ -31,6 +30,7 @@ template <class Value>
 void read(FlatReader& reader, Keys<Value>& keys) {
     keys.times = reader.list<double>();
     keys.values = reader.list<Value>();
+    if (keys.times.size() != keys.values.size()) reader.refuse();
 }
 
 bool is_finite(const std::vector<Vec3d>& points) {
@@ -80,30 +80,22 @@ void read(FlatReader& reader, Bone& bone) {
 void write(FlatWriter& writer, const Clip& clip) {
     writer.text(clip.name);
     writer.value(clip.seconds);
-    writer.value(std::uint64_t(clip.tracks.size()));
-    for (const Track& track : clip.tracks) {
+    writer.each(clip.tracks, [&](const Track& track) {
         writer.value(track.bone);
         write(writer, track.rotation);
         write(writer, track.translation);
         write(writer, track.scale);
-    }
+    });
 }
-bool read(FlatReader& reader, Clip& clip) {
+void read(FlatReader& reader, Clip& clip) {
     clip.name = reader.text();
     clip.seconds = reader.value<double>();
-    const std::uint64_t tracks = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < tracks && reader.is_sound(); ++i) {
-        Track& track = clip.tracks.emplace_back();
+    clip.tracks = reader.each<Track>([&](Track& track) {
         track.bone = reader.value<int>();
         read(reader, track.rotation);
         read(reader, track.translation);
         read(reader, track.scale);
-        if (track.rotation.times.size() != track.rotation.values.size() ||
-            track.translation.times.size() != track.translation.values.size() ||
-            track.scale.times.size() != track.scale.values.size())
-            return false;
-    }
-    return true;
+    });
 }
 
 std::string to_bytes(const Body& body) {
@@ -111,8 +103,7 @@ std::string to_bytes(const Body& body) {
     writer.text(body.name);
     writer.list(body.x);
     writer.list(body.triangles);
-    writer.value(std::uint64_t(body.bones.size()));
-    for (const Bone& bone : body.bones) write(writer, bone);
+    writer.each(body.bones, [&](const Bone& bone) { write(writer, bone); });
     writer.list(body.skin);
     writer.text(body.made_from);
     writer.text(body.file);
@@ -128,8 +119,7 @@ std::optional<Body> body_from_bytes(std::string_view bytes) {
     body.name = reader.text();
     body.x = reader.list<Vec3d>();
     body.triangles = reader.list<std::array<int, 3>>();
-    const std::uint64_t bones = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < bones && reader.is_sound(); ++i) read(reader, body.bones.emplace_back());
+    body.bones = reader.each<Bone>([&](Bone& bone) { read(reader, bone); });
     body.skin = reader.list<SkinWeights>();
     body.made_from = reader.text();
     body.file = reader.text();

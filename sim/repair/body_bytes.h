@@ -13,9 +13,9 @@ namespace selvedge::sim {
 void write(FlatWriter& writer, const Bone& bone);
 void read(FlatReader& reader, Bone& bone);
 
-// A clip as files hold it: no loop. read() is false if keys and times differ in number.
+// A clip as files hold it: no loop. The reader is no longer sound if keys and times differ in number.
 void write(FlatWriter& writer, const Clip& clip);
-bool read(FlatReader& reader, Clip& clip);
+void read(FlatReader& reader, Clip& clip);
 
 std::string to_bytes(const Body& body);
 

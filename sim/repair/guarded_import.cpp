@@ -12,7 +12,6 @@
 #include "sim/core/file_extension.h"
 #include "sim/core/file_path.h"
 #include "sim/core/flat_bytes.h"
-#include "sim/core/passing_error.h"
 #include "sim/repair/body_bytes.h"
 #include "sim/repair/bvh_text.h"
 #include "sim/repair/gltf_skins.h"
@@ -101,7 +100,7 @@ std::string importer_for(const std::filesystem::path& path, std::string_view con
 
 ImportAnswer run_guarded(const std::filesystem::path& path, const std::string& importer, ImportKind kind,
                          const ImportLimits& limits) {
-    const ChildResult result = run_in_child(
+    const std::string bytes = answer_of_child(
         [&] {
             ImportAnswer answer;
             try {
@@ -111,26 +110,10 @@ ImportAnswer run_guarded(const std::filesystem::path& path, const std::string& i
             }
             return to_bytes(answer);
         },
-        limits.child);
-    const auto fail = [&](const char* problem) -> ImportAnswer { throw InputError(path.string(), "", problem); };
-    switch (result.end) {
-        case ChildEnd::NotStarted:
-            throw PassingError(path.string(), "", "no process could be started to read it");
-        case ChildEnd::Crashed:
-            return fail("the file crashes its reader");
-        case ChildEnd::Forbidden:
-            return fail("the file makes its reader do what is forbidden to it");
-        case ChildEnd::TimedOut:
-            throw PassingError(path.string(), "", "the file takes its reader too long");
-        case ChildEnd::TooMuch:
-            return fail("the file holds too much");
-        case ChildEnd::Done:
-            break;
-    }
-    std::optional<ImportAnswer> answer = from_bytes(result.answer);
-    if (!answer) return fail("the reader returned invalid data");
-    if (answer->failure == std::bad_alloc().what())
-        throw PassingError(path.string(), "", "its reader needs more memory than it may have");
+        path.string(), limits.child);
+    std::optional<ImportAnswer> answer = from_bytes(bytes);
+    if (!answer) throw InputError(path.string(), "", "the reader returned invalid data");
+    check_memory_of_child(answer->failure, path.string());
     return std::move(*answer);
 }
 
@@ -244,19 +227,16 @@ ImportedScene scene_of(ImportAnswer answer, const std::filesystem::path& path, I
 std::string to_bytes(const ImportAnswer& answer) {
     FlatWriter writer;
     writer.text(answer.failure);
-    writer.value(std::uint64_t(answer.scene.meshes.size()));
-    for (const ImportedMesh& mesh : answer.scene.meshes) {
+    writer.each(answer.scene.meshes, [&](const ImportedMesh& mesh) {
         writer.text(mesh.name);
         writer.text(mesh.material);
         writer.list(mesh.x);
         writer.list(mesh.u);
         writer.list(mesh.triangles);
         writer.list(mesh.skin);
-    }
-    writer.value(std::uint64_t(answer.scene.bones.size()));
-    for (const Bone& bone : answer.scene.bones) write(writer, bone);
-    writer.value(std::uint64_t(answer.scene.clips.size()));
-    for (const Clip& clip : answer.scene.clips) write(writer, clip);
+    });
+    writer.each(answer.scene.bones, [&](const Bone& bone) { write(writer, bone); });
+    writer.each(answer.scene.clips, [&](const Clip& clip) { write(writer, clip); });
     return writer.bytes();
 }
 
@@ -264,21 +244,16 @@ std::optional<ImportAnswer> from_bytes(std::string_view bytes) {
     FlatReader reader(bytes);
     ImportAnswer answer;
     answer.failure = reader.text();
-    const std::uint64_t meshes = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < meshes && reader.is_sound(); ++i) {
-        ImportedMesh& mesh = answer.scene.meshes.emplace_back();
+    answer.scene.meshes = reader.each<ImportedMesh>([&](ImportedMesh& mesh) {
         mesh.name = reader.text();
         mesh.material = reader.text();
         mesh.x = reader.list<Vec3f>();
         mesh.u = reader.list<Vec2f>();
         mesh.triangles = reader.list<std::array<std::uint32_t, 3>>();
         mesh.skin = reader.list<SkinWeights>();
-    }
-    const std::uint64_t bones = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < bones && reader.is_sound(); ++i) read(reader, answer.scene.bones.emplace_back());
-    const std::uint64_t clips = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < clips && reader.is_sound(); ++i)
-        if (!read(reader, answer.scene.clips.emplace_back())) return std::nullopt;
+    });
+    answer.scene.bones = reader.each<Bone>([&](Bone& bone) { read(reader, bone); });
+    answer.scene.clips = reader.each<Clip>([&](Clip& clip) { read(reader, clip); });
     if (!reader.is_sound() || !reader.is_at_end()) return std::nullopt;
     return answer;
 }

@@ -1,6 +1,5 @@
 #include "sim/repair/stored_body.h"
 
-#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <string_view>
@@ -22,10 +21,8 @@ struct NotedBody {
 std::string bytes_of(const NotedBody& noted) {
     FlatWriter writer;
     writer.text(to_bytes(noted.content.body));
-    writer.value(std::uint64_t(noted.content.clips.size()));
-    for (const Clip& clip : noted.content.clips) write(writer, clip);
-    writer.value(std::uint64_t(noted.notes.size()));
-    for (const std::string& note : noted.notes) writer.text(note);
+    writer.each(noted.content.clips, [&](const Clip& clip) { write(writer, clip); });
+    writer.texts(noted.notes);
     return writer.bytes();
 }
 
@@ -34,12 +31,8 @@ std::optional<NotedBody> noted_body(std::string_view bytes) {
     std::optional<Body> body = body_from_bytes(reader.text());
     if (!body) return std::nullopt;
     NotedBody noted{.content = {.body = std::move(*body), .clips = {}}, .notes = {}};
-    const std::uint64_t clips = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < clips && reader.is_sound(); ++i) {
-        if (!read(reader, noted.content.clips.emplace_back())) return std::nullopt;
-    }
-    const std::uint64_t notes = reader.value<std::uint64_t>();
-    for (std::uint64_t i = 0; i < notes && reader.is_sound(); ++i) noted.notes.push_back(reader.text());
+    noted.content.clips = reader.each<Clip>([&](Clip& clip) { read(reader, clip); });
+    noted.notes = reader.texts();
     if (!reader.is_sound() || !reader.is_at_end()) return std::nullopt;
     return noted;
 }
