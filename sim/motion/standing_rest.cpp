@@ -115,8 +115,7 @@ class Uprightness {
     }
     // Unit; zero where both joints are at one place.
     Vec3d way(const Frames& frames, Joint from, Joint to) const {
-        const Vec3d way = at(frames, to) - at(frames, from);
-        return way.normalized();  // Eigen leaves zero as it is
+        return (at(frames, to) - at(frames, from)).normalized();
     }
     double leg_straightness(const Frames& frames, const Vec3d& up) const {
         double least = 1;
