@@ -1,20 +1,18 @@
 // selvedge animate GARMENT: dresses a body and lets it move; writes a film, animation caches and a report.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "app/actor.h"
+#include "app/animation_caches.h"
 #include "app/arguments.h"
-#include "app/baked_textures.h"
-#include "app/camera_path.h"
 #include "app/commands.h"
 #include "app/film.h"
+#include "app/filming.h"
 #include "app/garment_options.h"
 #include "app/interface_fonts.h"
 #include "app/options.h"
@@ -22,16 +20,12 @@
 #include "app/progress_bar.h"
 #include "app/report_inputs.h"
 #include "app/stop_signal.h"
-#include "render/marks/legend.h"
-#include "sim/cloth/fixed_mesh.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/parallel.h"
 #include "sim/core/printable.h"
 #include "sim/dress/dressing_pose.h"
-#include "sim/exchange/mesh_cache.h"
 #include "sim/exchange/pc2_file.h"
-#include "sim/mesh/draw_mesh.h"
 #include "sim/session/animation.h"
 #include "sim/session/animation_report.h"
 
@@ -49,17 +43,13 @@ struct AnimateArguments {
     PictureOptions picture;
     bool camera_stays = false;
     Path film;  // empty: no such output
-    std::vector<Path> caches;
-    int cache_triangles = 20'000;
-    bool exports_skinned = false;
-    sim::AtlasOptions atlas;
-    bool has_textures = true;
+    CacheChoice caches;
     Path report_file;
 };
 
 std::vector<Path> all_outputs(const AnimateArguments& arguments) {
-    std::vector<Path> outputs = arguments.caches;
-    for (const Path& cache : arguments.caches)
+    std::vector<Path> outputs = arguments.caches.files;
+    for (const Path& cache : arguments.caches.files)
         if (cache.extension() == ".pc2") outputs.push_back(sim::mesh_beside(cache));
     for (const Path& file : {arguments.film, arguments.report_file}) {
         if (!file.empty()) outputs.push_back(file);
@@ -74,169 +64,10 @@ FilmFormat film_format(const AnimateArguments& arguments, int frames) {
             .frames = frames};
 }
 
-// Where some of the garment hangs: it goes with a vertex of its body.
-struct Hanging {
-    std::size_t vertex;  // of the body
-    float aside;         // m, over the floor
-    float up;            // m
-
-    // Around that vertex at x, because the body may turn.
-    void add_points(const Vec3f& x, std::vector<Vec3f>& points) const {
-        for (const float way : {-aside, aside}) {
-            points.emplace_back(x + Vec3f(way, up, 0));
-            points.emplace_back(x + Vec3f(0, up, way));
-        }
-    }
-};
-
-std::size_t nearest(std::span<const Vec3f> body, const Vec3f& place) {
-    const auto found = std::ranges::min_element(body, {}, [&](const Vec3f& x) { return (x - place).squaredNorm(); });
-    return static_cast<std::size_t>(found - body.begin());
-}
-
-// For each vertex of a garment the highest of its panel.
-std::vector<std::size_t> tops_of_panels(const sim::DrawMesh& garment) {
-    std::vector<std::size_t> tops(garment.panel_names.size(), garment.x.size()), of_vertex(garment.x.size(), 0);
-    for (std::size_t t = 0; t < garment.triangles.size(); ++t)
-        for (const std::size_t v : garment.triangles[t]) {
-            std::size_t& top = tops[panel_of(garment, t)];
-            if (top == garment.x.size() || garment.x[v].y() > garment.x[top].y()) top = v;
-        }
-    for (std::size_t t = 0; t < garment.triangles.size(); ++t)
-        for (const std::size_t v : garment.triangles[t]) of_vertex[v] = tops[panel_of(garment, t)];
-    return of_vertex;
-}
-
-// Cloth goes with what it lies on; where that moves away from under it, as thighs do from a skirt, it hangs down from
-// the top of its panel.
-std::vector<Hanging> find_hanging(const sim::DrawMesh& garment, std::span<const Vec3f> body) {
-    constexpr std::size_t kEvery = 8;  // the frame is as large with an eighth of the vertices
-    const std::vector<std::size_t> tops = tops_of_panels(garment);
-    std::vector<Hanging> hanging;
-    for (std::size_t v = 0; v < garment.x.size(); v += kEvery) {
-        const std::size_t on = nearest(body, garment.x[v]);
-        const Vec3f away = garment.x[v] - body[on];
-        hanging.push_back({on, std::hypot(away.x(), away.z()), away.y()});
-        const std::size_t holder = nearest(body, garment.x[tops[v]]);
-        hanging.push_back({holder, 0, garment.x[v].y() - body[holder].y()});
-    }
-    return hanging;
-}
-
-// Draws the frames of a film. The camera follows the body over the floor, and frames it, or what the garment hangs on,
-// in all its poses.
-class Filming {
- public:
-    Filming(const AnimateArguments& arguments, const sim::Animation& animation)
-        : arguments_(arguments), writer_(arguments.film, film_format(arguments, animation.frame_count())) {
-        if (!arguments.camera_stays) path_.emplace(animation);
-        const sim::DrawMesh mesh = draw_mesh(animation.cloth(), animation.panel_names());
-        layout_ =
-            compose({.garment = mesh, .body = &animation.body()}, arguments.picture, {0}, framed(animation, mesh));
-    }
-
-    void add(const sim::Animation& animation) {
-        const sim::DrawMesh mesh = draw_mesh(animation.cloth(), animation.panel_names());
-        const Layout now = moved(layout_, {.garment = mesh, .body = &animation.body()}, arguments_.picture,
-                                 camera_way(animation.seconds()));
-        render::Image image = renderer_.draw(now.scene, render_options(arguments_.picture));
-        if (now.legend) draw_legend(image, *now.legend, now.corner);
-        writer_.add(image);
-    }
-
-    void finish() { writer_.finish(); }
-
- private:
-    // By which the camera is moved then, m.
-    Vec3f camera_way(double seconds) const {
-        return path_ ? Vec3f(path_->at(seconds) - path_->at(0)) : Vec3f(Vec3f::Zero());
-    }
-
-    // Where what fills the picture will be, as seen by the camera.
-    std::vector<Vec3f> framed(const sim::Animation& animation, const sim::DrawMesh& garment) const {
-        constexpr int kMoments = 96;
-        constexpr std::size_t kEvery = 16;  // vertices of a body
-        std::vector<Hanging> hanging = find_hanging(garment, animation.body_points());
-        if (arguments_.picture.framing != Framing::Garment)
-            for (std::size_t v = 0; v < animation.body_points().size(); v += kEvery) hanging.push_back({v, 0, 0});
-        const sim::BodyTimeline& timeline = animation.timeline();
-        const sim::SkinnedSurface surface(animation.body());
-        std::vector<Vec3f> points, x;
-        for (int i = 0; i < kMoments; ++i) {
-            const double seconds = timeline.seconds() * i / (kMoments - 1);
-            surface.positions(animation.body(), timeline.pose(seconds), x);
-            const Vec3f way = camera_way(seconds);
-            for (const Hanging& hung : hanging) hung.add_points(x[hung.vertex] - way, points);
-        }
-        return points;
-    }
-
-    const AnimateArguments& arguments_;
-    render::Renderer renderer_;
-    FilmWriter writer_;
-    std::optional<CameraPath> path_;  // none: the camera stays
-    Layout layout_;
-};
-
-// The caches of an animation: the garment on a mesh that stays the same, and its body where the format has room for it.
-class Caching {
- public:
-    Caching(const AnimateArguments& arguments, const sim::Animation& animation) {
-        if (arguments.caches.empty()) return;
-        const int level = sim::fixed_level_for(animation.cloth(), static_cast<std::size_t>(arguments.cache_triangles));
-        fixed_ = sim::make_fixed_mesh(animation.cloth(), animation.panel_names(), level);
-        const sim::DrawMesh body = sim::body_mesh(animation.body());
-        sim::CacheOptions options{.frames = static_cast<std::size_t>(animation.frame_count()),
-                                  .frames_per_second = static_cast<double>(arguments.frames_per_second),
-                                  .binds_garment = arguments.exports_skinned,
-                                  .atlas = arguments.atlas};
-        const auto is_glb = [](const Path& path) { return path.extension() == ".glb"; };
-        if (arguments.has_textures && std::ranges::any_of(arguments.caches, is_glb))
-            options.textures = textures(arguments);
-        for (const Path& path : arguments.caches) {
-            has_body_.push_back(is_glb(path));
-            options.bones = is_glb(path) ? &animation.body() : nullptr;
-            caches_.push_back(sim::open_mesh_cache(path, fixed_.mesh, options, is_glb(path) ? &body : nullptr));
-        }
-    }
-
-    void add(const sim::Animation& animation) {
-        if (caches_.empty()) return;
-        sample(fixed_, animation.cloth(), x_);
-        const std::vector<Vec3f> body(animation.body_points().begin(), animation.body_points().end());
-        const sim::Pose pose = animation.timeline().pose(animation.seconds());
-        for (std::size_t i = 0; i < caches_.size(); ++i)
-            caches_[i]->add(x_, has_body_[i] ? body : std::vector<Vec3f>{}, has_body_[i] ? &pose : nullptr);
-    }
-
-    void finish() {
-        for (const auto& cache : caches_) cache->finish();
-    }
-
- private:
-    sim::GarmentTextures textures(const AnimateArguments& arguments) const {
-        const PictureOptions& picture = arguments.picture;
-        const std::vector<render::ClothItem> cloths =
-            picture.looks->parts({.mesh = fixed_.mesh, .sett = {}}, *picture.pattern);
-        return bake_pngs(fixed_.mesh, cloths, arguments.atlas);
-    }
-
-    sim::FixedMesh fixed_;
-    std::vector<std::unique_ptr<sim::MeshCache>> caches_;
-    std::vector<bool> has_body_;
-    std::vector<Vec3f> x_;
-};
-
 void check_outputs(const AnimateArguments& arguments) {
     constexpr int kMostFrames = 1'000'000;  // the number is known when the motion is: no older frame is in the way yet
     if (!arguments.film.empty()) check_film(arguments.film, film_format(arguments, kMostFrames), "--film");
-    for (const Path& path : arguments.caches) {
-        if (!sim::is_mesh_cache(path))
-            throw sim::InputError(
-                path.string(), "",
-                "cannot write: a cache's name ends in .pc2 or .glb, or is that of a folder, frames/, for "
-                "one .obj file per frame");
-    }
+    check_caches(arguments.caches.files);
     if (!arguments.report_file.empty()) check_output(arguments.report_file);
     if (arguments.picture.show == render::ShowMode::Hierarchy)
         throw sim::InputError("", "--show", "hierarchy is a picture of one moment: see selvedge dress");
@@ -280,6 +111,13 @@ bool ends_early(const sim::Clip& clip, const sim::AnimationOptions& animation) {
     return last > clip.seconds + kRounding;
 }
 
+void check_times(const sim::AnimationOptions& animation, const sim::Clip& clip) {
+    if (animation.from > clip.seconds)
+        throw sim::InputError("", "--from", "is behind the end of '" + clip.name + "', " + seconds_text(clip.seconds));
+    if (animation.to && *animation.to <= animation.from)
+        throw sim::InputError("", "--to", "is not behind --from, " + seconds_text(animation.from));
+}
+
 int run(AnimateArguments arguments) {
     std::vector<std::string> notes;
     const sim::Pattern pattern = load_garments(arguments.garment, notes);
@@ -296,11 +134,7 @@ int run(AnimateArguments arguments) {
     std::optional<sim::ThreadLimit> limit;
     if (arguments.garment.threads) limit.emplace(*arguments.garment.threads);
     Actor actor = make_actor(arguments.body, arguments.motion);
-    if (arguments.animation.from > actor.clip.seconds)
-        throw sim::InputError("", "--from",
-                              "is behind the end of '" + actor.clip.name + "', " + seconds_text(actor.clip.seconds));
-    if (arguments.animation.to && *arguments.animation.to <= arguments.animation.from)
-        throw sim::InputError("", "--to", "is not behind --from, " + seconds_text(arguments.animation.from));
+    check_times(arguments.animation, actor.clip);
     if (ends_early(actor.clip, arguments.animation))
         notes.push_back("'" + actor.clip.name + "' ends after " + seconds_text(actor.clip.seconds) +
                         ": then its last pose is held");
@@ -311,8 +145,12 @@ int run(AnimateArguments arguments) {
     const StopSignal stop;
     if (!arguments.film.empty()) check_film(arguments.film, film_format(arguments, animation.frame_count()), "--film");
     std::optional<Filming> film;
-    if (!arguments.film.empty()) film.emplace(arguments, animation);
-    Caching caches(arguments, animation);
+    if (!arguments.film.empty())
+        film.emplace(Filming::Options{.file = arguments.film,
+                                      .format = film_format(arguments, animation.frame_count()),
+                                      .camera_stays = arguments.camera_stays},
+                     arguments.picture, animation);
+    AnimationCaches caches(arguments.caches, arguments.frames_per_second, arguments.picture, animation);
     do {
         if (film) film->add(animation);
         caches.add(animation);
@@ -372,21 +210,22 @@ void add_output_options(Command& command, AnimateArguments& arguments) {
     add_flag(command, "--fixed-camera", arguments.camera_stays,
              "The camera stays where it is, and has all in the picture", {.group = "Output"});
     add_option(
-        command, "--export", arguments.caches,
+        command, "--export", arguments.caches.files,
         "The moving garment on one mesh: .pc2, .glb (with the body) or a folder, frames/, with one .obj per frame; "
         "may be repeated",
         {.type = "FILE", .group = "Output", .takes_one_value = true});
     add_number<int>(command, "--export-triangles", {1, 1'000'000},
                     "The exported mesh has at most so many triangles (default 20000)", {.type = "N", .group = "Output"},
-                    [&arguments](int triangles) { arguments.cache_triangles = triangles; });
-    add_flag(command, "--export-skinned", arguments.exports_skinned,
+                    [&arguments](int triangles) { arguments.caches.most_triangles = triangles; });
+    add_flag(command, "--export-skinned", arguments.caches.binds_garment,
              "The garment of .glb goes with the body's bones, and morph targets hold what is left (default: morph "
              "targets alone)",
              {.group = "Output"});
     add_number<int>(command, "--texture-size", {64, 16384}, "Side of the textures of .glb, in pixels (default 2048)",
                     {.type = "PX", .group = "Output"},
-                    [&arguments](int size_px) { arguments.atlas.size_px = size_px; });
-    add_flag(command, "--no-textures{false}", arguments.has_textures, "A .glb without colour", {.group = "Output"});
+                    [&arguments](int size_px) { arguments.caches.atlas.size_px = size_px; });
+    add_flag(command, "--no-textures{false}", arguments.caches.has_textures, "A .glb without colour",
+             {.group = "Output"});
     add_option(command, "--report", arguments.report_file, "What came of it, as JSON",
                {.type = "JSON", .group = "Output"});
 }
@@ -416,7 +255,7 @@ void add_animate_command(Command& app, int& exit_code) {
         "  selvedge animate patterns/skirt.json --body dancer.glb --film dance/ --export dance.glb\n"
         "  selvedge animate patterns/tshirt.json --motion walk.bvh --seconds 4 --export cache.pc2");
     set_action(command, [arguments, &exit_code] {
-        if (arguments->film.empty() && arguments->caches.empty() && arguments->report_file.empty())
+        if (arguments->film.empty() && arguments->caches.files.empty() && arguments->report_file.empty())
             throw sim::InputError("", "animate", "has nothing to write: add --film, --export or --report");
         exit_code = run(*arguments);
     });
