@@ -47,7 +47,7 @@ editor::ExportRequest triangle_to(const std::string& file) {
     return request;
 }
 
-TEST_F(EditorServices, prints_what_the_browser_of_each_kind_of_file_offers) {
+TEST_F(EditorServices, print_with_the_settings_that_fit_the_kind_of_file) {
     const sim::Pattern pattern = sim::load_pattern(source_folder() + "/patterns/two_squares.json").pattern;
     for (const bool is_layout : {false, true}) {
         const sim::PrintSettings all{.layers = {"cut"},

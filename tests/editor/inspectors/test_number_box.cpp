@@ -135,7 +135,7 @@ TEST_F(NumberBoxes, a_factor_scales_the_panel_about_its_middle) {
     EXPECT_NEAR(inspector.panel(0).vertices[1].x() - inspector.panel(0).vertices[0].x(), 1.5 * width, kNear);
 }
 
-TEST_F(NumberBoxes, the_area_of_a_panel_follows_what_is_typed) {
+TEST_F(NumberBoxes, a_typed_scale_changes_the_area_that_is_shown) {
     inspector.frame();
     const double area = inspector.state.panels.at("front").area;
     inspector.click("panel.scale.x");

@@ -11,7 +11,7 @@
 namespace selvedge::sim {
 namespace {
 
-TEST(ChildProcess, brings_home_what_the_work_returns) {
+TEST(ChildProcess, returns_the_bytes_of_the_work) {
     const std::string large(3'000'000, 'x');
     const ChildResult result = run_in_child([&] { return large; });
     EXPECT_EQ(result.end, ChildEnd::Done);

@@ -281,7 +281,7 @@ TEST(MeshCache, glb_takes_a_body_that_moves_along) {
     }
 }
 
-TEST(MeshCache, glb_holds_only_what_moves) {
+TEST(MeshCache, glb_holds_no_vertex_that_stays_in_place) {
     const TemporaryFolder folder;
     const DrawMesh surface = body_mesh(shapes::box({-0.2, 0, -0.1}, {0.2, 1.7, 0.1}, 8));
     constexpr std::size_t kFrames = 40;
