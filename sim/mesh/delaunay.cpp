@@ -6,6 +6,7 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <algorithm>
+#include <bit>
 
 #include "sim/core/assert.h"
 
@@ -38,13 +39,23 @@ Kernel::Point_2 point(const Vec2d& p) {
     return {p.x(), p.y()};
 }
 
-// Inserts the outline's points, in order, and its segments as constraints.
+// Calls insert(i, near) for each of `count` points along a line or in rows, near: one of those before, or itself for
+// the first. They come in the order of a binary tree: all that are a multiple of some power of two, then those halfway
+// between them. One after the other, the points of a circle would each flip all triangles of those before.
+template <class Insert>
+void insert_spread(std::size_t count, const Insert& insert) {
+    if (count > 0) insert(0, 0);
+    for (std::size_t step = std::bit_floor(count); step > 0; step /= 2)
+        for (std::size_t i = step; i < count; i += 2 * step) insert(i, i - step);
+}
+
+// Inserts the outline's points, and its segments as constraints.
 std::vector<Vertex> insert_outline(Triangulation& plane, std::span<const Vec2d> outline) {
-    std::vector<Vertex> handles;
-    for (const Vec2d& p : outline) {
-        handles.push_back(plane.insert(point(p), handles.empty() ? Face() : handles.back()->face()));
-        handles.back()->info() = kNoVertex;
-    }
+    std::vector<Vertex> handles(outline.size());
+    insert_spread(outline.size(), [&](std::size_t i, std::size_t near) {
+        handles[i] = plane.insert(point(outline[i]), i == near ? Face() : handles[near]->face());
+        handles[i]->info() = kNoVertex;
+    });
     for (std::size_t i = 0; i < handles.size(); ++i) {
         plane.insert_constraint(handles[i], handles[(i + 1) % handles.size()]);
     }
@@ -52,15 +63,13 @@ std::vector<Vertex> insert_outline(Triangulation& plane, std::span<const Vec2d> 
 }
 
 bool insert_interior(Triangulation& plane, std::span<const Vec2d> interior, std::size_t first) {
-    Face near;  // where the point location of the next point starts
-    for (std::size_t i = 0; i < interior.size(); ++i) {
-        const std::size_t before = plane.number_of_vertices();
-        const Vertex handle = plane.insert(point(interior[i]), near);
-        near = handle->face();
-        if (plane.number_of_vertices() == before) return false;
-        handle->info() = static_cast<int>(first + i);
-    }
-    return true;
+    const std::size_t before = plane.number_of_vertices();
+    std::vector<Vertex> handles(interior.size());
+    insert_spread(interior.size(), [&](std::size_t i, std::size_t near) {
+        handles[i] = plane.insert(point(interior[i]), i == near ? Face() : handles[near]->face());
+        handles[i]->info() = static_cast<int>(first + i);
+    });
+    return plane.number_of_vertices() == before + interior.size();
 }
 
 // The face to the left of the edge from a to b; null if ab is not an edge or that side is outside the convex hull.
