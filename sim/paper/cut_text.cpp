@@ -36,7 +36,7 @@ constexpr std::array kMeanings = std::to_array<Meaning>({
      "interfacing einlage vlieseline entoilage thermocollant entretela tussenvoering"},
     {CutWord::Material, "interlining", "interlining"},
     {CutWord::Material, "canvas", "canvas"},
-    {CutWord::Material, "ribbing", "ribbing bündchen boordstof"},
+    {CutWord::Material, "ribbing", "ribbing rib bündchen boordstof"},
 });
 
 bool has_word(std::string_view words, std::string_view word) {
@@ -56,6 +56,7 @@ class CutText {
         const std::optional<std::size_t> key = find(CutWord::Quantity);
         if (key == 0U) return read_quantity(cut);
         if (find(CutWord::MaterialKey) == 0U && has_colon()) return read_material(cut);
+        if (read_times(cut)) return true;
         const std::optional<std::size_t> at = find(CutWord::Cut);
         const std::optional<int> count = at ? count_beside(*at) : std::nullopt;
         const bool is_on_fold = find(CutWord::Fold).has_value();
@@ -182,8 +183,28 @@ class CutText {
         const std::optional<int> first = number_at(1);
         const std::optional<int> second = text_.find(',') != std::string_view::npos ? number_at(2) : std::nullopt;
         if (!first) return false;
-        cut.pieces = std::clamp(*first + second.value_or(0), 1, kMostPieces);
+        const int pieces = std::clamp(*first + second.value_or(0), 1, kMostPieces);
+        cut.pieces = second ? pieces : std::max(pieces, cut.pieces.value_or(1));
         if (second) cut.are_mirrored = *second > 0;
+        return true;
+    }
+
+    // "ANNOTATION: 2XFABRIC", "1X RIB": nothing but the number and the material, as Gerber AccuMark writes them beside
+    // a quantity that is 0 or 1 for every piece.
+    bool read_times(CutInstructions& cut) const {
+        const std::size_t at = !words_.empty() && words_[0] == "annotation" ? 1 : 0;
+        if (at >= words_.size() || words_.size() > at + 2) return false;
+        const std::string& word = words_[at];
+        int count = 0;
+        const char* end = word.data() + word.size();
+        const auto [stop, error] = std::from_chars(word.data(), end, count);
+        if (error != std::errc() || count < 1 || count > kMostPieces || stop == end || *stop != 'x') return false;
+        const std::string joined(stop + 1, end);  // "2XL" is a size: the material must be known
+        if (joined.empty() != (words_.size() == at + 2)) return false;
+        const Meaning* meaning = meaning_of(joined.empty() ? words_[at + 1] : joined);
+        if (meaning == nullptr || meaning->word != CutWord::Material) return false;
+        if (!cut.are_mirrored) cut.pieces = std::max(count, cut.pieces.value_or(1));
+        if (cut.material.empty()) cut.material = std::string(meaning->material);
         return true;
     }
 

@@ -10,10 +10,10 @@
 namespace selvedge::sim {
 
 // From "Fabric, Cut 2", "cut 2 mirrored from main fabric", "2x zuschneiden im Stoffbruch", "Quantity: 1,1" (as drawn,
-// and mirrored), "Material: lining", and "cut,2,mirrored,from,fabric" with or without the prefix of each key. Materials
-// get their English names where they are known. "Place on fold" and "Stoffbruch" say the fold alone. Adds to what is
-// known, of which main fabric goes before other materials; returns false for texts about other things, which change
-// nothing.
+// and mirrored), "2XFABRIC", "Material: lining", and "cut,2,mirrored,from,fabric" with or without the prefix of each
+// key. Materials get their English names where they are known. "Place on fold" and "Stoffbruch" say the fold alone.
+// Adds to what is known, of which main fabric goes before other materials; returns false for texts about other things,
+// which change nothing.
 bool read_cut_text(std::string_view text, CutInstructions& cut);
 
 // Whether a text has a word for a fold, in any of these languages.

@@ -59,6 +59,7 @@ constexpr std::string_view kLeftWords =
     "left l lt links linker gauche izquierd esquerd sinistr lewy lewa levy leva лев лів 左";
 constexpr std::string_view kRightWords =
     "right r rt rechts rechter droit derech direit destr prawy prawa pravy prava прав 右";
+constexpr std::string_view kWithWords = "with mit avec con com met";
 constexpr std::string_view kUpperWords = "top upper ober dessus верх";
 constexpr std::string_view kUnderWords = "under unter dessous нижн";
 
@@ -122,7 +123,10 @@ std::string_view name_of(GarmentPart part) {
 }
 
 PanelRole role_of_name(std::string_view name) {
-    const std::vector<std::string> words = words_of_name(name);
+    std::vector<std::string> words = words_of_name(name);
+    const auto with =
+        std::ranges::find_if(words, [](const std::string& word) { return names_any({word}, kWithWords); });
+    if (with != words.begin()) words.erase(with, words.end());  // "sleeve with cuff" is a sleeve
     PanelRole role;
     role.part = part_of_words(words);
     if (names_any(words, kFrontWords)) role.face = Face::Front;

@@ -200,6 +200,19 @@ bool looks_like_leg(const Panel& panel) {
            is_corner(panel, outmost[side]) && !comes_out_again(panel, level, side == 1);
 }
 
+bool looks_like_whole_leg(const Panel& panel) {
+    constexpr double kLevel = 0.12, kLowest = 0.5, kHighest = 0.92;  // of the height
+    constexpr double kSlender = 1.3;                                 // height over width
+    const Eigen::AlignedBox2d box = outline_box(panel, 1e-3);
+    const double height = box.sizes().y();
+    const std::array<std::size_t, 2> out = outermost(panel);
+    const double left = panel.vertices[out[0]].y(), right = panel.vertices[out[1]].y();
+    const double share = ((left + right) / 2 - box.min().y()) / height;
+    return height > kSlender * box.sizes().x() && std::abs(left - right) < kLevel * height && share > kLowest &&
+           share < kHighest && is_corner(panel, out[0]) && is_corner(panel, out[1]) &&
+           !comes_out_again(panel, left, false) && !comes_out_again(panel, right, true);
+}
+
 std::vector<PanelRole> roles_by_shape(const Pattern& pattern, GarmentPart told) {
     std::vector<PanelRole> roles(pattern.panels.size());
     std::vector<double> depths(roles.size(), 0), widths(roles.size(), 0);

@@ -12,6 +12,9 @@ namespace selvedge::sim {
 // much more on one side than on the other: the hook of a trouser leg.
 bool looks_like_leg(const Panel& panel);
 
+// Whether both sides stand out at one height, as the crotch of a leg without outer seam does; long sleeves do so too.
+bool looks_like_whole_leg(const Panel& panel);
+
 // The roles of all panels. The wider leg is the back; the bodice with the deeper neck, and the wider part of a skirt,
 // is the front. Others are Unknown. told: what the garment's name says; only a name tells that a panel is of a skirt.
 std::vector<PanelRole> roles_by_shape(const Pattern& pattern, GarmentPart told = GarmentPart::Unknown);

@@ -53,6 +53,17 @@ TEST(CutText, of_dxf_has_a_key_and_a_value) {
     EXPECT_EQ(read("Annotation: cut on fold").is_on_fold, true);
 }
 
+TEST(CutText, of_accumark_goes_before_a_quantity_of_one) {
+    EXPECT_EQ(read("ANNOTATION: 2XFABRIC"), (CutInstructions{2, {}, {}, "fabric"}));
+    EXPECT_EQ(read("1X RIB"), (CutInstructions{1, {}, {}, "ribbing"}));
+    for (const auto& [first, second] : {std::pair("Quantity: 1", "2XFABRIC"), std::pair("2XFABRIC", "Quantity: 0")}) {
+        CutInstructions cut;
+        read_cut_text(first, cut);
+        read_cut_text(second, cut);
+        EXPECT_EQ(cut.pieces, 2) << first;
+    }
+}
+
 TEST(CutText, on_the_fold_counts_on_a_line_of_its_own_before_or_behind_the_number) {
     for (const auto& [first, second] : {std::pair("Cut 1", "ON FOLD"), std::pair("place on the fold", "Cut 1")}) {
         CutInstructions cut;
@@ -65,7 +76,7 @@ TEST(CutText, on_the_fold_counts_on_a_line_of_its_own_before_or_behind_the_numbe
 TEST(CutText, about_other_things_changes_nothing) {
     for (const char* text :
          {"Cut here", "cut 1 cm away", "undercut 2", "Size: 40", "Piece Name: cut", "2", "", "cut", "Quantity: many",
-          "fold line", "cut 2000000000", "lining", "Size 12 cut out", "Sleeve 5 cut along grain"}) {
+          "fold line", "cut 2000000000", "lining", "2XL", "2x", "Size 12 cut out", "Sleeve 5 cut along grain"}) {
         CutInstructions cut;
         EXPECT_FALSE(read_cut_text(text, cut)) << text;
         EXPECT_EQ(cut, CutInstructions()) << text;
