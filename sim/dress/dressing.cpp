@@ -127,21 +127,22 @@ void check_size(const Pattern& pattern) {
                              std::to_string(std::llround(kLargest)) + ": is units_in_meter right?");
 }
 
-void Dressing::sew() {
+void Dressing::sew(LimbsInTheWay limbs) {
     if (!body_) throw InputError("", "", "there is no body to put it on");
     check_layers(pattern_, options_);
     check_size(pattern_);
-    begin_sewing({});
+    begin_sewing({}, limbs);
     past_seconds_ = 0;
 }
 
-void Dressing::begin_sewing(std::optional<WornGarments> worn) {
+void Dressing::begin_sewing(std::optional<WornGarments> worn, LimbsInTheWay limbs) {
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
     SewingOptions options{.simulation = simulation_options(options_),
                           .constraints = constraints(),
                           .interrupt = interrupt_,
                           .store = store_,
-                          .limbs = {body_, &measured().limbs()}};
+                          .limbs = {}};
+    if (limbs == LimbsInTheWay::GiveWay) options.limbs = {body_, &measured().limbs()};
     GarmentSewing sewing(
         std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),
         [this](const GarmentMesh& next, const GarmentMesh& all) {

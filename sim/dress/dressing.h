@@ -38,6 +38,10 @@ void check_layers(const Pattern& pattern, const DressOptions& options);
 // take minutes or hours.
 void check_size(const Pattern& pattern);
 
+// Whether limbs get out of the way of seams that did not close round them. It takes long, and does not help a garment
+// that is much too small.
+enum class LimbsInTheWay { GiveWay, Stay };
+
 class Dressing {
  public:
     // interrupt: called regularly during long operations; its exceptions propagate from any method here. store: where
@@ -64,7 +68,7 @@ class Dressing {
 
     // From Place to Sew; at a later stage it starts again. Throws InputError if there is no body, or the panels cannot
     // be meshed.
-    void sew();
+    void sew(LimbsInTheWay limbs = LimbsInTheWay::GiveWay);
     // Simulates one frame: kSewingSteps steps, or an adaptation and its steps. From Place it only begins to sew.
     // Returns whether the stage is not Done. Throws InputError if the sewn mesh is invalid; the stage is then Place.
     // Pre: the stage is not Done.
@@ -137,7 +141,7 @@ class Dressing {
     bool restore(const Drape& drape);
 
  private:
-    void begin_sewing(std::optional<WornGarments> worn);
+    void begin_sewing(std::optional<WornGarments> worn, LimbsInTheWay limbs = LimbsInTheWay::GiveWay);
     void take_sewing_notes();
     bool sew_over();
     void end_sewing();

@@ -22,10 +22,10 @@ Pose dressing_pose(const Body& body);
 bool needs_other_pose(const Body& body, const Pose& pose);
 
 // Moves the body from the pose `start` into its rest pose with the cloth on it, and lets the cloth come to rest there,
-// unless its drape was given up before: then it gets only the finer sub-steps of the end, and the result says so. own:
-// collider of the body in its rest pose. Pre: the body has a skin, and the cloth hangs on it in that pose.
+// unless its drape, `draped`, was given up before: then it gets only the finer sub-steps of the end, and the result
+// says so. own: collider of the body in its rest pose. Pre: the body has a skin, and the cloth hangs on it in that
+// pose.
 DrapeResult move_to_own_pose(Simulation& simulation, const Body& body, const Pose& start, const BodyCollider& own,
-                             const DressOptions& options, std::optional<GiveUp> given_up,
-                             const Progress& progress = {});
+                             const DressOptions& options, const DrapeResult& draped, const Progress& progress = {});
 
 }  // namespace selvedge::sim

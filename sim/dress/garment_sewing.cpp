@@ -161,11 +161,13 @@ bool GarmentSewing::sew_again(const BodyCollider& body) {
     return true;
 }
 
-// Where the cloth crumples round thin limbs, contact with itself takes ever more work: the run ends, which has another
-// to fall back on. Counted, not timed, so that it ends alike for any number of threads on one type of CPU.
+// Where the cloth crumples, contact with itself takes ever more work: the run ends. One round thin limbs ends sooner,
+// which has another to fall back on. Counted, not timed, so that it ends alike for any number of threads on one type of
+// CPU.
 bool GarmentSewing::has_too_much_work() const {
-    constexpr double kPerTriangle = 2500;  // 300 to 1,000 are usual
-    return first_run_ && run_->work() > kPerTriangle * static_cast<double>(run_->triangle_count());
+    constexpr double kPerTriangle = 2500, kPerTriangleAtFirst = 10'000;  // 300 to 1,000 are usual
+    const double most = first_run_ ? kPerTriangle : kPerTriangleAtFirst;
+    return run_->work() > most * static_cast<double>(run_->triangle_count());
 }
 
 // Thin limbs do not help where a seam cannot close anyway.

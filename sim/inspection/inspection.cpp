@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -24,8 +25,9 @@
 namespace selvedge::sim {
 namespace {
 
-void add_fault(DressReport& report, std::string kind, std::string place, double value) {
-    add_fault(report, DressFault{std::move(kind), std::move(place), value});
+void add_fault(DressReport& report, std::string kind, std::string place, double value,
+               std::optional<double> height = {}) {
+    add_fault(report, DressFault{std::move(kind), std::move(place), value, "", height});
 }
 
 std::string describe_position(const Vec3f& x) {
@@ -69,49 +71,6 @@ FitOptions fit_options(const Cloth& cloth) {
     FitOptions fit;
     for (const Fabric& fabric : cloth.material.fabrics) fit.strain_limits.push_back(fabric.strain_limit);
     return fit;
-}
-
-// One fault for each part of the body through which edges pass, at its deepest edge: of fit, where what is round a limb
-// is too small for it.
-void add_passages(const std::vector<PassingEdge>& passing, const Cloth& cloth, const DrawMesh& mesh, const Body& body,
-                  const BodyLimbs& limbs, const Pattern& pattern, DressReport& report) {
-    std::map<std::string, const PassingEdge*> deepest;
-    for (const PassingEdge& edge : passing) {
-        const PassingEdge*& known = deepest[place_on_body(limbs, edge.at.cast<double>())];
-        if (known == nullptr || edge.depth > known->depth) known = &edge;
-    }
-    for (const auto& [part, edge] : deepest) {
-        if (const auto small = too_small_for_limb(mesh, body, limbs, edge->at.cast<double>(), fit_options(cloth))) {
-            add_fault(report, "does_not_fit", describe_too_small(*small, part), shortfall(*small));
-            continue;
-        }
-        add_fault(report, "through_body",
-                  "cloth passes through " + describe_point(limbs, pattern, mesh.panel[edge->triangle], edge->at),
-                  static_cast<double>(edge->depth));
-    }
-}
-
-void validate_contact(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const FaultLimits& limits,
-                      DressReport& report) {
-    const DrawMesh mesh = draw_mesh(cloth, {});
-    const Penetration found =
-        find_penetration(mesh.x, mesh.triangles, body.surface(), {.depth = static_cast<float>(limits.depth)});
-    ContactCounts& contact = report.contact;
-    contact.inside = found.vertices;
-    contact.deepest_m = static_cast<double>(found.deepest_vertex);
-    contact.faces_in_body = found.faces;
-    contact.edges_in_body = found.edges;
-    if (found.faces == 0) return;
-    const BodyLimbs limbs = find_limbs(body.body());
-    contact.deepest_face_m = static_cast<double>(found.deepest);
-    contact.deepest_face_at = describe_point(limbs, pattern, mesh.panel[found.triangle], found.at);
-    add_passages(found.passing, cloth, mesh, body.body(), limbs, pattern, report);
-    if (contact.deepest_m > limits.depth) {
-        const VertexId deepest = cloth.mesh.leaf_vertices()[found.vertex];
-        add_fault(report, "inside_body", describe_place(cloth, pattern, deepest), contact.deepest_m);
-    } else if (contact.deepest_face_m > limits.face_depth && found.passing.empty()) {
-        add_fault(report, "inside_body", "a face at " + contact.deepest_face_at, contact.deepest_face_m);
-    }
 }
 
 float larger_of(const TriangleStrain& strain) {
@@ -168,6 +127,9 @@ void validate_crossings(const Cloth& cloth, const Pattern& pattern, const FaultL
     const std::vector<TrianglePair> pairs = find_crossing_triangles(surface, points);
     if (pairs.empty()) return;
     ContactCounts& contact = report.contact;
+    float highest = -std::numeric_limits<float>::infinity();
+    for (const TrianglePair& pair : pairs)
+        highest = std::max(highest, cloth.x[surface.triangles[pair.first].vertices[0]].y());
     contact.self_crossings = static_cast<int>(pairs.size());
     contact.self_crossing_m = contour_length(surface, points, pairs);
     contact.self_crossing_at =
@@ -175,7 +137,7 @@ void validate_crossings(const Cloth& cloth, const Pattern& pattern, const FaultL
     if (limits.may_cross_itself) return;
     add_fault(report, "self_crossing",
               count_text(pairs.size(), "pair") + " of triangles, one at " + contact.self_crossing_at,
-              contact.self_crossing_m);
+              contact.self_crossing_m, static_cast<double>(highest));
 }
 
 // Panels of a higher layer that lie inside of those of a lower one.
@@ -249,6 +211,61 @@ SmallFor validate_fit(const std::vector<TightLevel>& tight, const std::optional<
     return small;
 }
 
+// What could not close round the body cuts into it: a note where the garment is too small, beside the fault of fit.
+void add_depth(DressFault fault, const Vec3f& at, const SmallFor& small, DressReport& report) {
+    fault.height = static_cast<double>(at.y());
+    if (small.holds(at.cast<double>())) {
+        report.notes.push_back(cause_of(fault) + ", where it is too small");
+    } else {
+        add_fault(report, std::move(fault));
+    }
+}
+
+// One fault for each part of the body through which edges pass, at its deepest edge: of fit, where what is round a limb
+// is too small for it.
+void add_passages(const std::vector<PassingEdge>& passing, const Cloth& cloth, const DrawMesh& mesh, const Body& body,
+                  const BodyLimbs& limbs, const Pattern& pattern, const SmallFor& small, DressReport& report) {
+    std::map<std::string, const PassingEdge*> deepest;
+    for (const PassingEdge& edge : passing) {
+        const PassingEdge*& known = deepest[place_on_body(limbs, edge.at.cast<double>())];
+        if (known == nullptr || edge.depth > known->depth) known = &edge;
+    }
+    for (const auto& [part, edge] : deepest) {
+        if (const auto small = too_small_for_limb(mesh, body, limbs, edge->at.cast<double>(), fit_options(cloth))) {
+            add_fault(report, "does_not_fit", describe_too_small(*small, part), shortfall(*small));
+            continue;
+        }
+        const std::string point = describe_point(limbs, pattern, mesh.panel[edge->triangle], edge->at);
+        add_depth({"through_body", "cloth passes through " + point, static_cast<double>(edge->depth)}, edge->at, small,
+                  report);
+    }
+}
+
+void validate_contact(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const FaultLimits& limits,
+                      const SmallFor& small, DressReport& report) {
+    const DrawMesh mesh = draw_mesh(cloth, {});
+    const Penetration found =
+        find_penetration(mesh.x, mesh.triangles, body.surface(), {.depth = static_cast<float>(limits.depth)});
+    ContactCounts& contact = report.contact;
+    contact.inside = found.vertices;
+    contact.deepest_m = static_cast<double>(found.deepest_vertex);
+    contact.faces_in_body = found.faces;
+    contact.edges_in_body = found.edges;
+    if (found.faces == 0) return;
+    const BodyLimbs limbs = find_limbs(body.body());
+    contact.deepest_face_m = static_cast<double>(found.deepest);
+    contact.deepest_face_at = describe_point(limbs, pattern, mesh.panel[found.triangle], found.at);
+    add_passages(found.passing, cloth, mesh, body.body(), limbs, pattern, small, report);
+    if (contact.deepest_m > limits.depth) {
+        const VertexId deepest = cloth.mesh.leaf_vertices()[found.vertex];
+        add_depth({"inside_body", describe_place(cloth, pattern, deepest), contact.deepest_m},
+                  cloth.x[deepest.value].head<3>(), small, report);
+    } else if (contact.deepest_face_m > limits.face_depth && found.passing.empty()) {
+        add_depth({"inside_body", "a face at " + contact.deepest_face_at, contact.deepest_face_m}, found.at, small,
+                  report);
+    }
+}
+
 // Pre: the report has the faults of fit.
 bool is_given_up_as_too_small(const DrapeResult& draped, const DressReport& report) {
     const auto does_not_fit = [](const DressFault& fault) { return class_of(fault) == FaultClass::DoesNotFit; };
@@ -274,6 +291,7 @@ void validate_rest(const Cloth& cloth, const Pattern& pattern, const DrapeResult
         DressFault fault{"not_settled",
                          is_known ? describe_place(cloth, pattern, *draped.fastest) : std::string(kWholeGarment),
                          draped.fall_speed};
+        if (is_known) fault.height = static_cast<double>(cloth.x[draped.fastest->value].y());
         // What was given up, had no time to fall, or has no finite positions tells nothing by being slow.
         if (draped.given_up || draped.bad_vertex || !had_time_to_rest(draped)) {
             report.faults.push_back(std::move(fault));
@@ -305,18 +323,18 @@ bool is_fault(const StretchStatistics& unexplained, const FaultLimits& limits) {
 // small, or because it slips. Where it is too small for a part of the body, no drape can hold the strain limit there
 // or near it, and nowhere if what is too small must stretch by more than a fault of stretch: this is a note beside the
 // fault of fit.
-void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const DrapeResult& draped,
-                      const FaultLimits& limits, const std::optional<TightLevel>& too_small, DressReport& report) {
+SmallFor validate_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const DrapeResult& draped,
+                          const FaultLimits& limits, const std::optional<TightLevel>& too_small, DressReport& report) {
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
-    if (strains.empty()) return;
+    if (strains.empty()) return {};
     report.stretch = stretch_statistics(strains);
     const DrawMesh garment = draw_mesh(cloth, {});
     std::vector<TightLevel> tight = tight_levels(garment, body, fit_options(cloth));
     if (is_fault(stretch_statistics(unexplained_of(strains, cloth, tight)), limits))
         std::ranges::copy(tight_round_level_limbs(garment, body, find_limbs(body), fit_options(cloth)),
                           std::back_inserter(tight));
-    const SmallFor small = validate_fit(tight, too_small, body, pattern, limits, report);
-    if (draped.given_up == GiveUp::SlipsDown || is_given_up_as_too_small(draped, report)) return;
+    SmallFor small = validate_fit(tight, too_small, body, pattern, limits, report);
+    if (draped.given_up == GiveUp::SlipsDown || is_given_up_as_too_small(draped, report)) return small;
     std::vector<TriangleStrain> unexplained = unexplained_of(strains, cloth, tight);
     if (!small.parts.empty() && is_fault(stretch_statistics(unexplained), limits)) {
         float most = 0;
@@ -333,11 +351,14 @@ void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& patte
     const auto worst =
         static_cast<std::size_t>(std::ranges::max_element(unexplained, {}, larger_of) - unexplained.begin());
     const StretchStatistics statistics = stretch_statistics(unexplained);
-    const std::string place = describe_place(cloth, pattern, cloth.mesh.leaf_triangles()[worst].v[0]);
+    const VertexId worst_vertex = cloth.mesh.leaf_triangles()[worst].v[0];
+    const std::string place = describe_place(cloth, pattern, worst_vertex);
+    const auto height = static_cast<double>(cloth.x[worst_vertex.value].y());
     if (statistics.warp_weft_p99 > limits.stretch_p99)
-        add_fault(report, "overstretched", "99th percentile, worst at " + place, report.stretch.warp_weft_p99);
+        add_fault(report, "overstretched", "99th percentile, worst at " + place, report.stretch.warp_weft_p99, height);
     if (statistics.warp_weft_max > limits.stretch_max)
-        add_fault(report, "overstretched", place, static_cast<double>(larger_of(strains[worst])));
+        add_fault(report, "overstretched", place, static_cast<double>(larger_of(strains[worst])), height);
+    return small;
 }
 
 }  // namespace
@@ -350,13 +371,48 @@ void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& patte
     if (draped.bad_vertex) {
         add_fault(report, "not_finite", describe_place(cloth, pattern, *draped.bad_vertex), 0);
     } else {
-        validate_contact(cloth, body, pattern, limits, report);
+        const SmallFor small = validate_stretch(cloth, body.body(), pattern, draped, limits, too_small, report);
+        validate_contact(cloth, body, pattern, limits, small, report);
         validate_crossings(cloth, pattern, limits, report);
         validate_layers(cloth, pattern, report);
-        validate_stretch(cloth, body.body(), pattern, draped, limits, too_small, report);
     }
     validate_rest(cloth, pattern, draped, report);
     validate_mesh(cloth, report);
+}
+
+void blame_size(const TightLevel& as_placed, const BodyLimbs& limbs, DressReport& report) {
+    const auto is_of_drape = [](const DressFault& fault) {
+        return class_of(fault) == FaultClass::Defect && fault.kind != "not_finite" && fault.kind != "broken_mesh";
+    };
+    if (std::ranges::none_of(report.faults, is_of_drape)) return;
+    const std::vector<DressFault> faults = std::exchange(report.faults, {});
+    const std::string place = place_on_body(limbs, (as_placed.low + as_placed.high) / 2);
+    add_fault(report, "does_not_fit", describe_too_small(as_placed, place), shortfall(as_placed));
+    for (const DressFault& fault : faults) {
+        if (is_of_drape(fault) || class_of(fault) == FaultClass::DoesNotFit) {
+            report.notes.push_back("it cannot close round the body: " + cause_of(fault));
+        } else {
+            report.faults.push_back(fault);
+        }
+    }
+}
+
+void blame_length(double below_floor, double knees, DressReport& report) {
+    const auto is_of_heap = [&](const DressFault& fault) {
+        return class_of(fault) == FaultClass::Defect && fault.height && *fault.height < knees;
+    };
+    if (below_floor < kMuchTooLong || std::ranges::none_of(report.faults, is_of_heap)) return;
+    const std::vector<DressFault> faults = std::exchange(report.faults, {});
+    const std::string by = std::to_string(std::lround(100 * below_floor)) + " cm";
+    add_fault(report, "does_not_fit", "too long for this body by " + by + ": its hem was placed below the floor",
+              below_floor);
+    for (const DressFault& fault : faults) {
+        if (is_of_heap(fault)) {
+            report.notes.push_back("it lies in a heap on the floor: " + cause_of(fault));
+        } else {
+            report.faults.push_back(fault);
+        }
+    }
 }
 
 bool is_too_small(const Cloth& cloth, const Body& body) {

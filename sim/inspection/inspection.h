@@ -31,6 +31,17 @@ void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& patte
               std::span<const OpenSeam> open_seams, const DrapeResult& draped, DressReport& report,
               const FaultLimits& limits = {}, const std::optional<TightLevel>& too_small = {});
 
+// A garment that is much too small for the body as its panels stand round it (sim/place/placed_fit.h) cannot be put on,
+// and whatever is wrong with its drape follows from that: the fault is that it does not fit, the others become notes.
+// No effect if nothing is wrong with its drape.
+void blame_size(const TightLevel& as_placed, const BodyLimbs& limbs, DressReport& report);
+
+// A garment whose panels reach below the floor lies in a heap round the feet: what is wrong with the heap follows from
+// its length. If it is longer by at least kMuchTooLong, the fault is that it does not fit, and what is wrong below the
+// knees becomes notes. No effect if nothing is. knees: their height, m.
+inline constexpr double kMuchTooLong = 0.10;  // m: a hem turned up, or a short train, takes less
+void blame_length(double below_floor, double knees, DressReport& report);
+
 // Whether cloth that hangs is smaller than what it encloses of the body, though it were stretched to its limit.
 bool is_too_small(const Cloth& cloth, const Body& body);
 

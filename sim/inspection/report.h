@@ -109,9 +109,10 @@ inline constexpr std::string_view kSmallerThanBody = "smaller than the body by";
 // "overstretched", "not_finite", "broken_mesh", "does_not_fit".
 struct DressFault {
     std::string kind;
-    std::string place;   // a seam, panel, opening or point that the user can find
-    double value = 0;    // in the unit of the kind: m, m/s, strain, number of limbs, share of the vertices
-    std::string unit{};  // empty: that of the kind
+    std::string place;               // a seam, panel, opening or point that the user can find
+    double value = 0;                // in the unit of the kind: m, m/s, strain, number of limbs, share of the vertices
+    std::string unit{};              // empty: that of the kind
+    std::optional<double> height{};  // m, of the point that the place names
 };
 
 enum class FaultClass {

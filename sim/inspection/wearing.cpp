@@ -7,7 +7,6 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -605,7 +604,7 @@ void validate_edges(const WornGarment& garment, const PanelVertices& panels, con
         const auto panel = static_cast<std::size_t>(edge.panels.front());
         const auto arm = arm_of(panels[panel], garment.panels.x, bodies.meant_for);
         const std::string place = place_on_body(bodies.meant_for, centre_of(edge, garment.closed.x));
-        const std::string_view name = call_opening(meant.limbs.through[i], place, arm.has_value());
+        const auto name = call_opening(meant.limbs.through[i], place, arm.has_value());
         if (name != "hem" && name != "cuff") continue;
         const auto of = [&](const BodyLimbs& body) { return arm ? &body[*arm] : nullptr; };
         if (arm && (!bodies.meant_for[*arm].is_found || !bodies.worn_by[*arm].is_found)) continue;
@@ -613,12 +612,13 @@ void validate_edges(const WornGarment& garment, const PanelVertices& panels, con
             measure_rolled_edge(garment.closed, edge, inward_of(garment.closed.x, of(bodies.meant_for)),
                                 inward_of(garment.closed_draped, of(bodies.worn_by)));
         if (rolled.share == 0) continue;
-        add_fault(report, {.kind = "rolled_edge",
-                           .place = "the " + std::string(name) + " of '" + garment.panels.panel_names[panel] +
-                                    "' is rolled up or folded over by " + in_centimetres(rolled.by) + " over " +
-                                    std::to_string(std::lround(100 * rolled.share)) + " % of its length, at the " +
-                                    place_on_body(bodies.worn_by, garment.closed_draped[rolled.vertex]),
-                           .value = rolled.share});
+        const Vec3d& lies_at = garment.closed_draped[rolled.vertex];
+        add_fault(report, {"rolled_edge",
+                           "the " + std::string(name) + " of '" + garment.panels.panel_names[panel] +
+                               "' is rolled up or folded over by " + in_centimetres(rolled.by) + " over " +
+                               std::to_string(std::lround(100 * rolled.share)) + " % of its length, at the " +
+                               place_on_body(bodies.worn_by, lies_at),
+                           rolled.share, "", lies_at.y()});
     }
 }
 

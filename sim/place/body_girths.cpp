@@ -8,6 +8,7 @@
 #include "sim/body/landmarks.h"
 #include "sim/place/garment_section.h"
 #include "sim/place/limbs.h"
+#include "sim/place/proportions.h"
 
 namespace selvedge::sim {
 namespace {
@@ -58,6 +59,7 @@ constexpr double kCrotchShare = 0.475, kArmpitShare = 0.757;
 constexpr double kHighestHip = 0.56, kLowestWaist = 0.57, kHighestWaist = 0.685;
 
 bool has_usual_trunk(const MeasuredBody& body) {
+    if (!find_proportions(body.body(), body.stature()).is_usual) return false;
     constexpr double kUsual = 0.02;  // of the stature: most people's, and what find_landmarks() does not tell
     const Stature& stature = body.stature();
     const auto is_usual = [&](const std::optional<double>& y, double share) {
@@ -70,6 +72,8 @@ bool has_usual_trunk(const MeasuredBody& body) {
 double height_on_trunk(const MeasuredBody& body, double share) {
     const auto usual = [&](double other) { return body.stature().floor + other * body.stature().height(); };
     if (has_usual_trunk(body)) return usual(share);
+    const Proportions by_joints = find_proportions(body.body(), body.stature());
+    if (!by_joints.is_usual) return by_joints.at(share);
     const double crotch = body.landmarks().crotch.value_or(usual(kCrotchShare));
     const double armpit = body.landmarks().armpit.value_or(usual(kArmpitShare));
     return std::lerp(crotch, armpit, (share - kCrotchShare) / (kArmpitShare - kCrotchShare));
@@ -307,10 +311,14 @@ std::optional<BodyGirth> neck_girth(const MeasuredBody& body) {
     return narrowest;
 }
 
+std::optional<BodyGirth> upper_limb_girth(const MeasuredBody& body, LimbKind limb, double share) {
+    const auto upper = first_segment(body.limbs()[limb]);
+    if (!upper) return std::nullopt;
+    return limb_girth(body.body(), upper->across(share));
+}
+
 std::optional<BodyGirth> sleeve_girth(const MeasuredBody& body, LimbKind arm) {
-    const auto upper_arm = first_segment(body.limbs()[arm]);
-    if (!upper_arm) return std::nullopt;
-    return limb_girth(body.body(), upper_arm->across(0.5));
+    return upper_limb_girth(body, arm, 0.5);
 }
 
 std::optional<BodyGirth> thigh_girth(const MeasuredBody& body, LimbKind leg) {

@@ -28,10 +28,12 @@ struct BodyGirth {
 // The girth of the trunk at height y, without arms and hands; of both legs below the crotch.
 std::optional<BodyGirth> trunk_girth(const MeasuredBody& body, double y);
 
-std::optional<BodyGirth> bust_girth(const MeasuredBody& body);                  // level, the largest below the armpits
-std::optional<BodyGirth> waist_girth(const MeasuredBody& body);                 // level, the least: TorsoHeights::waist
-std::optional<BodyGirth> hip_girth(const MeasuredBody& body);                   // level, the largest above the crotch
-std::optional<BodyGirth> neck_girth(const MeasuredBody& body);                  // square to the neck, the least
+std::optional<BodyGirth> bust_girth(const MeasuredBody& body);   // level, the largest below the armpits
+std::optional<BodyGirth> waist_girth(const MeasuredBody& body);  // level, the least: TorsoHeights::waist
+std::optional<BodyGirth> hip_girth(const MeasuredBody& body);    // level, the largest above the crotch
+std::optional<BodyGirth> neck_girth(const MeasuredBody& body);   // square to the neck, the least
+// Square to the upper arm or the thigh, at this share of the way from its first joint to the second.
+std::optional<BodyGirth> upper_limb_girth(const MeasuredBody& body, LimbKind limb, double share);
 std::optional<BodyGirth> sleeve_girth(const MeasuredBody& body, LimbKind arm);  // square to the upper arm's middle
 
 double highest_hip(const MeasuredBody& body);  // m, the upper end of the range in which hip_girth() looks

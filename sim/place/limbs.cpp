@@ -10,6 +10,7 @@
 
 #include "sim/body/joint_names.h"
 #include "sim/core/assert.h"
+#include "sim/place/proportions.h"
 
 namespace selvedge::sim {
 namespace {
@@ -283,8 +284,9 @@ constexpr std::array<NamedLimb, 4> kNamedLimbs{
      {LimbKind::RightLeg, {Joint::RightUpperLeg, Joint::RightLowerLeg, Joint::RightFoot}}}};
 
 // Limbs by the joints that a skeleton names: where the surface does not show them, as on some bodies of separate parts,
-// or shows others, as where something is worn on an arm or held in a hand.
-void take_named_joints(const Body& body, BodyLimbs& limbs) {
+// or shows others, as where something is worn on an arm or held in a hand; and on figures of unusual proportions, whose
+// limbs are not as long as those of people of their height.
+void take_named_joints(const Body& body, const Proportions& proportions, BodyLimbs& limbs) {
     constexpr double kOther = 0.1;  // of the stature, from a joint's bone: no limb is so thick
     const JointBones bones = find_joints(body.bones);
     for (const auto& [kind, joints] : kNamedLimbs) {
@@ -293,7 +295,7 @@ void take_named_joints(const Body& body, BodyLimbs& limbs) {
         if (!std::ranges::all_of(joints, [&](Joint joint) { return bones.has(joint); })) continue;
         std::array<Vec3d, 3> named;
         for (std::size_t i = 0; i < 3; ++i) named[i] = body.bones[static_cast<std::size_t>(bones[joints[i]])].joint;
-        bool is_other = limb.size() < 3;
+        bool is_other = limb.size() < 3 || !proportions.is_usual;
         for (std::size_t i = 0; i < 3 && !is_other; ++i)
             is_other = (limb[i].centre - named[i]).norm() > kOther * stature_of(limbs.height);
         if (!is_other) continue;
@@ -302,11 +304,11 @@ void take_named_joints(const Body& body, BodyLimbs& limbs) {
         for (const Vec3d& joint : named) limb.push_back({joint, 0});
         if (kind != LimbKind::LeftArm && kind != LimbKind::RightArm) continue;
         const Vec3d along = (limb[2].centre - limb[1].centre).normalized();
-        limb.push_back({limb[2].centre + kHand * stature_of(limbs.height) * along, 0});
+        limb.push_back({limb[2].centre + kHand * proportions.stature_by_trunk() * along, 0});
     }
 }
 
-void find_torso(const Body& body, const Stature& stature, BodyLimbs& limbs) {
+void find_torso(const Body& body, const Stature& stature, const Proportions& proportions, BodyLimbs& limbs) {
     const TorsoHeights heights = torso_heights(body, stature);
     for (const double y : {heights.hip, heights.waist, heights.chest, heights.neck}) {
         const std::vector<Vec3d> points = trunk_points(body, y, stature_of(limbs.height));
@@ -317,7 +319,7 @@ void find_torso(const Body& body, const Stature& stature, BodyLimbs& limbs) {
         limbs.torso.push_back({middle_of_box(points), 0});
     }
     const Vec3d& neck = limbs.torso.back().centre;
-    const double chin = limbs.height.low + kChinHeight * stature_of(limbs.height);
+    const double chin = proportions.at(kChinHeight);
     const double middle = (std::max(neck.y(), chin) + limbs.height.high) / 2;
     const std::vector<Vec3d> head = trunk_points(body, middle, stature_of(limbs.height));
     if (head.empty()) return;
@@ -346,7 +348,8 @@ BodyLimbs find_limbs(const Body& body, const Stature& stature) {
     BodyLimbs found;
     if (body.triangles.empty()) return found;
     found.height = {stature.floor, stature.crown};
-    find_torso(body, stature, found);
+    const Proportions proportions = find_proportions(body, stature);
+    find_torso(body, stature, proportions, found);
     if (found.torso.empty()) return found;
     if (has_known_bones(body)) {
         take_bones(body, found);
@@ -354,7 +357,7 @@ BodyLimbs find_limbs(const Body& body, const Stature& stature) {
         find_arms(body, found);
         found.limbs[index_of(LimbKind::LeftLeg)].joints = leg_of_sections(body, found.height, 1);
         found.limbs[index_of(LimbKind::RightLeg)].joints = leg_of_sections(body, found.height, -1);
-        take_named_joints(body, found);
+        take_named_joints(body, proportions, found);
     }
     for (const LimbKind leg : {LimbKind::LeftLeg, LimbKind::RightLeg}) {
         std::vector<LimbJoint>& joints = found.limbs[index_of(leg)].joints;
@@ -479,11 +482,11 @@ std::vector<Vec3d> trunk_points(const Body& body, double y, double stature) {
 namespace {
 
 // Height of the smallest girth of the trunk, m.
-double waist_level(const Body& body, const Stature& stature) {
+double waist_level(const Body& body, const Stature& stature, const Proportions& proportions) {
     double least = std::numeric_limits<double>::max();
-    double waist = stature.floor + 0.62 * stature.height();
+    double waist = proportions.at(0.62);
     for (double share = 0.57; share < 0.685; share += 0.01) {
-        const double y = stature.floor + share * stature.height();
+        const double y = proportions.at(share);
         const std::vector<Vec3d> points = trunk_points(body, y, stature.height());
         if (points.empty()) continue;
         const double girth = tape_length({.points = points, .centre = {}, .area = 0}, {.point = Vec3d(0, y, 0)});
@@ -502,11 +505,12 @@ double joint_height(const Body& body, const std::string& name, double otherwise)
 }  // namespace
 
 TorsoHeights torso_heights(const Body& body, const Stature& stature) {
-    const auto at = [&](double share) { return stature.floor + share * stature.height(); };
-    return {.neck = joint_height(body, "neck", at(0.848)) + 0.012 * stature.height(),
-            .chest = at(0.728),
-            .waist = waist_level(body, stature),
-            .hip = joint_height(body, "hips", at(0.525)) - 0.037 * stature.height()};
+    const Proportions proportions = find_proportions(body, stature);
+    const double height = proportions.stature_by_trunk();
+    return {.neck = joint_height(body, "neck", proportions.at(0.848)) + 0.012 * height,
+            .chest = proportions.at(0.728),
+            .waist = waist_level(body, stature, proportions),
+            .hip = joint_height(body, "hips", proportions.at(0.525)) - 0.037 * height};
 }
 
 }  // namespace selvedge::sim

@@ -16,11 +16,13 @@
 #include "sim/body/section.h"
 #include "sim/collide/body_collider.h"
 #include "sim/collide/surface_bvh.h"
+#include "sim/core/disjoint_sets.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
 #include "sim/place/limb_pieces.h"
 #include "sim/place/limbs.h"
+#include "sim/place/proportions.h"
 
 namespace selvedge::sim {
 namespace {
@@ -37,9 +39,8 @@ Vec3d panel_centre(const Panel& panel) {
 }
 
 // Centre of the torso's section at this height, clamped to between crotch and shoulder; arms and legs are other loops.
-Vec3d torso_centre(const Body& body, const Stature& stature, double y) {
-    const double level =
-        std::clamp(y, stature.floor + 0.52 * stature.height(), stature.floor + 0.80 * stature.height());
+Vec3d torso_centre(const Body& body, const Proportions& proportions, double y) {
+    const double level = std::clamp(y, proportions.at(0.52), proportions.at(0.80));
     const Plane plane{.point = Vec3d(0, level, 0)};
     const auto loop = nearest_loop(section(body, plane), Vec3d(0, level, 0));
     const Vec3d centre = loop ? loop->centre : Vec3d(0, level, 0);
@@ -332,23 +333,61 @@ std::optional<Eigen::Quaterniond> turn_of_arm(const BodyLimbs& from, const BodyL
     return turn;
 }
 
+// Heights of a body between which others lie alike on all bodies: floor, hips, waist, shoulders, crown, m.
+using BodyLevels = std::array<double, 5>;
+constexpr std::size_t kShoulderLevel = 3;
+
+BodyLevels levels_of(const MeasuredBody& body) {
+    constexpr double kShoulders = 0.80;  // of the stature
+    const Proportions proportions = find_proportions(body.body(), body.stature());
+    const TorsoHeights torso = torso_heights(body.body(), body.stature());
+    return {proportions.floor, torso.hip, torso.waist, proportions.at(kShoulders), proportions.crown};
+}
+
+// The same place on the other body, m; linear beyond the ends.
+double level_on(double y, const BodyLevels& from, const BodyLevels& onto) {
+    std::size_t i = 0;
+    while (i + 2 < from.size() && y > from[i + 1]) ++i;
+    return onto[i] + (y - from[i]) * (onto[i + 1] - onto[i]) / (from[i + 1] - from[i]);
+}
+
+// Per panel, the height of the highest point of what seams join it with, m.
+std::vector<double> tops_of(const Pattern& pattern) {
+    DisjointSets parts(pattern.panels.size());
+    for (const Seam& seam : pattern.seams) parts.join(seam.first.panel, seam.second.panel);
+    std::vector<double> tops(pattern.panels.size(), -std::numeric_limits<double>::infinity());
+    const auto part_of = [&](std::size_t p) { return static_cast<std::size_t>(parts.find(static_cast<int>(p))); };
+    for (std::size_t p = 0; p < tops.size(); ++p) {
+        for (const Vec3d& x : outline_points(pattern.panels[p])) tops[part_of(p)] = std::max(tops[part_of(p)], x.y());
+    }
+    for (std::size_t p = 0; p < tops.size(); ++p) tops[p] = tops[part_of(p)];
+    return tops;
+}
+
 }  // namespace
 
 Stature anchor_panels(Pattern& pattern, const MeasuredBody& from, const MeasuredBody& onto) {
     const Stature &a = from.stature(), &b = onto.stature();
-    const double ratio = b.height() / a.height();
-    const auto shift = [&](const Vec3d& x) {
-        const double level = b.floor + (x.y() - a.floor) * ratio;
-        return Vec3d(torso_centre(onto.body(), b, level) - torso_centre(from.body(), a, x.y()));
+    const Proportions from_proportions = find_proportions(from.body(), a);
+    const Proportions onto_proportions = find_proportions(onto.body(), b);
+    const BodyLevels from_levels = levels_of(from), onto_levels = levels_of(onto);
+    const auto shift = [&](const Vec3d& x, double rise) {
+        return Vec3d(torso_centre(onto.body(), onto_proportions, x.y() + rise) -
+                     torso_centre(from.body(), from_proportions, x.y()));
     };
     const BodyLimbs &from_limbs = from.limbs(), &onto_limbs = onto.limbs();
-    for (Panel& panel : pattern.panels) {
+    const std::vector<double> tops = tops_of(pattern);
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+        Panel& panel = pattern.panels[p];
+        // What reaches above the shoulders, as a collar, hangs from them.
+        const double held_at = std::min(tops[p], from_levels[kShoulderLevel]);
+        const double rise = level_on(held_at, from_levels, onto_levels) - held_at;
         const auto arm = arm_of_panel(panel.label, outline_points(panel), from_limbs);
-        panel.translation += shift(panel_centre(panel));
+        panel.translation += shift(panel_centre(panel), rise);
         const auto turn = arm ? turn_of_arm(from_limbs, onto_limbs, *arm) : std::nullopt;
         if (!turn) continue;
         Vec3d shoulder = from_limbs[*arm].joints.front().centre;
-        shoulder += shift(shoulder);
+        shoulder += shift(shoulder, rise);
         panel.rotation = *turn * panel.rotation;
         panel.translation = shoulder + *turn * (panel.translation - shoulder);
     }

@@ -14,8 +14,10 @@ namespace selvedge::sim {
 
 class BodyCollider;
 
-// Shifts each panel: its height scales with stature, also that of a body without head or legs (sim/body/landmarks.h),
-// and it moves with the centre of the torso's section at that height. A panel of a sleeve turns about the shoulder with
+// Shifts each panel. What seams join keeps its heights among itself, as cloth does not grow with its wearer: its
+// highest point goes to the same place between floor, hips, waist, shoulders and crown, also of a body without head or
+// legs (sim/body/landmarks.h); what reaches above the shoulders goes with them. Each panel moves with the centre of the
+// torso's section at its height. A panel of a sleeve turns about the shoulder with
 // its arm, if that hangs at another angle (sim/place/limb_pieces.h). `from` is the body that the pattern names. Does
 // not change the pattern when both bodies are equal. Returns the stature that `onto` was taken to have.
 Stature anchor_panels(Pattern& pattern, const MeasuredBody& from, const MeasuredBody& onto);

@@ -18,6 +18,8 @@
 #include "sim/inspection/wearing.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/place/fit_table.h"
+#include "sim/place/placed_fit.h"
+#include "sim/place/proportions.h"
 #include "sim/session/animation.h"
 #include "sim/session/dressed_faults.h"
 #include "sim/session/session_frame.h"
@@ -129,10 +131,16 @@ void fall_on(Dressing& dressing, const Progress& progress) {
 // A garment that is too small is not waited for: it crumples and stretches without coming to rest. Nor is one that
 // slips down: it would fall to the floor. One that could not be pulled over the body, or slipped while it was sewn,
 // stays as it was sewn; an outfit hangs, for the sake of its other garments. Returns what of the sewn garment fits
-// nowhere. If the end shows that a verdict was wrong, it falls on.
+// nowhere. If the end shows that a verdict was wrong, it falls on; but what cannot close round the body ends anywhere,
+// and does not show it. as_placed: that; none if it may fit.
 std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional<WearingCheck>& wearing,
-                                         const Progress& progress) {
+                                         const std::optional<TightLevel>& as_placed, const Progress& progress) {
     std::optional<TightLevel> too_small;
+    if (as_placed && dressing.stage() == DressingStage::Relax) {
+        dressing.give_up(GiveUp::TooSmall);
+        fall_on(dressing, progress);
+        return std::nullopt;
+    }
     if (dressing.stage() == DressingStage::Relax) too_small = fits_nowhere(*dressing.cloth(), *dressing.body());
     const bool is_one = is_single(dressing);
     if (is_one && too_small && excess_stretch(*too_small) > FaultLimits{}.stretch_max) {
@@ -154,6 +162,40 @@ std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional
     return std::nullopt;
 }
 
+// How a garment's size is wrong as its panels stand round the body, before it is sewn.
+struct Misfit {
+    std::optional<TightLevel> too_small;  // of a single garment
+    double below_floor = 0;               // m
+};
+
+Misfit find_misfit(const Dressing& dressing, const MeasuredBody& body) {
+    Misfit misfit{.too_small = {}, .below_floor = depth_below_floor(dressing.placed(), body)};
+    if (!is_single(dressing)) return misfit;
+    PlacedFitOptions options;
+    for (const Fabric& fabric : fabrics_of(dressing.pattern(), dressing.options().fabric))
+        options.strain_limits.push_back(fabric.strain_limit);
+    misfit.too_small = too_small_as_placed(dressing.placed(), body, options);
+    return misfit;
+}
+
+void blame(const Misfit& misfit, const MeasuredBody& body, DressReport& report) {
+    constexpr double kKnees = 0.285;  // of the stature (Drillis and Contini 1966)
+    if (misfit.too_small) blame_size(*misfit.too_small, body.limbs(), report);
+    blame_length(misfit.below_floor, find_proportions(body.body(), body.stature()).at(kKnees), report);
+}
+
+// What cannot be put on crumples; contact of its heaps with themselves takes long and shows nothing. What is much too
+// long lies in a heap round the feet, which does not come to rest soon.
+void begin_sewing(Dressing& dressing, DressOptions options, const Misfit& misfit) {
+    constexpr double kMostOfHeap = 30e6;  // DrapeResult::work: a circle skirt takes 27e6 to come to rest
+    const std::vector<Panel>& panels = dressing.pattern().panels;
+    const auto has_same_layer = [&](const Panel& panel) { return panel.layer == panels.front().layer; };
+    if (misfit.too_small && std::ranges::all_of(panels, has_same_layer)) options.self_collision = false;
+    if (misfit.below_floor > 2 * kMuchTooLong && !options.most_work) options.most_work = kMostOfHeap;
+    dressing.set_options(options);
+    dressing.sew(misfit.too_small ? LimbsInTheWay::Stay : LimbsInTheWay::GiveWay);
+}
+
 // What is too small for the body with lowered arms may fit it as it stands, and falls there.
 std::optional<GiveUp> still_given_up(std::optional<GiveUp> given_up, const Cloth& cloth, const Body& as_it_stands) {
     if (given_up != GiveUp::TooSmall || fits_nowhere(cloth, as_it_stands)) return given_up;
@@ -165,6 +207,12 @@ std::optional<WearingCheck> check_wearing(Dressing& dressing, const MeasuredBody
     if (dressing.result().bad_vertex) return std::nullopt;
     return WearingCheck(dressing.sewn_mesh(), {.unsewn = dressing.designed(), .body = &dressing.designed_for()},
                         wearer);
+}
+
+// What slipped may not slip in another pose. Then nothing excuses that it is not at rest.
+void excuse_no_slip(const WearingCheck& wearing, const Cloth& cloth, DrapeResult& result) {
+    const bool slipped = result.given_up == GiveUp::SlipsDown && !result.bad_vertex;
+    if (slipped && !wearing.slips(cloth)) result.given_up.reset();
 }
 
 // Fills in the report's faults and fit. `wearing`, the collider and its measured body have the wearer in the same pose.
@@ -248,7 +296,8 @@ DressedGarment dress(const Pattern& pattern, const std::shared_ptr<const Prepare
     timer.done("body");
 
     dressing.set_pattern(pattern);
-    dressing.sew();
+    const Misfit misfit = find_misfit(dressing, dressing.measured());
+    begin_sewing(dressing, options, misfit);
     report.notes = dressing.take_notes();
     timer.done("mesh");
 
@@ -260,7 +309,7 @@ DressedGarment dress(const Pattern& pattern, const std::shared_ptr<const Prepare
 
     selvedge::sim::report(progress, "draping", 0);
     std::optional<WearingCheck> wearing = check_wearing(dressing, dressing.measured());
-    std::optional<TightLevel> too_small = relax_and_fall(dressing, wearing, progress);
+    std::optional<TightLevel> too_small = relax_and_fall(dressing, wearing, misfit.too_small, progress);
     selvedge::sim::report(progress, "draping", 1);
     dressed.simulation = std::make_unique<Simulation>(dressing.take_simulation());
     Simulation& simulation = *dressed.simulation;
@@ -269,13 +318,11 @@ DressedGarment dress(const Pattern& pattern, const std::shared_ptr<const Prepare
     const BodyCollider* const own = result.bad_vertex ? nullptr : own_collider.get();
     const MeasuredBody as_given(body);
     if (own != nullptr) {
-        const std::optional<GiveUp> given_up = still_given_up(result.given_up, cloth, own->body());
-        result = move_to_own_pose(simulation, body, *prepared->dressing_pose(), *own, options, given_up, progress);
+        if (!misfit.too_small) result.given_up = still_given_up(result.given_up, cloth, own->body());
+        result = move_to_own_pose(simulation, body, *prepared->dressing_pose(), *own, options, result, progress);
         too_small.reset();  // it was found in the other pose
         wearing = check_wearing(dressing, as_given);
-        // What slipped may not slip in this pose. Then nothing excuses that it is not at rest.
-        const bool slipped = result.given_up == GiveUp::SlipsDown && !result.bad_vertex;
-        if (slipped && !wearing->slips(cloth)) result.given_up.reset();
+        excuse_no_slip(*wearing, cloth, result);
         report.notes.emplace_back("dressed with lowered arms, which then moved into the pose of the body");
     }
     record_drape(report, result);
@@ -285,6 +332,7 @@ DressedGarment dress(const Pattern& pattern, const std::shared_ptr<const Prepare
     const BodyCollider& collider = own ? *own : dressing.collider();
     const MeasuredBody at_rest(collider.body());
     inspect(dressed, dressing, wearing, collider, own ? at_rest : dressing.measured(), result, too_small);
+    blame(misfit, dressing.measured(), report);
     note_girths(prepared->made(), report);
     dressed.hierarchy = triangle_hierarchy(cloth);
     dressed.meshing = dressing.drape().meshing;

@@ -63,8 +63,8 @@ TEST_F(PatternForAFile, moves_up_to_the_floor_with_its_body) {
 
 TEST_F(PatternForAFile, is_anchored_from_the_named_body_to_another) {
     expect_raised(anchored(shapes::box({-0.15, 0, -0.1}, {0.15, 1.6, 0.1}, 5)), kChest);
-    // On a body 1.25 times as tall, panels go to 1.25 times their height over the floor.
-    expect_raised(anchored(shapes::box({-0.15, 0, -0.1}, {0.15, 2.0, 0.1}, 5)), 1.25 * kChest);
+    // On a body 1.25 times as tall, what hangs from the shoulders goes up as these do.
+    expect_raised(anchored(shapes::box({-0.15, 0, -0.1}, {0.15, 2.0, 0.1}, 5)), kChest + 0.8 * 0.4);
 }
 
 TEST_F(PatternForAFile, can_be_set_while_another_body_is_worn) {

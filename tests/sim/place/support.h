@@ -1,5 +1,6 @@
 #pragma once
 // Shared by the tests of sim/place: the limbs of the mannequin, and a panel that nobody placed.
+#include "sim/body/body.h"
 #include "sim/pattern/pattern.h"
 #include "sim/place/limbs.h"
 #include "tests/support/mannequin.h"
@@ -9,6 +10,17 @@ namespace selvedge::sim::test {
 inline const BodyLimbs& mannequin_limbs() {
     static const BodyLimbs found = find_limbs(mannequin());
     return found;
+}
+
+// The body with a head that is three times as tall, as of a figure in a cartoon. Pre: it has the mannequin's bones.
+inline Body with_large_head(Body body) {
+    const double height = height_range(body).high, neck = 0.86 * height;
+    const auto grow = [&](Vec3d& x) {
+        if (x.y() > neck) x.y() = neck + 3 * (x.y() - neck);
+    };
+    for (Vec3d& x : body.x) grow(x);
+    for (Bone& bone : body.bones) grow(bone.joint);
+    return body;
 }
 
 // Edges: 0 bottom, 1 right, 2 top, 3 left.

@@ -45,11 +45,11 @@ TEST(AnchorPanels, leaves_panels_where_they_are_on_the_body_that_they_were_made_
     EXPECT_LT((pattern.panels[1].translation - Vec3d(0, 0.9, -0.2)).norm(), 1e-12);
 }
 
-TEST(AnchorPanels, scales_levels_by_stature_and_nothing_else) {
-    Pattern pattern = tube(0.5, 0.4, 0.9, 0.2);
+TEST(AnchorPanels, moves_a_garment_up_with_the_place_of_its_top_and_nothing_else) {
+    Pattern pattern = tube(0.5, 0.4, 0.8, 0.2);
     move_panels(pattern, column(1.6), column(2.0));
     for (const Panel& panel : pattern.panels) {
-        EXPECT_NEAR(centre_height(panel), 1.1 * 2.0 / 1.6, 1e-9);
+        EXPECT_NEAR(centre_height(panel), 1.0 + 1.2 * (2.0 / 1.6 - 1), 1e-9);
         EXPECT_NEAR(panel.translation.x(), 0, 1e-9);
         EXPECT_NEAR(std::abs(panel.translation.z()), 0.2, 1e-9);
     }
@@ -77,7 +77,40 @@ TEST(AnchorPanels, moves_a_shirt_up_on_a_taller_mannequin) {
     small.measures.height = 1.60;
     Pattern pattern = tube(0.5, 0.4, 0.9, 0.2);
     move_panels(pattern, make_mannequin(small).body, make_mannequin(tall).body);
-    for (const Panel& panel : pattern.panels) EXPECT_NEAR(centre_height(panel), 1.1 * 1.8 / 1.6, 0.01);
+    for (const Panel& panel : pattern.panels) EXPECT_NEAR(centre_height(panel), 1.1 + 0.8 * 0.2, 0.01);
+}
+
+TEST(AnchorPanels, keeps_the_heights_of_joined_panels_among_themselves) {
+    Pattern pattern = tube(0.5, 0.4, 0.8, 0.2);
+    pattern.panels[1].translation.y() -= 0.1;
+    move_panels(pattern, column(1.6), column(2.0));
+    EXPECT_NEAR(centre_height(pattern.panels[0]) - centre_height(pattern.panels[1]), 0.1, 1e-9);
+}
+
+TEST(AnchorPanels, puts_a_shirt_under_a_large_head) {
+    const Body from = make_mannequin({.subdivisions = 1}).body;
+    const Body onto = with_large_head(from);
+    Pattern pattern = tube(0.5, 0.6, 0.82, 0.2);
+    const double before = centre_height(pattern.panels[0]);
+    move_panels(pattern, from, onto);
+    EXPECT_NEAR(centre_height(pattern.panels[0]), before, 0.01) << "its shoulders are as high as before";
+}
+
+TEST(AnchorPanels, puts_the_top_of_a_skirt_at_the_waist_where_that_is_lower) {
+    Body low_waist = column(1.7);
+    for (Vec3d& p : low_waist.x) {
+        if (p.y() > 0.92 && p.y() < 1.01) p.x() *= 0.7;  // from 0.54 to 0.59 of the stature
+    }
+    Body usual = column(1.7);
+    for (Vec3d& p : usual.x) {
+        if (p.y() > 1.04 && p.y() < 1.08) p.x() *= 0.7;
+    }
+    const auto waist = [](const Body& body) { return torso_heights(body, find_stature(body)).waist; };
+    ASSERT_GT(waist(usual) - waist(low_waist), 0.03);
+    Pattern pattern = tube(0.5, 0.6, waist(usual) - 0.6, 0.2);
+    const double before = centre_height(pattern.panels[0]);
+    move_panels(pattern, usual, low_waist);
+    EXPECT_NEAR(before - centre_height(pattern.panels[0]), waist(usual) - waist(low_waist), 1e-9);
 }
 
 // The bodies that a mannequin leaves when it is cut: without a head, without legs, without both.
