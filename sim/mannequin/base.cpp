@@ -106,6 +106,7 @@ MannequinBase make_mannequin_base(Sex sex, int subdivisions) {
     base.axis.high = table.joints[Joint::Head].y();
     base.axis.values = smoothed(mid_depths(base, kAxisPoints));
     base.girths = measure_girths(base.surface, base.landmarks);
+    base.lower_arm = lower_arm_girths(base.surface, table.joints);
     return base;
 }
 
@@ -194,13 +195,29 @@ Plane girth_plane(Girth girth, const Landmarks& landmarks) {
     SELVEDGE_ASSERT(false);
 }
 
+namespace {
+
+double girth_at(const Body& body, const Plane& plane) {
+    const auto loop = nearest_loop(section(body, plane), plane.point);
+    SELVEDGE_ASSERT(loop.has_value());
+    return tape_length(*loop, plane);
+}
+
+}  // namespace
+
 GirthValues measure_girths(const Body& body, const Landmarks& landmarks) {
     GirthValues girths;
-    for (std::size_t g = 0; g < kGirthCount; ++g) {
-        const Plane plane = girth_plane(static_cast<Girth>(g), landmarks);
-        const auto loop = nearest_loop(section(body, plane), plane.point);
-        SELVEDGE_ASSERT(loop.has_value());
-        girths.value[g] = tape_length(*loop, plane);
+    for (std::size_t g = 0; g < kGirthCount; ++g)
+        girths.value[g] = girth_at(body, girth_plane(static_cast<Girth>(g), landmarks));
+    return girths;
+}
+
+EvenTable lower_arm_girths(const Body& body, const Joints& joints) {
+    constexpr std::size_t kPlaces = 9;
+    EvenTable girths{.low = kForearmPosition, .high = kWristPosition, .values = std::vector<double>(kPlaces)};
+    for (std::size_t i = 0; i < kPlaces; ++i) {
+        const double position = girths.low + girths.step() * static_cast<double>(i);
+        girths.values[i] = girth_at(body, across(left_arm(joints), position));
     }
     return girths;
 }

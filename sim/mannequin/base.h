@@ -51,6 +51,9 @@ Plane girth_plane(Girth girth, const Landmarks& landmarks);
 // Girths (of the left limbs), m. Pre: every plane cuts the body.
 GirthValues measure_girths(const Body& body, const Landmarks& landmarks);
 
+// Girths across the left arm by position, from kForearmPosition to kWristPosition, m.
+EvenTable lower_arm_girths(const Body& body, const Joints& joints);
+
 // Position of the thigh's girth as a fraction of the way from hip joint to knee.
 double thigh_position(const Landmarks& landmarks);
 
@@ -68,10 +71,11 @@ struct MannequinBase {
     Body surface;        // without bones and skin
     VertexRows weights;  // one row per vertex, one column per joint
     Landmarks landmarks;
-    double armpit = 0;   // height, m
-    double height = 0;   // m
-    EvenTable axis;      // z of the trunk's centre in the midplane as a function of height, m
-    GirthValues girths;  // m
+    double armpit = 0;    // height, m
+    double height = 0;    // m
+    EvenTable axis;       // z of the trunk's centre in the midplane as a function of height, m
+    GirthValues girths;   // m
+    EvenTable lower_arm;  // see lower_arm_girths()
 };
 
 // Pre: subdivisions >= 1, because the trunk's axis needs a vertex every 2 cm.

@@ -71,6 +71,7 @@ ShapeParameters first_shape(const MannequinBase& base, const MannequinOptions& o
     shape.waist = measures.waist_height;
     shape.arm = measures.arm ? *measures.arm / arm_length(joints) : shape.stature;
     for (std::size_t g = 0; g < kGirthCount; ++g) shape.scale.value[g] = targets.value[g] / base.girths.value[g];
+    shape.has_wide_wrist = shape.scale[Girth::Wrist] > kUsualWrist * shape.scale[Girth::Forearm];
     shape.stance = wanted_stance(options);
     shape.bust_ratio = shape.scale[Girth::Bust] / shape.stature;
     shape.shoulder = measures.shoulder ? *measures.shoulder / (2 * joints[Joint::LeftUpperArm].x())

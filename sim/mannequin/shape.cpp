@@ -77,17 +77,52 @@ struct LimbShape {
     double most = 0;
 };
 
+// A wrist that is wider than that widens the lower arm as it tapers, not by the same factor: the girth that the wrist
+// gets beyond is added less, the nearer a place is to the girth of the forearm. Scaled instead, the arm would stay as
+// wide as the forearm down to the hand. `usual`: the profile with the usual wrist.
+void taper_lower_arm(const MannequinBase& base, const GirthValues& scale, const Pchip& usual,
+                     std::vector<double>& positions, std::vector<double>& values) {
+    const EvenTable& girths = base.lower_arm;
+    const auto usual_girth = [&](std::size_t i) {
+        return girths.values[i] * usual(girths.low + girths.step() * static_cast<double>(i));
+    };
+    const std::size_t last = girths.values.size() - 1;
+    const double forearm = usual_girth(0), wrist = usual_girth(last);
+    const double added = girths.values[last] * scale[Girth::Wrist] - wrist;
+    const auto wrist_at = std::ranges::find(positions, kWristPosition);
+    auto position = wrist_at;
+    auto value = values.begin() + (wrist_at - positions.begin());
+    for (std::size_t i = 1; i < last; ++i) {
+        const double share = std::clamp((forearm - usual_girth(i)) / (forearm - wrist), 0.0, 1.0);
+        const double at = girths.low + girths.step() * static_cast<double>(i);
+        position = positions.insert(position, at) + 1;
+        value = values.insert(value, (usual_girth(i) + share * added) / girths.values[i]) + 1;
+    }
+}
+
 LimbShape make_arm(const MannequinBase& base, const ShapeParameters& shape, const Joints& to) {
     const Joints& from = base.landmarks.joints;
     const GirthValues& scale = shape.scale;
     const double root = 0.5 * (shoulder_slope_scale(shape) + scale[Girth::Biceps]);
     constexpr double kMin = -0.12;
     constexpr double kMax = 2.15;
+    std::vector<double> positions{kMin, 0.18, kBicepsPosition, 1, kForearmPosition, kWristPosition, kMax};
+    std::vector<double> values{root,
+                               scale[Girth::Biceps],
+                               scale[Girth::Biceps],
+                               scale[Girth::Elbow],
+                               scale[Girth::Forearm],
+                               scale[Girth::Wrist],
+                               shape.stature};
+    const double usual_wrist = kUsualWrist * scale[Girth::Forearm];
+    if (shape.has_wide_wrist && scale[Girth::Wrist] > usual_wrist) {
+        std::vector<double> usual = values;
+        usual[5] = usual_wrist;
+        taper_lower_arm(base, scale, Pchip(positions, usual), positions, values);
+    }
     return {.bones = {make_limb_bone(Joint::LeftUpperArm, Joint::LeftLowerArm, 0, from, to),
                       make_limb_bone(Joint::LeftLowerArm, Joint::LeftHand, 1, from, to)},
-            .profile = Pchip({kMin, 0.18, kBicepsPosition, 1, kForearmPosition, kWristPosition, kMax},
-                             {root, scale[Girth::Biceps], scale[Girth::Biceps], scale[Girth::Elbow],
-                              scale[Girth::Forearm], scale[Girth::Wrist], shape.stature}),
+            .profile = Pchip(std::move(positions), std::move(values)),
             .least = kMin,
             .most = kMax};
 }

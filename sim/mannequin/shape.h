@@ -23,8 +23,13 @@ struct ShapeParameters {
     double clearance = 0.9;            // minimum shoulder width relative to the scale of the upper chest
     double stance = 0;                 // of each leg, outward from the vertical, rad
     double bust_ratio = 1;             // bust / bust of the base body scaled to this height
+    bool has_wide_wrist = false;       // wider than usual for its forearm: the lower arm tapers to it
     GirthValues scale;                 // radial scales at the levels of the girths
 };
+
+// The ratio of the wrist to the forearm, over that of the base body, up to which a profile of scales tapers the lower
+// arm as a person's: the usual proportions (sim/mannequin/measures.cpp) give 1.08 and 1.10.
+inline constexpr double kUsualWrist = 1.11;
 
 // Scale of the head: the square root of the height ratio, because tall people do not have much larger heads.
 double head_scale(const ShapeParameters& shape);

@@ -13,6 +13,7 @@
 #include "sim/paper/cut_line.h"
 #include "sim/paper/drawing_unit.h"
 #include "sim/paper/drawn_allowances.h"
+#include "sim/paper/drawn_darts.h"
 #include "sim/paper/drawn_outline.h"
 #include "sim/paper/fold_edge.h"
 #include "sim/paper/outline_place.h"
@@ -86,7 +87,12 @@ class PartReader {
  public:
     PartReader(const DrawnPart& part, const Drawing& drawing, double scale, const std::optional<double>& allowance,
                const std::string& file)
-        : part_(part), scale_(scale), down_(drawing.is_y_down ? -1 : 1), allowance_(allowance), file_(file) {}
+        : part_(part),
+          scale_(scale),
+          down_(drawing.is_y_down ? -1 : 1),
+          has_seams_(!drawing.seams.empty()),
+          allowance_(allowance),
+          file_(file) {}
 
     // None: the part has no closed outline.
     std::optional<Panel> read() {
@@ -95,6 +101,7 @@ class PartReader {
         panel_ = std::move(*panel);
         panel_.name = part_.name;
         check_outline();
+        cut_darts();
         add_marks();
         add_grain();
         add_lines();
@@ -217,6 +224,25 @@ class PartReader {
         std::snprintf(text.data(), text.size(), "the outline crosses or touches itself near (%.6g, %.6g)", at.x(),
                       at.y());
         throw InputError(file_, part_.name, text.data());
+    }
+
+    // A drawing whose seams name edges has its darts in its outlines.
+    void cut_darts() {
+        if (has_seams_ || part_.placement) return;
+        std::vector<DrawnPath> lines;
+        std::vector<std::size_t> indices;
+        for (std::size_t i = 0; i < part_.paths.size(); ++i) {
+            const LineKind kind = part_.paths[i].kind;
+            const bool may_be = kind == LineKind::Internal || kind == LineKind::Unknown || kind == LineKind::Help;
+            if (!may_be || std::ranges::find(joined_, i) != joined_.end()) continue;
+            lines.push_back(scaled(part_.paths[i], scale_));
+            indices.push_back(i);
+        }
+        const DrawnDarts darts = cut_drawn_darts(panel_, lines);
+        for (const std::size_t line : darts.lines) joined_.push_back(indices[line]);
+        if (darts.count == 0) return;
+        note((darts.count == 1 ? "a dart is" : std::to_string(darts.count) + " darts are") +
+             std::string(" drawn inside the outline: cut into it"));
     }
 
     void add_marks() {
@@ -349,6 +375,7 @@ class PartReader {
     const DrawnPart& part_;
     double scale_;
     double down_;  // -1 where y runs down in the file
+    bool has_seams_;
     std::optional<double> allowance_;
     const std::string& file_;
     Panel panel_;

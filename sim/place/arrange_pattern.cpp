@@ -23,6 +23,7 @@
 #include "sim/place/panel_flanks.h"
 #include "sim/place/panel_ring.h"
 #include "sim/place/placement.h"
+#include "sim/place/sleeve_panels.h"
 
 namespace selvedge::sim {
 namespace {
@@ -49,15 +50,17 @@ class Arranger {
 
     Arrangement run() {
         find_flanks(pattern_, sewn_, out_.roles);
-        for (std::size_t p = 0; p < out_.roles.size(); ++p) level_band(p);
+        for (std::size_t p = 0; p < out_.roles.size(); ++p) {
+            level_band(p);
+            raise_sleeve(p);
+        }
         if (!gathers_waist()) anchors_.waist = resting_height(body_, anchors_, stature_, waist_length());
         for (const auto part : {GarmentPart::Torso, GarmentPart::Leg, GarmentPart::Skirt}) {
             for (const Face face : {Face::Front, Face::Back, Face::None}) place_all(part, face);
         }
+        place_sleeves();
         for (std::size_t p = 0; p < out_.roles.size(); ++p) {
-            const GarmentPart part = out_.roles[p].part;
-            if (part == GarmentPart::Sleeve) place_sleeve(p);
-            if (part == GarmentPart::Waistband) place_round(p, "waist", band_height(p));
+            if (is_part(static_cast<int>(p), GarmentPart::Waistband)) place_round(p, "waist", band_height(p));
         }
         for (std::size_t p = 0; p < out_.roles.size(); ++p) {
             place_cuff(p);
@@ -194,7 +197,25 @@ class Arranger {
         return found == points_.end() ? nullptr : &*found;
     }
 
-    // Sleeves are wrapped round the arm, the halves of a two-piece sleeve from both sides.
+    // Under sleeves last: where they begin follows from the upper ones, whose top meets the shoulder.
+    void place_sleeves() {
+        for (const bool is_under : {false, true}) {
+            for (std::size_t p = 0; p < out_.roles.size(); ++p) {
+                const PanelRole& role = out_.roles[p];
+                if (role.part == GarmentPart::Sleeve && (role.face == Face::Back) == is_under) place_sleeve(p);
+            }
+        }
+    }
+
+    // Sleeves may be drawn along the arm: turned so that the edges that are sewn to the trunk are above.
+    void raise_sleeve(std::size_t p) {
+        if (!is_part(static_cast<int>(p), GarmentPart::Sleeve)) return;
+        const Vec2d up = towards(p, GarmentPart::Torso) + towards(p, GarmentPart::Yoke);
+        if (up.norm() > 0) turn_by_quarters(p, std::numbers::pi / 2 - std::atan2(up.y(), up.x()));
+    }
+
+    // Sleeves are wrapped round the arm, the halves of a two-piece sleeve from both sides: from outside and below, or
+    // from before and behind.
     void place_sleeve(std::size_t p) {
         if (!panel(p).is_worn || is_placed_[p]) return;
         const bool is_left = out_.roles[p].flank != Flank::Right;
@@ -205,7 +226,7 @@ class Arranger {
         ArrangementPoint point = *outside;
         constexpr double kAboveJoint = 0.02;  // m, from the shoulder's joint up to the top of a sleeve's cap
         constexpr double kTallestCap = 0.16;  // m, of a set-in sleeve: a raglan's reaches on to the neck
-        const double above = kAboveJoint + std::max(0.0, cap_height(p) - kTallestCap);
+        const double cap = cap_height(pattern_, sewn_, p), above = kAboveJoint + std::max(0.0, cap - kTallestCap);
         const double arm_length = (limb.joints[2].centre - limb.joints[0].centre).norm();
         const Vec3d shoulder = limb.joints[0].centre, elbow = limb.joints[1].centre, wrist = limb.joints[2].centre;
         if (boxes_[p].sizes().y() - above > (elbow - shoulder).norm()) {
@@ -218,34 +239,23 @@ class Arranger {
         }
         const double now = (point.position - shoulder).dot(point.upward);
         point.position += (above - boxes_[p].sizes().y() / 2 - now) * point.upward;
+        double width = boxes_[p].sizes().x();
         if (const auto half = other_half_of_sleeve(p)) {
             const Vec3d axis = point.position - point.radius * point.outward;
-            constexpr double kOpen = 1.04;  // of a full turn, so that the edges do not meet
-            const double width = boxes_[p].sizes().x() + boxes_[*half].sizes().x();
-            point.radius = std::max(point.radius, kOpen * width / (2 * std::numbers::pi));
+            width += boxes_[*half].sizes().x();
+            if (are_front_and_back(panel(p), panel(*half)))
+                point.outward = (Vec3d::UnitZ() - point.upward.z() * point.upward).normalized();
             if (out_.roles[p].face == Face::Back) point.outward = -point.outward;
             point.position = axis + point.radius * point.outward;
             if (const auto placed = sleeve_points_.find(*half); placed != sleeve_points_.end())
                 point.position += (placed->second.position - point.position).dot(point.upward) * point.upward +
-                                  level_between(p, *half) * point.upward;
+                                  level_between(pattern_, sewn_, p, *half) * point.upward;
         }
+        Tube tube{.cone = cone_of_sleeve(pattern_, sewn_, p), .width = width};
         // The cap of a raglan reaches over the shoulder to the neck: only the tube below it has room round the arm.
-        const bool is_raglan = cap_height(p) > kTallestCap;
-        wrap_clear(p, point, arm_length, cone_of_sleeve(pattern_, sewn_, p),
-                   is_raglan ? boxes_[p].max().y() - cap_height(p) : std::numeric_limits<double>::infinity());
+        if (cap > kTallestCap) tube.top = boxes_[p].max().y() - cap;
+        wrap_clear(p, point, arm_length, tube);
         is_placed_[p] = true;
-    }
-
-    // From the underarm to the top, m.
-    double cap_height(std::size_t p) const {
-        double underarm = boxes_[p].min().y();
-        for (const SewnEdge& sewn : sewn_[p]) {
-            if (as_size(sewn.panel) != p) continue;
-            const Panel& own = pattern_.panels[p];
-            const OutlineEdge& edge = own.edges[as_size(sewn.own.edge)];
-            for (const double t : {0.0, 1.0}) underarm = std::max(underarm, outline_point(own, edge, t).y());
-        }
-        return underarm > boxes_[p].min().y() ? boxes_[p].max().y() - underarm : 0;
     }
 
     // The other panel of a sleeve of two panels.
@@ -255,19 +265,6 @@ class Arranger {
             if (is_part(sewn.panel, GarmentPart::Sleeve)) return as_size(sewn.panel);
         }
         return std::nullopt;
-    }
-
-    // How much higher the middle of panel p lies than that of `other` when the seams between both are level, m.
-    double level_between(std::size_t p, std::size_t other) const {
-        double sum = 0;
-        int count = 0;
-        for (const SewnEdge& sewn : sewn_[p]) {
-            if (as_size(sewn.panel) != other) continue;
-            sum += (middle_of(sewn.other).y() - boxes_[other].center().y()) -
-                   (middle_of(sewn.own).y() - boxes_[p].center().y());
-            ++count;
-        }
-        return count > 0 ? sum / count : 0;
     }
 
     // ---- Bands.
@@ -293,9 +290,12 @@ class Arranger {
         // Outlines run counter-clockwise: a lower edge to the right, an upper one to the left.
         const bool is_above = is_part(longest->panel, Skirt) || is_part(longest->panel, Leg);
         const bool is_lower_edge = part == Waistband ? is_above : part != Cuff;
-        const double right_angle = std::numbers::pi / 2;
-        const double turn = (is_lower_edge ? 0 : std::numbers::pi) - std::atan2(along.y(), along.x());
-        const double quarter = std::round(turn / right_angle);
+        turn_by_quarters(p, (is_lower_edge ? 0 : std::numbers::pi) - std::atan2(along.y(), along.x()));
+    }
+
+    // Turns the panel by the multiple of a right angle that is nearest to the angle, rad.
+    void turn_by_quarters(std::size_t p, double angle) {
+        const double right_angle = std::numbers::pi / 2, quarter = std::round(angle / right_angle);
         if (std::fmod(quarter, 4) == 0) return;
         panel(p) = mapped_panel(panel(p), Eigen::Affine2d(Eigen::Rotation2Dd(quarter * right_angle)));
         boxes_[p] = outline_box(panel(p), 1e-3);
@@ -339,7 +339,7 @@ class Arranger {
                 point.outward = (point.outward - point.outward.dot(point.upward) * point.upward).normalized();
                 point.position = wrist + height / 2 * point.upward + kWrist * point.outward;
             }
-            wrap_clear(p, facing_partners(p, point), 4 * kBelow);
+            wrap_clear(p, facing_partners(p, point), 4 * kBelow, {.width = boxes_[p].sizes().x()});
             is_placed_[p] = true;
             return;
         }
@@ -417,10 +417,7 @@ class Arranger {
     }
 
     void place_hood_strip(std::size_t p, const Limb& head) {
-        if (boxes_[p].sizes().y() > boxes_[p].sizes().x()) {
-            panel(p) = mapped_panel(panel(p), Eigen::Affine2d(Eigen::Rotation2Dd(std::numbers::pi / 2)));
-            boxes_[p] = outline_box(panel(p), 1e-3);
-        }
+        if (boxes_[p].sizes().y() > boxes_[p].sizes().x()) turn_by_quarters(p, std::numbers::pi / 2);
         // Which side of the hood the lower edge belongs to.
         double left = 0;
         for (const SewnEdge& sewn : sewn_[p]) {
@@ -433,26 +430,22 @@ class Arranger {
         is_placed_[p] = true;
     }
 
-    // The part of a panel below that y, m, where the panel is placed; its edges are straight there.
-    Panel up_to(std::size_t p, double top) const {
-        Panel part = pattern_.panels[p];
-        if (top >= boxes_[p].max().y()) return part;
-        for (Vec2d& v : part.vertices) v.y() = std::min(v.y(), top);
-        for (OutlineEdge& edge : part.edges) edge.kind = CurveKind::Line;
-        return part;
-    }
+    struct Tube {
+        std::optional<WrapCone> cone = {};
+        double top = std::numeric_limits<double>::infinity();  // y of the panel, m, above which it need not be clear
+        double width = 0;                                      // m, of all panels round it
+    };
 
     // Wraps a tube round an arm. Where it meets shoulder, chest or arm it slides towards the hand, and stands open
     // wider, until it is clear.
-    // top: y of the panel, m, above which it need not be clear.
-    void wrap_clear(std::size_t p, const ArrangementPoint& at, double arm_length,
-                    const std::optional<WrapCone>& cone = {}, double top = std::numeric_limits<double>::infinity()) {
+    void wrap_clear(std::size_t p, const ArrangementPoint& at, double arm_length, const Tube& tube) {
+        const std::optional<WrapCone>& cone = tube.cone;
         constexpr double kStep = 0.01, kMost = 0.45;       // m; of the arm's length
         constexpr std::array kOpen{1.04, 1.15, 1.3, 1.5};  // of a full turn, so that the edges do not meet
         const double least = at.radius;
         const auto wrap = [&](double open, double slid) {
             ArrangementPoint point = at;
-            point.radius = std::max(least, open * boxes_[p].sizes().x() / (2 * std::numbers::pi));
+            point.radius = std::max(least, open * tube.width / (2 * std::numbers::pi));
             point.position += (point.radius - least) * point.outward - slid * point.upward;
             sleeve_points_[p] = point;
             if (cone)
@@ -466,7 +459,7 @@ class Arranger {
         for (const double open : kOpen) {
             for (double slid = 0; slid <= kMost * arm_length; slid += kStep) {
                 wrap(open, slid);
-                const float clearance = clearance_of(up_to(p, top), collider());
+                const float clearance = clearance_of(part_below(panel(p), tube.top), collider());
                 if (clearance > kArrangedClear) return;
                 if (clearance > best) best = clearance, best_open = open, best_slid = slid;
             }

@@ -103,4 +103,12 @@ std::optional<WrapCone> cone_of_sleeve(const Pattern& pattern, const SewnEdges& 
     return tapering_cone(pattern.panels[p], left, right);
 }
 
+Panel part_below(const Panel& panel, double top) {
+    Panel part = panel;
+    if (top >= outline_box(panel, 1e-3).max().y()) return part;
+    for (Vec2d& v : part.vertices) v.y() = std::min(v.y(), top);
+    for (OutlineEdge& edge : part.edges) edge.kind = CurveKind::Line;
+    return part;
+}
+
 }  // namespace selvedge::sim

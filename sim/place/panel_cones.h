@@ -32,4 +32,7 @@ std::optional<WrapCone> tapering_cone(const Panel& panel, const std::vector<int>
 // That of a sleeve, by the seam that closes it; none: no seam of its own does.
 std::optional<WrapCone> cone_of_sleeve(const Pattern& pattern, const SewnEdges& sewn, std::size_t p);
 
+// The part of a panel below that y, m, where the panel is placed; its edges are straight there.
+Panel part_below(const Panel& panel, double top);
+
 }  // namespace selvedge::sim

@@ -70,6 +70,8 @@ void find_flanks(const Pattern& pattern, const SewnEdges& sewn, std::vector<Pane
     for (std::size_t p = 0; p < roles.size(); ++p) {
         PanelRole& role = roles[p];
         if (role.flank != Flank::None || !is_half(pattern, roles, p) || role.face == Face::None) continue;
+        // Neither half of a sleeve has an edge in the middle of the body.
+        if (role.part == GarmentPart::Sleeve || role.part == GarmentPart::Cuff) continue;
         const double side = middle_side(pattern, sewn, roles, p);
         if (side == 0) continue;
         // Seen from outside, a front's right is the wearer's left.

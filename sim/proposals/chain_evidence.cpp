@@ -11,6 +11,7 @@
 #include "sim/core/math.h"
 #include "sim/pattern/outline.h"
 #include "sim/proposals/chain_shape.h"
+#include "sim/proposals/outline_neighbours.h"
 #include "sim/proposals/twin_evidence.h"
 
 namespace selvedge::sim {
@@ -60,19 +61,6 @@ void weigh_shape(Evidence& evidence, const std::vector<Vec2d>& a, std::vector<Ve
     add(evidence, least < 0.06 ? -0.7 : -2);
 }
 
-// Whether neither neighbour in its panel is curved, as the hem of a sleeve lies between its two straight seams.
-bool is_sleeve_hem(const OpenBoundary& boundary, const ChainView& view) {
-    constexpr double kCurved = 0.012;
-    const EdgeSpan& first = boundary.atom(view.chain.atoms.front()).span;
-    const EdgeSpan& last = boundary.atom(view.chain.atoms.back()).span;
-    const Panel& panel = boundary.pattern().panels[as_size(first.panel)];
-    const std::size_t count = panel.edges.size();
-    const auto is_curved = [&](std::size_t edge) {
-        return std::abs(bulge(outline_polyline(panel, panel.edges[edge], 1e-3))) > kCurved;
-    };
-    return !is_curved((as_size(first.edge) + count - 1) % count) && !is_curved((as_size(last.edge) + 1) % count);
-}
-
 // Two hems are not sewn to each other, nor two waists, nor two armholes or necklines.
 void weigh_facing(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b,
                   const PanelRole& role_a, const PanelRole& role_b) {
@@ -91,7 +79,11 @@ void weigh_facing(Evidence& evidence, const OpenBoundary& boundary, const ChainV
     const bool are_levels = part_a != part_b && is_one_of(part_a, {Waistband, Torso, Leg, Skirt}) &&
                             is_one_of(part_b, {Waistband, Torso, Leg, Skirt});
     if (are_levels && (hangs_wrong(part_a, up_a) || hangs_wrong(part_b, up_b))) return add(evidence, -6);
-    if (up_a < -kLevel && up_b < -kLevel) return add(evidence, -5);
+    // Hems may be cut in teeth.
+    constexpr double kTooth = 0.6;
+    const bool are_faces = part_a == Torso && part_b == Torso && role_a.face != role_b.face;
+    const double low = are_faces ? -kTooth : -kLevel;
+    if (up_a < low && up_b < low) return add(evidence, -5);
     if (std::min(up_a, up_b) < -kLevel && std::max(up_a, up_b) > kLevel) {
         // What hangs from a panel is of its face; a front's hem is not sewn to a back's top.
         const bool are_opposite = role_a.face != role_b.face && role_a.face != Face::None && role_b.face != Face::None;
@@ -486,9 +478,13 @@ void weigh_heights(Evidence& evidence, const OpenBoundary& boundary, const Chain
     constexpr double kAlike = 0.7;      // correlation of heights that speaks neither for nor against it
     constexpr double kWorth = 3;        // odds per correlation
     constexpr double kUpsideDown = -2;  // odds
+    constexpr double kOpposite = -0.3;  // correlation, of two panels that lie on the paper as they are worn
     std::vector<double> other = heights_along(boundary, b);
     std::ranges::reverse(other);
     const double alike = correlation(heights_along(boundary, a), other);
+    const bool are_loops = a.chain.is_loop && b.chain.is_loop;
+    // The halves of a sleeve that is open below may be drawn along the arm, where their heights say nothing.
+    if (!are_loops && alike > kOpposite && alike < kAlike) return;
     add(evidence, std::max(kUpsideDown, kWorth * (alike - kAlike)));
 }
 
@@ -542,6 +538,10 @@ void weigh_place(Evidence& evidence, const OpenBoundary& boundary, const std::ve
         evidence.is_possible = false;
         return;
     }
+    if (sides.are_single() && leaves_no_armhole(boundary, facts, sides.a, sides.b)) {
+        evidence.is_possible = false;
+        return;
+    }
     constexpr double kOneWithItself = -4;  // odds: a seam over several panels that has one panel on both sides
     constexpr double kSideAndSleeve = 2;   // odds: the side is sewn in one with the sleeve that is in it
     const Shared shared = shared_panels(sides.panels_a, sides.panels_b, facts);
@@ -586,10 +586,11 @@ void weigh_looks(Evidence& evidence, const OpenBoundary& boundary, const std::ve
         const double armhole = straightness(a.role.part == Torso ? sides.points_a : sides.points_b);
         if (cap < kRound && armhole > kStraight) add(evidence, kNoArmhole);
     }
-    if (are_parts(a.role.part, b.role.part, Torso, Sleeve) && are_loops) {
+    if (are_parts(a.role.part, b.role.part, Torso, Sleeve)) {
         constexpr double kRings = 1;  // odds: an armhole and a cap that are rings
-        add(evidence, kRings);
-        weigh_heights(evidence, boundary, sides.a, sides.b);
+        if (are_loops) add(evidence, kRings);
+        const bool is_of_halves = !is_single(a.role.part == Sleeve ? sides.panels_a : sides.panels_b);
+        if (are_loops || is_of_halves) weigh_heights(evidence, boundary, sides.a, sides.b);
     }
 }
 
@@ -636,6 +637,8 @@ Evidence weigh(const OpenBoundary& boundary, const std::vector<PanelFacts>& fact
     weigh_looks(evidence, boundary, facts, sides);
     weigh_ends(evidence, boundary, first, second);
     weigh_joints(evidence, boundary, first, second);
+    if (are_parts(a.role.part, b.role.part, GarmentPart::Torso, GarmentPart::Sleeve))
+        weigh_going_on(evidence, boundary, first, second);
     const bool are_faces = a.role.face != Face::None && b.role.face != Face::None && a.role.face != b.role.face;
     weigh_notches(evidence, boundary, first, second, sides.are_single() && are_faces);
     return evidence;

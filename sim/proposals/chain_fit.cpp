@@ -43,6 +43,15 @@ std::vector<ChainNotch> notches_on(const OpenBoundary& boundary, const ChainView
     return found;
 }
 
+// Whether another seam begins at this fraction of the chain: a corner of the panels that it joins.
+bool is_at_seam(const OpenBoundary& boundary, const Chain& chain, double at) {
+    const std::vector<double> starts = boundary.starts(chain);
+    for (std::size_t k = 0; k + 1 < chain.atoms.size(); ++k) {
+        if (std::abs(starts[k + 1] - at) < 1e-9 && boundary.next(chain.atoms[k]).seams > 0) return true;
+    }
+    return false;
+}
+
 // How many ends of the seam lie within the chain: at a notch, or where the outline turns a little.
 struct InnerEnds {
     int at_notch = 0;
@@ -52,7 +61,7 @@ InnerEnds inner_ends(const OpenBoundary& boundary, const ChainView& view) {
     InnerEnds ends;
     const std::vector<double> starts = boundary.starts(view.chain);
     for (const double end : {view.from, view.to}) {
-        if (end <= 0 || end >= 1) continue;
+        if (end <= 0 || end >= 1 || is_at_seam(boundary, view.chain, end)) continue;
         const bool is_notched = std::ranges::any_of(notches_of(boundary, view.chain), [&](const AtomNotch& notch) {
             const double share = boundary.atom(view.chain.atoms[notch.atom]).length / view.chain.length;
             constexpr double kBeside = 0.003;  // m
@@ -166,6 +175,16 @@ void weigh_ends(Evidence& evidence, const OpenBoundary& boundary, const ChainVie
     const bool has_end = a.to == 1 && b.from == 0 && boundary.next(a.chain.atoms.back()).atom != b.chain.atoms[0];
     if (has_start) add(evidence, of(a.chain.angle_before + b.chain.angle_after));
     if (has_end) add(evidence, of(a.chain.angle_after + b.chain.angle_before));
+}
+
+void weigh_going_on(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b) {
+    constexpr double kGoesOn = 1;  // odds
+    if (a.chain.is_loop || b.chain.is_loop) return;
+    const auto meet = [&](const ChainView& before, const ChainView& after) {
+        const OpenBoundary::Step step = boundary.next(before.chain.atoms.back());
+        return before.to == 1 && after.from == 0 && step.seams > 0 && step.atom == after.chain.atoms.front();
+    };
+    if (meet(a, b) || meet(b, a)) add(evidence, kGoesOn, "goes on from another seam");
 }
 
 void weigh_joints(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b) {

@@ -44,6 +44,9 @@ void weigh_notches(Evidence& evidence, const OpenBoundary& boundary, const Chain
 // Across a seam, the outline goes on without a corner.
 void weigh_ends(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b);
 
+// A seam that ends where both chains begin goes on along them, as that of a raglan sleeve from the front to the back.
+void weigh_going_on(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b);
+
 // Seams that end at the same place of both chains: a side seam under the middle of a sleeve's.
 void weigh_joints(Evidence& evidence, const OpenBoundary& boundary, const ChainView& a, const ChainView& b);
 

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "sim/core/math.h"
 #include "sim/pattern/edge_shape.h"
@@ -47,9 +48,13 @@ bool begins_to_curve(const OpenBoundary& boundary, int atom, int next) {
     return less < kStraight && more > kCurved;
 }
 
+// Whether a seam may also end where another one begins within a chain.
+enum class SeamEnds { AtCorners, AlsoAtSeams };
+
 // Places on a chain at which a seam may begin or end: where the outline turns a little, as from the back seam of an
 // upper sleeve to its cap, or a torso's begins to curve; and notches of strips, as on a waistband with an overlap.
-std::vector<double> stops_of(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const Chain& chain) {
+std::vector<double> stops_of(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const Chain& chain,
+                             SeamEnds ends) {
     constexpr double kTurn = 8 * std::numbers::pi / 180;  // rad
     constexpr std::size_t kMostTurns = 6;
     std::vector<double> stops{0, 1};
@@ -58,7 +63,14 @@ std::vector<double> stops_of(const OpenBoundary& boundary, const std::vector<Pan
     const GarmentPart part = facts[as_size(boundary.atom(chain.atoms[0]).span.panel)].role.part;
     for (std::size_t k = 0; k + 1 < chain.atoms.size() && stops.size() < 2 + kMostTurns; ++k) {
         const OpenBoundary::Step step = boundary.next(chain.atoms[k]);
-        if (step.seams > 0) continue;
+        if (step.seams > 0) {
+            // Where the side begins, a sleeve may have a corner that the armhole has not.
+            const auto panel = [&](int atom) { return boundary.atom(atom).span.panel; };
+            const bool leaves_panel = panel(chain.atoms[k]) != panel(chain.atoms[k + 1]);
+            if (ends == SeamEnds::AlsoAtSeams && part == GarmentPart::Torso && leaves_panel)
+                stops.push_back(shares[k + 1]);
+            continue;
+        }
         const bool turns = std::abs(step.angle - std::numbers::pi) > kTurn;
         const bool curves = part == GarmentPart::Torso && begins_to_curve(boundary, chain.atoms[k], chain.atoms[k + 1]);
         if (turns || curves) stops.push_back(shares[k + 1]);
@@ -81,8 +93,8 @@ std::vector<double> stops_of(const OpenBoundary& boundary, const std::vector<Pan
 }
 
 // All ways in which a chain can be one side of a seam: a loop from each of its joints on, a strip also in part.
-std::vector<ChainView> views_of(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts,
-                                const Chain& chain) {
+std::vector<ChainView> views_of(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const Chain& chain,
+                                SeamEnds ends) {
     std::vector<ChainView> views;
     if (chain.is_loop) {
         for (std::size_t i = 0; i < chain.atoms.size(); ++i) views.push_back({chain, static_cast<int>(i), 0, 1});
@@ -92,7 +104,7 @@ std::vector<ChainView> views_of(const OpenBoundary& boundary, const std::vector<
     constexpr double kLeastShoulder = 0.04;  // m: a wide neckline may go on from a short shoulder without a corner
     const bool is_torso = facts[as_size(boundary.atom(chain.atoms[0]).span.panel)].role.part == GarmentPart::Torso;
     const double least = is_torso ? std::min(kLeastPart, kLeastShoulder / chain.length) : kLeastPart;
-    const std::vector<double> stops = stops_of(boundary, facts, chain);
+    const std::vector<double> stops = stops_of(boundary, facts, chain, ends);
     for (std::size_t i = 0; i < stops.size(); ++i) {
         for (std::size_t j = i + 1; j < stops.size(); ++j) {
             if (stops[j] - stops[i] > least) views.push_back({chain, 0, stops[i], stops[j]});
@@ -111,6 +123,8 @@ class Search {
         for (int i = 0; i < kMostSeams; ++i) {
             std::vector<Candidate> candidates = compare_all();
             if (candidates.empty() || confidence_of(candidates[0].evidence.odds) < options_.accepted) {
+                // Whole chains first: what they leave may be sewn in part.
+                if (std::exchange(ends_, SeamEnds::AlsoAtSeams) == SeamEnds::AtCorners) continue;
                 add_unaccepted(candidates);
                 break;
             }
@@ -134,7 +148,7 @@ class Search {
     std::vector<Candidate> compare_all() const {
         const std::vector<Chain> chains = boundary_.chains(kCorner);
         std::vector<std::vector<ChainView>> views;
-        for (const Chain& chain : chains) views.push_back(views_of(boundary_, facts_, chain));
+        for (const Chain& chain : chains) views.push_back(views_of(boundary_, facts_, chain, ends_));
         std::vector<Candidate> candidates;
         for (std::size_t i = 0; i < chains.size(); ++i) {
             if (auto best = best_within(views[i])) candidates.push_back(std::move(*best));
@@ -336,6 +350,7 @@ class Search {
     OpenBoundary boundary_;
     std::vector<PanelFacts> facts_;
     ProposalOptions options_;
+    SeamEnds ends_ = SeamEnds::AtCorners;
     std::vector<SeamProposal> out_;
 };
 

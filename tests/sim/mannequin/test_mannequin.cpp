@@ -50,6 +50,20 @@ MannequinMeasures random_measures(std::mt19937& random) {
     return measures;
 }
 
+// Of a wrist of 16.5 cm, 5 cm above it: a person has 19 cm; the arm of the base body, scaled, had 21.4.
+TEST(Mannequin, with_a_wide_wrist_has_a_lower_arm_that_tapers_to_it) {
+    const Mannequin mannequin =
+        make_mannequin({.measures = {.height = 1.66, .arm = 0.59, .bust = 0.925, .biceps = 0.27, .wrist = 0.165}});
+    expect_as_asked(mannequin);
+    Joints joints;
+    for (std::size_t j = 0; j < kJointCount; ++j) joints.x[j] = mannequin.body.bones[j].joint;
+    const EvenTable girths = lower_arm_girths(mannequin.body, joints);
+    const double length = (joints[Joint::LeftHand] - joints[Joint::LeftLowerArm]).norm();
+    EXPECT_NEAR(girths.at(kWristPosition), 0.165, 0.001);
+    EXPECT_LT(girths.at(kWristPosition - 0.05 / length), 0.205);
+    for (std::size_t i = 1; i < girths.values.size(); ++i) EXPECT_LT(girths.values[i], girths.values[i - 1]);
+}
+
 TEST(Mannequin, is_closed_manifold_and_faces_outward) {
     for (const Sex sex : {Sex::Female, Sex::Male}) {
         const Mannequin mannequin = make_mannequin({.sex = sex});

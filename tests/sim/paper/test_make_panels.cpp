@@ -54,6 +54,48 @@ TEST(MakePanels, take_the_allowance_off_where_only_the_cut_line_is_drawn) {
     EXPECT_FALSE(whole.notes.empty());
 }
 
+DrawnPath open_line(LineKind kind, std::vector<Vec2d> vertices) {
+    DrawnPath path{.kind = kind, .vertices = std::move(vertices), .edges = {}};
+    for (int i = 0; i + 1 < static_cast<int>(path.vertices.size()); ++i)
+        path.edges.push_back({.start = i, .end = i + 1});
+    return path;
+}
+
+TEST(MakePanels, cut_a_dart_that_is_drawn_inside_into_the_outline) {
+    const DrawnPath outline = rectangle(LineKind::Sew, {0, 0}, {300, 400});
+    const Vec2d below(300, 180), tip(160, 200), above(300, 220);
+    const std::vector<std::vector<DrawnPath>> drawings{
+        {open_line(LineKind::Internal, {below, tip, above})},
+        {open_line(LineKind::Help, {above, tip, below})},
+        {open_line(LineKind::Internal, {below, tip}), open_line(LineKind::Internal, {tip, above})}};
+    for (const std::vector<DrawnPath>& dart : drawings) {
+        DrawnPart part{.name = "front", .paths = dart};
+        part.paths.push_back(outline);
+        const PanelsOfDrawing made = make_panels(one_part(part), "");
+        const Panel& panel = made.pattern.panels[0];
+        EXPECT_EQ(panel.edges.size(), 7U);
+        EXPECT_TRUE(panel.internal_lines.empty());
+        EXPECT_NEAR(outline_area(panel), 0.3 * 0.4 - 0.04 * 0.14 / 2, 1e-9);
+        EXPECT_EQ(made.notes, std::vector<std::string>{"front: a dart is drawn inside the outline: cut into it"});
+    }
+}
+
+TEST(MakePanels, leave_lines_that_are_no_dart) {
+    const std::vector<std::vector<Vec2d>> lines{{{300, 180}, {160, 200}, {300, 260}},  // legs of two lengths
+                                                {{300, 50}, {200, 200}, {300, 350}},   // too wide
+                                                {{290, 180}, {160, 200}, {290, 220}},  // ends inside
+                                                {{300, 190}, {285, 200}, {300, 210}},  // a notch
+                                                {{300, 200}, {150, 398}, {0, 200}}};   // its mouth is the other side
+    for (const std::vector<Vec2d>& line : lines) {
+        const DrawnPart part{
+            .name = "front",
+            .paths = {rectangle(LineKind::Sew, {0, 0}, {300, 400}), open_line(LineKind::Internal, line)}};
+        const PanelsOfDrawing made = make_panels(one_part(part), "");
+        EXPECT_EQ(made.pattern.panels[0].edges.size(), 4U);
+        EXPECT_EQ(made.pattern.panels[0].internal_lines.size(), 1U);
+    }
+}
+
 TEST(MakePanels, guess_a_unit_from_the_size_and_say_so) {
     Drawing drawing = one_part({.name = "a", .paths = {rectangle(LineKind::Unknown, {0, 0}, {20, 28})}});
     drawing.metres_per_unit.reset();

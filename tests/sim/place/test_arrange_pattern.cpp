@@ -103,6 +103,74 @@ TEST(ArrangePattern, wraps_each_sleeve_round_the_arm_of_its_armhole) {
     EXPECT_EQ(pattern.panels[2].label, "arm");
 }
 
+TEST(ArrangePattern, turns_a_sleeve_that_is_drawn_along_the_arm_with_its_cap_up) {
+    Pattern pattern = shirt();
+    pattern.panels[2] = unplaced_rectangle("sleeve", 0.2, 0.4);
+    pattern.panels[3] = unplaced_rectangle("sleeve_mirrored", 0.2, 0.4);
+    pattern.panels[3].mirror_of = "sleeve";
+    pattern.seams[2].second.edge = 1;  // the right side
+    pattern.seams[3].second.edge = 3;  // the left side
+    arrange_pattern(pattern, mannequin());
+    for (const std::size_t p : {2U, 3U}) {
+        const Panel& sleeve = pattern.panels[p];
+        const auto cap = static_cast<std::size_t>(pattern.seams[p].second.edge), hem = (cap + 2) % 4;
+        const auto middle = [&](std::size_t edge) {
+            return sleeve.place(outline_point(sleeve, sleeve.edges[edge], 0.5));
+        };
+        EXPECT_GT(middle(cap).y(), middle(hem).y() + 0.08);
+        EXPECT_LT(std::abs(middle(cap).x()), std::abs(middle(hem).x()));
+        EXPECT_GE(sleeve.wrap_radius, 0.4 / 6.3);
+    }
+}
+
+// Halves that meet over the shoulder: hem 0, top seam and underarm, cap 2.
+TEST(ArrangePattern, stands_the_front_and_the_back_of_a_sleeve_before_and_behind_the_arm) {
+    Pattern pattern = shirt();
+    const auto image = [](const Panel& panel) {
+        Panel mirrored = mapped_panel(panel, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
+        mirrored.mirror_of = panel.name;
+        mirrored.name += "_mirrored";
+        return mirrored;
+    };
+    const Panel front = polygon("sleeve_front", {{0, 0}, {0.19, 0}, {0.19, 0.25}, {0, 0.12}});
+    const Panel back = polygon("sleeve_back", {{0, 0}, {0.19, 0}, {0.19, 0.12}, {0, 0.25}});
+    pattern.panels.resize(2);
+    for (const Panel& panel : {front, back, image(front), image(back)}) pattern.panels.push_back(panel);
+    constexpr int kFront = 2, kBack = 3, kOther = 4, kOtherBack = 5;
+    pattern.seams.resize(2);
+    pattern.seams.insert(pattern.seams.end(), {{{kFront, 1}, {kBack, 3}}, {{kFront, 3}, {kBack, 1}}});
+    pattern.seams.insert(pattern.seams.end(), {{{kOther, 3}, {kOtherBack, 1}}, {{kOther, 1}, {kOtherBack, 3}}});
+    pattern.seams.insert(pattern.seams.end(), {{{0, 2}, {kFront, 2}}, {{1, 4}, {kBack, 2}}});
+    pattern.seams.insert(pattern.seams.end(), {{{0, 4}, {kOther, 2}}, {{1, 2}, {kOtherBack, 2}}});
+    const Arrangement arrangement = arrange_pattern(pattern, mannequin());
+    for (const int p : {kFront, kOther}) {
+        const auto half = static_cast<std::size_t>(p), behind = half + 1;
+        EXPECT_GT(middle_of(pattern.panels[half]).z(), middle_of(pattern.panels[behind]).z() + 0.08);
+        EXPECT_EQ(arrangement.roles[half].flank, p == kFront ? Flank::Left : Flank::Right);
+        EXPECT_EQ(arrangement.roles[behind].flank, arrangement.roles[half].flank);
+    }
+}
+
+TEST(ArrangePattern, puts_an_upper_sleeve_to_the_shoulder_whichever_half_comes_first) {
+    const auto place = [](bool is_upper_first) {
+        Pattern pattern = shirt();
+        // Hem 0, seam 1, cap 2 and 3, seam 4; hem 0, seam 1, cap 2, seam 3.
+        const Panel upper = polygon("topsleeve", {{0, 0}, {0.2, 0}, {0.2, 0.4}, {0.1, 0.5}, {0, 0.4}});
+        const Panel under = polygon("undersleeve", {{0, 0}, {0.14, 0}, {0.14, 0.4}, {0, 0.4}});
+        pattern.panels.resize(2);
+        const int first = is_upper_first ? 2 : 3, second = is_upper_first ? 3 : 2;
+        pattern.panels.push_back(is_upper_first ? upper : under);
+        pattern.panels.push_back(is_upper_first ? under : upper);
+        pattern.seams.resize(2);
+        pattern.seams.insert(pattern.seams.end(), {{{first, 1}, {second, 3}}, {{first, 4}, {second, 1}}});
+        pattern.seams.insert(pattern.seams.end(), {{{0, 2}, {first, 2}}, {{1, 4}, {second, 2}}});
+        for (Panel& panel : pattern.panels) panel.mirror_of.clear();
+        arrange_pattern(pattern, mannequin());
+        return pattern.panels[static_cast<std::size_t>(first)].translation;
+    };
+    EXPECT_LT((place(true) - place(false)).norm(), 1e-9);
+}
+
 // A half disc with a hollow waist, drawn with the waist up.
 Panel half_disc_skirt(double waist_radius, double hem_radius) {
     Panel skirt;

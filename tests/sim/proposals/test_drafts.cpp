@@ -413,5 +413,62 @@ TEST(Drafts, may_have_other_notches_on_the_back_than_on_the_front) {
     EXPECT_GT(confidence(), without);
 }
 
+// The raglan lines of front and back go on under the arm without a corner, where those of the sleeve have one.
+TEST(Drafts, of_raglans_have_both_sides_of_a_sleeve_sewn_though_it_has_a_corner_under_the_arm) {
+    // Hem 0, side 1, underarm 2, raglan line 3, neck 4, raglan line 5, underarm 6, side 7.
+    const auto body = [](const char* name, double neck) {
+        Panel panel = polygon(name, {{-0.25, 0},
+                                     {0.25, 0},
+                                     {0.25, 0.25},
+                                     {0.22, 0.265},
+                                     {0.07, neck},
+                                     {-0.07, neck},
+                                     {-0.22, 0.265},
+                                     {-0.25, 0.25}});
+        for (const auto& [edge, control] : {std::pair<std::size_t, Vec2d>(2, {0.235, 0.25}), {6, {-0.235, 0.25}}}) {
+            panel.edges[edge].kind = CurveKind::Quadratic;
+            panel.edges[edge].control[0] = control;
+        }
+        return panel;
+    };
+    Pattern pattern;
+    pattern.panels = {
+        body("front", 0.47), body("back", 0.49),
+        polygon("sleeve", {{-0.1, 0}, {0.1, 0}, {0.175, 0.5}, {0.03, 0.768}, {-0.03, 0.75}, {-0.175, 0.5}})};
+    // Notches in the middle of the straight lines, and as far from the underarm of the sleeve.
+    for (const std::size_t p : {0U, 1U}) pattern.panels[p].notches = {{.edge = 3, .t = 0.5}, {.edge = 5, .t = 0.5}};
+    pattern.panels[2].notches = {{.edge = 2, .t = 0.557}, {.edge = 4, .t = 0.441}};
+    pattern.panels.push_back(mirror_image(pattern.panels[2]));
+    const Pairs pairs = sewn(pattern);
+    for (const char* sleeve : {"sleeve", "sleeve_mirrored"}) {
+        EXPECT_TRUE(are_panels_sewn(pairs, "front", sleeve)) << sleeve;
+        EXPECT_TRUE(are_panels_sewn(pairs, "back", sleeve)) << sleeve;
+    }
+}
+
+// Its sides stay open, and its hems are cut in teeth.
+TEST(Drafts, of_a_tabard_have_its_shoulders_sewn_and_neither_its_sides_nor_its_hems) {
+    // Teeth 0 to 3, side 4, shoulder 5, neck 6, shoulder 7, side 8.
+    const auto half = [](const char* name) {
+        Panel panel = polygon(name, {{-0.2, 0.12},
+                                     {-0.1, 0},
+                                     {0, 0.12},
+                                     {0.1, 0},
+                                     {0.2, 0.12},
+                                     {0.2, 0.8},
+                                     {0.12, 0.83},
+                                     {-0.12, 0.83},
+                                     {-0.2, 0.8}});
+        bend(panel, 6, -0.05);
+        return panel;
+    };
+    Pattern pattern;
+    pattern.panels = {half("front"), half("back")};
+    const Pairs pairs = sewn(pattern);
+    EXPECT_TRUE(are_sewn(pairs, {"front", 5}, {"back", 7}));
+    EXPECT_TRUE(are_sewn(pairs, {"front", 7}, {"back", 5}));
+    EXPECT_EQ(pairs.size(), 2U);
+}
+
 }  // namespace
 }  // namespace selvedge::sim

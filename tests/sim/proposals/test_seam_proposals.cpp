@@ -126,6 +126,46 @@ TEST(SeamProposals, divide_a_seam_with_ease_evenly_whatever_edges_its_sides_have
     EXPECT_GE(between, 8);
 }
 
+// As they come from a PDF: one sleeve is drawn, cut twice, and its curves are many pieces.
+TEST(SeamProposals, close_a_sleeve_of_two_halves_below_and_put_its_top_to_the_shoulder) {
+    const Pattern whole = load_pattern(shipped("tshirt")).pattern;
+    const auto named = [&](const char* name) { return *std::ranges::find(whole.panels, name, &Panel::name); };
+    Pattern pattern = whole;
+    pattern.seams.clear();
+    pattern.panels = {named("back"), named("left_sleeve_back"), named("left_sleeve_front"), named("front")};
+    constexpr std::size_t kBack = 1, kFront = 2, kTorso = 3;
+    for (const auto& [p, edge] : {std::pair(kBack, 0), std::pair(kFront, 3), std::pair(kTorso, 2)}) {
+        for (const double t : {0.8, 0.6, 0.4, 0.2}) split_edge(pattern.panels[p], edge, t);
+    }
+    for (const std::size_t p : {kBack, kFront}) {
+        Panel& panel = pattern.panels[p];
+        panel.name = panel.name.substr(5);
+        Panel image = mapped_panel(panel, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
+        image.mirror_of = panel.name;
+        image.name += "_mirrored";
+        pattern.panels.push_back(std::move(image));
+    }
+    int between_halves = 0;
+    std::vector<std::pair<double, double>> heights;  // of the front's armhole and the sleeve
+    const auto height = [&](const EdgeSpan& span) {
+        const Panel& panel = pattern.panels[static_cast<std::size_t>(span.panel)];
+        return outline_point(panel, panel.edges[static_cast<std::size_t>(span.edge)], (span.from + span.to) / 2).y();
+    };
+    for (const SeamProposal& proposal : propose_seams(pattern, {.least_confidence = 0.5})) {
+        const auto is = [&](const EdgeSpan& span, std::size_t p) { return span.panel == static_cast<int>(p); };
+        const auto& [one, other] = proposal.parts.front();
+        between_halves += (is(one, kBack) && is(other, kFront)) || (is(one, kFront) && is(other, kBack)) ? 1 : 0;
+        for (const auto& [first, second] : proposal.parts) {
+            if (is(first, kFront) && is(second, kTorso)) heights.emplace_back(height(second), height(first));
+            if (is(first, kTorso) && is(second, kFront)) heights.emplace_back(height(first), height(second));
+        }
+    }
+    EXPECT_EQ(between_halves, 2);
+    ASSERT_GE(heights.size(), 2U);
+    std::ranges::sort(heights);
+    EXPECT_TRUE(std::ranges::is_sorted(heights, {}, [](const auto& pair) { return pair.second; }));
+}
+
 // What is told of a proposal is where it lies once others are sewn.
 TEST(SeamProposals, name_edges_as_they_are_after_others_divided_them) {
     const SeamProposal sewn{.parts = {{{0, 1, 0.25, 0.75}, {1, 0, 0, 0.5}}}};
