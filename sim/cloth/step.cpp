@@ -70,6 +70,12 @@ struct Stepper {
     void pull_seams(float gap);
     void push_out_between_vertices(const StepShare& share);
     void hold(const ContactOptions& contact, const StepShare& share);
+    // Pre: options.self_contact
+    SelfContactOptions meeting_itself() const {
+        SelfContactOptions meeting = *options.self_contact;
+        meeting.is_carried = body.moving() != nullptr;
+        return meeting;
+    }
     MovingPoints moving_points() const { return {points(), before(), cloth.x.size()}; }
     void apply_internal_damping();
 };
@@ -81,11 +87,11 @@ void Stepper::step() {
         substep(i);
         if (!options.self_contact) continue;
         const CollisionClock clock(options.times);
-        cloth.solver->self_contact->contact.substep(moving_points(), *options.self_contact);
+        cloth.solver->self_contact->contact.substep(moving_points(), meeting_itself());
     }
     if (options.self_contact) {
         const CollisionClock clock(options.times);
-        cloth.solver->self_contact->contact.end_step(moving_points(), *options.self_contact);
+        cloth.solver->self_contact->contact.end_step(moving_points(), meeting_itself());
     }
     apply_internal_damping();
     end_contacts();
@@ -103,7 +109,7 @@ void Stepper::begin_contacts() {
     if (options.self_contact) {
         update_contact_surface(cloth);
         if (body.moving()) self_contact.excuse(pinched_vertices(cloth.solver->contacts.moving));
-        self_contact.begin_step(moving_points(), *options.self_contact);
+        self_contact.begin_step(moving_points(), meeting_itself());
     } else {
         self_contact.forget();
     }

@@ -47,6 +47,10 @@ CertificateReport DividingPlanes::certify(const SelfContactKernels& loops, const
                                           const Start& start, const Motion& mean, const MovingPoints& points) {
     CertificateReport report;
     share_.resize(points.count, 1.0F);
+    if (mean.is_by_pair) {
+        shared_.resize(points.count);
+        sharing_.resize(points.count, 0);
+    }
     for (int i = 0; i < kPartingIterations; ++i) {
         if (collect(loops, pairs, start, mean, points) == 0) return report;
         if (!part_all(points, report)) break;
@@ -59,6 +63,7 @@ CertificateReport DividingPlanes::certify(const SelfContactKernels& loops, const
     stopped_.assign(points.count, 0);
     while (collect(loops, pairs, start, mean, points) != 0 && shorten_all(start, mean, 0, points, report)) {
     }
+    report.undivided = static_cast<int>(undivided_.size());
     return report;
 }
 
@@ -78,7 +83,7 @@ bool DividingPlanes::shorten_all(const Start& start, const Motion& mean, float m
                                  CertificateReport& report) {
     touched_.clear();
     bool changed = false;
-    for (const Undivided& pair : undivided_) changed |= shorten(pair, points, most);
+    for (const Undivided& pair : undivided_) changed |= shorten(pair, start, mean, points, most);
     take_back(start, mean, points, report);
     return changed;
 }
@@ -87,14 +92,23 @@ void DividingPlanes::take_back(const Start& start, const Motion& mean, const Mov
                                CertificateReport& report) {
     for (const std::uint32_t v : touched_) {
         const float share = std::exchange(share_[v], 1.0F);
-        const Vec3f origin = start.positions[v].head<3>() + mean.displacement, now = points.at(v),
+        const Motion shared = take_shared(v, mean);
+        const Vec3f origin = start.positions[v].head<3>() + shared.displacement, now = points.at(v),
                     was = points.was_at(v);
         const Vec3f to = origin + (now - origin) * share;
-        const Vec3f before = to - (now - was) * share - mean.per_substep * (1 - share);
+        const Vec3f before = to - (now - was) * share - shared.per_substep * (1 - share);
         points.shift(v, to - now);
         Eigen::Map<Vec3f>(points.before + 4 * static_cast<std::size_t>(v)) = before;
     }
     report.truncated += static_cast<int>(touched_.size());
+}
+
+// The motion of a vertex that is not truncated: the mean of its pairs.
+DividingPlanes::Motion DividingPlanes::take_shared(std::uint32_t vertex, const Motion& mean) {
+    if (!mean.is_by_pair) return mean;
+    const auto count = static_cast<float>(std::exchange(sharing_[vertex], 0));
+    const Motion sum = std::exchange(shared_[vertex], {});
+    return {.displacement = sum.displacement / count, .per_substep = sum.per_substep / count};
 }
 
 // Lists the pairs that are not divided; returns how many. Blocks whose slack is greater than all motion since the last
@@ -160,12 +174,19 @@ bool DividingPlanes::part(const Undivided& pair, const MovingPoints& points, Cer
 }
 
 // Notes the share of their movement that the vertices of an undivided pair may keep: linearly, up to `most`.
-bool DividingPlanes::shorten(const Undivided& pair, const MovingPoints& points, float most) {
+bool DividingPlanes::shorten(const Undivided& pair, const Start& start, const Motion& mean, const MovingPoints& points,
+                             float most) {
     const float asked = asked_of(*pair.block, pair.at), gap = pair.block->gap[pair.at];
     const float apart = extremes_of(*pair.block, pair.at, pair.first_side, points).apart;
     if (apart >= asked) return false;
     constexpr float kSafe = 0.98F, kLeast = 1e-12F;  // m
     const float share = most * std::clamp(kSafe * (gap - asked) / std::max(kLeast, gap - apart), 0.0F, 1.0F);
+    Motion shared;
+    for (std::size_t k = 0; mean.is_by_pair && k < 4; ++k) {
+        const std::uint32_t v = pair.block->vertices[k][pair.at] / 4;
+        shared.displacement += (points.at(v) - start.positions[v].head<3>()) / 4;
+        shared.per_substep += (points.at(v) - points.was_at(v)) / 4;
+    }
     bool changed = false;
     for (const BlockPoints& vertices : pair.block->vertices) {
         const std::uint32_t v = vertices[pair.at] / 4;
@@ -174,6 +195,10 @@ bool DividingPlanes::shorten(const Undivided& pair, const MovingPoints& points, 
         if (most == 0) stopped_[v] = 1;
         if (share_[v] == 1.0F) touched_.push_back(v);
         share_[v] = std::min(share_[v], share);
+        if (!mean.is_by_pair) continue;
+        shared_[v].displacement += shared.displacement;
+        shared_[v].per_substep += shared.per_substep;
+        ++sharing_[v];
     }
     return changed;
 }

@@ -27,14 +27,18 @@ DividerExtremes extremes_of(const PairBlock& block, std::size_t at, std::size_t 
 struct CertificateReport {
     int parted = 0;     // pairs of vertices that were moved apart
     int truncated = 0;  // vertices whose movement was shortened
+    int undivided = 0;  // pairs that are not certified: none, unless motion is shared by pair
 };
 
 class DividingPlanes {
  public:
-    // The motion that all vertices share, which is not truncated.
+    // The motion that vertices share, which is not truncated.
     struct Motion {
         Vec3f displacement = Vec3f::Zero();  // m, since the last detection
         Vec3f per_substep = Vec3f::Zero();   // m
+        // Each pair has its own instead, the mean of its vertices: cloth on a foot that moves is much faster than the
+        // garment, and would go back through the foot.
+        bool is_by_pair = false;
     };
 
     // The positions at a detection, by vertex, and the vertices of the surface.
@@ -65,7 +69,8 @@ class DividingPlanes {
                      CertificateReport& report);
     void take_back(const Start& start, const Motion& mean, const MovingPoints& points, CertificateReport& report);
     bool part(const Undivided& pair, const MovingPoints& points, CertificateReport& report);
-    bool shorten(const Undivided& pair, const MovingPoints& points, float most);
+    bool shorten(const Undivided& pair, const Start& start, const Motion& mean, const MovingPoints& points, float most);
+    Motion take_shared(std::uint32_t vertex, const Motion& mean);
 
     std::vector<Undivided> undivided_;
 
@@ -76,6 +81,8 @@ class DividingPlanes {
     std::size_t tested_ = 0;              // blocks that the last collection after it tested
     std::vector<std::uint8_t> stopped_;   // by vertex: whether it is back where it started
     std::vector<float> share_;            // by vertex, of its movement that is kept
+    std::vector<Motion> shared_;          // by vertex: sums over the pairs that shorten it, if motion is by pair
+    std::vector<int> sharing_;            // by vertex: the number of these
     std::vector<std::uint32_t> touched_;  // vertices with a share below 1
 };
 

@@ -9,6 +9,7 @@ struct SelfContactOptions {
     float longest_push = 0.0003F;    // m per sub-step, by which depth is removed without becoming speed
     int refresh_interval = 6;        // sub-steps between two refreshes of the contact planes
     int untangling_iterations = 12;  // per step
+    bool is_carried = false;         // by a body that moves: parts of the cloth have a motion of their own
 
     bool operator==(const SelfContactOptions&) const = default;
 };

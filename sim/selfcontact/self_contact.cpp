@@ -97,7 +97,7 @@ void SelfContact::substep(const MovingPoints& points, const SelfContactOptions& 
         if (off_path <= limit) {
             if (from_mark > 0.125F * options.margin) refresh(points, measured, options);
         } else {
-            const MovingPoints from = certify(points) ? expected(points) : measured;
+            const MovingPoints from = certify(points, options) ? expected(points) : measured;
             is_clean_ ? detect_where_off_path(points, from, limit, options) : detect(points, from, options);
         }
     }
@@ -127,7 +127,7 @@ MovingPoints SelfContact::expected(const MovingPoints& points) {
 
 void SelfContact::end_step(const MovingPoints& points, const SelfContactOptions& options) {
     if (is_clean_) {
-        certify(points);
+        certify(points, options);
     } else {
         untangle(points, options);
     }
@@ -407,10 +407,12 @@ void SelfContact::list_contacts(PairList& pairs, const MovingPoints& points, con
     }
 }
 
-bool SelfContact::certify(const MovingPoints& points) {
+bool SelfContact::certify(const MovingPoints& points, const SelfContactOptions& options) {
     if (!has_detected_) return false;
-    const CertificateReport report = dividers_.certify(
-        loops(), pairs_, {used_, start_}, {paths_.frame(points) - start_frame_, paths_.mean_move()}, points);
+    const CertificateReport report =
+        dividers_.certify(loops(), pairs_, {used_, start_},
+                          {paths_.frame(points) - start_frame_, paths_.mean_move(), options.is_carried}, points);
+    if (report.undivided > 0) since_test_ = kTestInterval;  // they may cross: the next detection tests all
     counts_.parted += report.parted;
     counts_.truncated += report.truncated;
     return report.parted > 0 || report.truncated > 0;
@@ -426,7 +428,7 @@ void SelfContact::untangle(const MovingPoints& points, const SelfContactOptions&
         i == 0 ? test_exactly(points) : test_suspects(points);
     }
     if (!is_clean_) {
-        certify(points);
+        certify(points, options);
         return;
     }
     keep_clean_state(points);

@@ -100,7 +100,8 @@ class SelfContact {
     void refresh(const MovingPoints& points, const MovingPoints& from, const SelfContactOptions& options);
     float most_swapped(const PairBlock& block, std::size_t at) const;
     void list_contacts(PairList& pairs, const MovingPoints& points, const SelfContactOptions& options);
-    bool certify(const MovingPoints& points);  // returns whether it moved a point
+    // Returns whether it moved a point.
+    bool certify(const MovingPoints& points, const SelfContactOptions& options);
     void look_back(const MovingPoints& points, int substeps);
     MovingPoints expected(const MovingPoints& points);
     void untangle(const MovingPoints& points, const SelfContactOptions& options);

@@ -173,8 +173,8 @@ struct Stack {
         search.find_elements(loops, sheets.surface, sheets.now.front().data(), sweep, {.margin = kMargin}, 1, pairs);
         start = sheets.now;
     }
-    CertificateReport certify(DividingPlanes& dividers) {
-        return dividers.certify(loops, pairs, {vertices, start}, {}, sheets.points());
+    CertificateReport certify(DividingPlanes& dividers, const DividingPlanes::Motion& motion = {}) {
+        return dividers.certify(loops, pairs, {vertices, start}, motion, sheets.points());
     }
 };
 
@@ -193,6 +193,35 @@ TEST(DividingPlanes, what_was_apart_at_the_start_is_apart_at_the_end) {
             const DividerExtremes nearest =
                 extremes_of(list->blocks()[i / kBlock], i % kBlock, first_side(list->kind()), sheets.points());
             EXPECT_GT(nearest.apart, 0);
+        }
+    }
+}
+
+// A foot has taken the stack along by 10 cm, and pressed it together: what must go back does not stay behind the foot.
+TEST(DividingPlanes, take_cloth_back_only_against_what_it_meets_if_motion_is_shared_by_pair) {
+    const Vec3f way(0.02F, 0, 0.1F);
+    for (const bool is_by_pair : {false, true}) {
+        Stack stack;
+        Sheets& sheets = stack.sheets;
+        std::mt19937 random(9);
+        std::uniform_real_distribution<float> off(-0.02F, 0.02F);
+        for (std::size_t v = 0; v < sheets.vertices(); ++v) {
+            sheets.now[v].head<3>() += way + Vec3f(0, off(random) - 4 * sheets.now[v].y(), 0);
+            sheets.before[v].head<3>() += 0.99F * way;
+        }
+        DividingPlanes dividers;
+        EXPECT_GT(stack.certify(dividers, {.is_by_pair = is_by_pair}).truncated, 0);
+        float farthest = 0, slowest = 1;  // m; per sub-step, along z
+        for (const std::uint32_t v : stack.vertices) {
+            const Vec3f from_way = sheets.now[v].head<3>() - stack.start[v].head<3>() - way;
+            farthest = std::max({farthest, std::abs(from_way.x()), std::abs(from_way.z())});
+            slowest = std::min(slowest, sheets.now[v].z() - sheets.before[v].z());
+        }
+        if (is_by_pair) {
+            EXPECT_LT(farthest, 1e-4F);
+            EXPECT_NEAR(slowest, 0.001F, 1e-4F);
+        } else {
+            EXPECT_GT(farthest, 0.03F) << "they go back to where the rest of the cloth is";
         }
     }
 }
