@@ -58,8 +58,14 @@ double bisect(double low, double high, const IsTrue& is_true) {
 constexpr double kCrotchShare = 0.475, kArmpitShare = 0.757;
 constexpr double kHighestHip = 0.56, kLowestWaist = 0.57, kHighestWaist = 0.685;
 
+// Of cartoons and games, some have not: where their skeletons have hips and shoulders, and not their statures, tells
+// where their waist is, and nothing where a tape would measure it.
+bool has_proportions_of_people(const MeasuredBody& body) {
+    return find_proportions(body.body(), body.stature()).is_usual;
+}
+
 bool has_usual_trunk(const MeasuredBody& body) {
-    if (!find_proportions(body.body(), body.stature()).is_usual) return false;
+    if (!has_proportions_of_people(body)) return false;
     constexpr double kUsual = 0.02;  // of the stature: most people's, and what find_landmarks() does not tell
     const Stature& stature = body.stature();
     const auto is_usual = [&](const std::optional<double>& y, double share) {
@@ -264,10 +270,12 @@ std::optional<BodyGirth> trunk_girth(const MeasuredBody& body, double y) {
 }
 
 std::optional<BodyGirth> waist_girth(const MeasuredBody& body) {
+    if (!has_proportions_of_people(body)) return std::nullopt;
     return trunk_girth(body, waist_height(body));
 }
 
 std::optional<BodyGirth> bust_girth(const MeasuredBody& body) {
+    if (!has_proportions_of_people(body)) return std::nullopt;
     constexpr double kFarthest = 0.07;  // of the stature, below the armpits: no bust lies lower
     constexpr double kNearest = 0.015;  // of the stature: nearer, the muscles of the arms are in the section
     const double waist = waist_height(body), height = body.stature().height();
