@@ -58,14 +58,15 @@ double bisect(double low, double high, const IsTrue& is_true) {
 constexpr double kCrotchShare = 0.475, kArmpitShare = 0.757;
 constexpr double kHighestHip = 0.56, kLowestWaist = 0.57, kHighestWaist = 0.685;
 
-// Of cartoons and games, some have not: where their skeletons have hips and shoulders, and not their statures, tells
-// where their waist is, and nothing where a tape would measure it.
-bool has_proportions_of_people(const MeasuredBody& body) {
-    return find_proportions(body.body(), body.stature()).is_usual;
+// Whether the surface shows the ends of the trunk, or it lies where people of that stature have it. Some figures of
+// cartoons and games do neither: their skeletons tell where their waist is, and nothing where a tape would measure it.
+bool shows_trunk(const MeasuredBody& body) {
+    return (body.landmarks().crotch && body.landmarks().armpit) ||
+           find_proportions(body.body(), body.stature()).is_usual;
 }
 
 bool has_usual_trunk(const MeasuredBody& body) {
-    if (!has_proportions_of_people(body)) return false;
+    if (!shows_trunk(body)) return false;
     constexpr double kUsual = 0.02;  // of the stature: most people's, and what find_landmarks() does not tell
     const Stature& stature = body.stature();
     const auto is_usual = [&](const std::optional<double>& y, double share) {
@@ -78,8 +79,7 @@ bool has_usual_trunk(const MeasuredBody& body) {
 double height_on_trunk(const MeasuredBody& body, double share) {
     const auto usual = [&](double other) { return body.stature().floor + other * body.stature().height(); };
     if (has_usual_trunk(body)) return usual(share);
-    const Proportions by_joints = find_proportions(body.body(), body.stature());
-    if (!by_joints.is_usual) return by_joints.at(share);
+    if (!shows_trunk(body)) return find_proportions(body.body(), body.stature()).at(share);
     const double crotch = body.landmarks().crotch.value_or(usual(kCrotchShare));
     const double armpit = body.landmarks().armpit.value_or(usual(kArmpitShare));
     return std::lerp(crotch, armpit, (share - kCrotchShare) / (kArmpitShare - kCrotchShare));
@@ -270,12 +270,12 @@ std::optional<BodyGirth> trunk_girth(const MeasuredBody& body, double y) {
 }
 
 std::optional<BodyGirth> waist_girth(const MeasuredBody& body) {
-    if (!has_proportions_of_people(body)) return std::nullopt;
+    if (!shows_trunk(body)) return std::nullopt;
     return trunk_girth(body, waist_height(body));
 }
 
 std::optional<BodyGirth> bust_girth(const MeasuredBody& body) {
-    if (!has_proportions_of_people(body)) return std::nullopt;
+    if (!shows_trunk(body)) return std::nullopt;
     constexpr double kFarthest = 0.07;  // of the stature, below the armpits: no bust lies lower
     constexpr double kNearest = 0.015;  // of the stature: nearer, the muscles of the arms are in the section
     const double waist = waist_height(body), height = body.stature().height();

@@ -28,7 +28,8 @@ struct BodyGirth {
 // The girth of the trunk at height y, without arms and hands; of both legs below the crotch.
 std::optional<BodyGirth> trunk_girth(const MeasuredBody& body, double y);
 
-// Bust and waist: none on figures of other proportions than people's (proportions.h).
+// Bust and waist: none on figures of other proportions than people's (proportions.h) whose surface does not show the
+// ends of the trunk.
 std::optional<BodyGirth> bust_girth(const MeasuredBody& body);   // level, the largest below the armpits
 std::optional<BodyGirth> waist_girth(const MeasuredBody& body);  // level, the least: TorsoHeights::waist
 std::optional<BodyGirth> hip_girth(const MeasuredBody& body);    // level, the largest above the crotch
