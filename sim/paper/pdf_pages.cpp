@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include "sim/core/error.h"
 #include "sim/core/flat_bytes.h"
 #include "sim/paper/pdf_recorder.h"
 
