@@ -10,6 +10,7 @@
 #include "sim/body/joint_names.h"
 #include "sim/body/yielding_flesh.h"
 #include "sim/cloth/contact.h"
+#include "sim/cloth/contact_surface.h"
 #include "sim/cloth/solver_state.h"
 #include "sim/dress/motion_run.h"
 #include "sim/motion/motion_file.h"

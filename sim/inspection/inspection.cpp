@@ -231,8 +231,8 @@ void add_passages(const std::vector<PassingEdge>& passing, const Cloth& cloth, c
         if (known == nullptr || edge.depth > known->depth) known = &edge;
     }
     for (const auto& [part, edge] : deepest) {
-        if (const auto small = too_small_for_limb(mesh, body, limbs, edge->at.cast<double>(), fit_options(cloth))) {
-            add_fault(report, "does_not_fit", describe_too_small(*small, part), shortfall(*small));
+        if (const auto tight = too_small_for_limb(mesh, body, limbs, edge->at.cast<double>(), fit_options(cloth))) {
+            add_fault(report, "does_not_fit", describe_too_small(*tight, part), shortfall(*tight));
             continue;
         }
         const std::string point = describe_point(limbs, pattern, mesh.panel[edge->triangle], edge->at);
