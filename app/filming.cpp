@@ -6,6 +6,7 @@
 #include <span>
 
 #include "render/marks/legend.h"
+#include "sim/cloth/cloth.h"
 #include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::app {
