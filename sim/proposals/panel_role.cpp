@@ -59,7 +59,7 @@ constexpr std::string_view kLeftWords =
     "left l lt links linker gauche izquierd esquerd sinistr lewy lewa levy leva лев лів 左";
 constexpr std::string_view kRightWords =
     "right r rt rechts rechter droit derech direit destr prawy prawa pravy prava прав 右";
-constexpr std::string_view kWithWords = "with mit avec con com met";
+constexpr std::string_view kWithWords = "=with =mit =avec =con =com =met";
 constexpr std::string_view kUpperWords = "top upper ober dessus верх";
 constexpr std::string_view kUnderWords = "under unter dessous нижн";
 

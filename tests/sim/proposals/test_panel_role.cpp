@@ -45,6 +45,7 @@ TEST(PanelRole, is_read_from_names_of_several_programs_and_languages) {
                                  {"\u8896\u53E3", {Cuff, Face::None, Flank::None}},
                                  {"\xFFhiha\xFE", {Sleeve, Face::None, Flank::None}},
                                  {"SLEEVE WITH CUFF", {Sleeve, Face::None, Flank::None}},
+                                 {"sleeve contrast cuff", {Cuff, Face::None, Flank::None}},
                                  {"Detail_2", {Unknown, Face::None, Flank::None}}};
     for (const Named& named : all) EXPECT_EQ(role_of_name(named.name), named.role) << named.name;
 }
