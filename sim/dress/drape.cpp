@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/cloth/contact_surface.h"
 #include "sim/cloth/solver_state.h"
 #include "sim/cloth/standoff.h"
 #include "sim/core/assert.h"
 #include "sim/core/stopwatch.h"
+#include "sim/dress/work_count.h"
 
 namespace selvedge::sim {
 namespace {
@@ -21,11 +21,6 @@ constexpr int kCalmInterval = 3;  // frames between adaptations of calm cloth, w
 int finishing_substeps(float shortest_edge) {
     constexpr float kOnce = 0.08F;  // m, edge length for which one would suffice
     return static_cast<int>(std::lround(std::clamp(kOnce / std::max(shortest_edge, 0.001F), 4.0F, 16.0F)));
-}
-
-// Pairs of triangles that contact of the cloth with itself has looked at since the cloth was made.
-long pairs_seen(const Cloth& cloth) {
-    return cloth.solver->self_contact->contact.counts().triangle_pairs;
 }
 
 // The vertex that moved most in the last sub-step; none if none moved.
@@ -250,16 +245,15 @@ void DrapeRun::adapt_once(Simulation& simulation, const Collider& body, const Sc
 void DrapeRun::run_steps(Simulation& simulation, const Collider& body, Schedule schedule) {
     const Cloth& cloth = simulation.cloth();
     const std::vector<Vec4f> before = cloth.x;
-    const long seen = pairs_seen(cloth);
+    WorkCount counted(cloth);
     for (int i = 0; i < options_.steps_per_adaptation; ++i) {
         const auto start = Clock::now();
         raise_floor(simulation, schedule);
         simulation.step(body, schedule);
         result_.step_ms.push_back(ms_since(start));
-        result_.work += static_cast<double>(cloth.mesh.leaf_triangles().size());
         result_.simulated_seconds += simulation.step_seconds(schedule);
     }
-    result_.work += static_cast<double>(pairs_seen(cloth) - seen);
+    result_.work += counted.of_steps(cloth, options_.steps_per_adaptation);
     result_.rms_speed = rms_speed(cloth, before, frame_seconds(simulation, schedule));
     result_.bad_vertex = find_bad_vertex(cloth);
 }

@@ -42,10 +42,8 @@ struct DrapeResult {
     bool settled = false;
     std::optional<GiveUp> given_up{};  // by give_up()
     std::optional<VertexId> bad_vertex;
-    float rms_speed = 0;  // m/s, in the last frame
-    // Of all steps: leaf triangles, and pairs of them that contact of the cloth with itself looked at. Alike
-    // for any number of threads on one type of CPU, where a time is not.
-    double work = 0;
+    float rms_speed = 0;                // m/s, in the last frame
+    double work = 0;                    // of all steps: see WorkCount
     std::optional<VertexId> fastest{};  // at the end of the fall, if the cloth moved
     float fall_speed = 0;  // m/s, rms in the last frame before the finer sub-steps at the end, which set it in motion
     double simulated_seconds = 0;

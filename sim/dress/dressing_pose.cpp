@@ -4,15 +4,13 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "sim/body/joint_names.h"
 #include "sim/body/yielding_flesh.h"
 #include "sim/cloth/contact.h"
-#include "sim/cloth/contact_surface.h"
-#include "sim/cloth/solver_state.h"
 #include "sim/dress/motion_run.h"
+#include "sim/dress/work_count.h"
 #include "sim/motion/motion_file.h"
 
 namespace selvedge::sim {
@@ -65,25 +63,6 @@ bool needs_other_pose(const Body& body, const Pose& pose) {
 
 namespace {
 
-// Of the steps of a motion that follows a fall, as DrapeResult::work.
-class MotionWork {
- public:
-    MotionWork(const Cloth& cloth, double before) : work_(before), pairs_(pairs_of(cloth)) {}
-
-    double add(const Cloth& cloth, int steps) {
-        const long pairs = pairs_of(cloth);
-        work_ += static_cast<double>(steps) * static_cast<double>(cloth.mesh.leaf_triangles().size());
-        work_ += static_cast<double>(pairs - std::exchange(pairs_, pairs));
-        return work_;
-    }
-
- private:
-    static long pairs_of(const Cloth& cloth) { return cloth.solver->self_contact->contact.counts().triangle_pairs; }
-
-    double work_;
-    long pairs_;
-};
-
 void ignore_itself(Simulation& simulation) {
     SimulationOptions options = simulation.options();
     options.self_contact.reset();
@@ -103,13 +82,13 @@ DrapeResult move_to_own_pose(Simulation& simulation, const Body& body, const Pos
         const auto pose_at = [&](double at) { return blend(start, rest, smoothstep(at, 0, kToOwnPose)); };
         flesh.positions(body, pose_at, seconds, region, x);
     });
-    MotionWork counted(simulation.cloth(), draped.work);
+    WorkCount counted(simulation.cloth());
     double work = draped.work;
     for (double seconds = kReport; seconds <= kToOwnPose + kReport / 2; seconds += kReport) {
         const int steps = moving.advance_to(simulation, seconds).steps;
         // A heap of cloth takes ever more work. The arms have to get to their end, so it goes on without contact with
         // itself, and is given up there.
-        work = counted.add(simulation.cloth(), steps);
+        work += counted.of_steps(simulation.cloth(), steps);
         if (given_up != GiveUp::TooMuchWork && work > options.most_work.value_or(most_work(simulation.cloth()))) {
             if (!given_up) given_up = GiveUp::TooMuchWork;
             ignore_itself(simulation);

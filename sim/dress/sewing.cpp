@@ -7,6 +7,7 @@
 
 #include "sim/cloth/contact_surface.h"
 #include "sim/cloth/solver_state.h"
+#include "sim/dress/work_count.h"
 #include "sim/mesh/sew.h"
 
 namespace selvedge::sim {
@@ -106,10 +107,9 @@ bool SewingRun::advance(const Collider& body) {
 }
 
 void SewingRun::step(const Collider& body, const Schedule& schedule) {
-    const SelfContactCounts& counts = cloth().solver->self_contact->contact.counts();
-    const long seen = counts.triangle_pairs;
+    WorkCount counted(cloth());
     simulation_.step(body, schedule);
-    work_ += static_cast<double>(mesh_.triangles.size()) + static_cast<double>(counts.triangle_pairs - seen);
+    work_ += counted.of_steps(cloth(), 1);
     bad_vertex_ = find_bad_vertex(cloth());
 }
 

@@ -68,8 +68,7 @@ class SewingRun {
     void keep_far_contacts(float by);
     float rms_speed() const { return rms_speed_; }  // m/s, in the last step of the fall
     float seconds() const { return seconds_; }
-    // Of all steps: triangles, and pairs of them that contact of the cloth with itself looked at.
-    double work() const { return work_; }
+    double work() const { return work_; }  // of all steps: see WorkCount
     std::size_t triangle_count() const { return mesh_.triangles.size(); }
     bool has_bad_number() const { return bad_vertex_.has_value(); }
 
