@@ -138,18 +138,28 @@ class CutText {
         return has_fold && is_placed;
     }
 
+    // "2xfabric": 2, and what stands behind it.
+    struct Begun {
+        int count;
+        std::string_view rest;
+    };
+    static std::optional<Begun> begun_with_number(const std::string& word) {
+        Begun begun{};
+        const char* end = word.data() + word.size();
+        const auto [stop, error] = std::from_chars(word.data(), end, begun.count);
+        if (error != std::errc() || begun.count < 0 || begun.count > kMostPieces) return std::nullopt;
+        begun.rest = {stop, static_cast<std::size_t>(end - stop)};
+        return begun;
+    }
+
     bool has_colon() const { return text_.find(':') != std::string_view::npos; }
 
     // "2", "2x": no length, as in "cut 1 cm away".
     std::optional<int> number_at(std::size_t at) const {
         if (at >= words_.size() || is(at + 1, CutWord::Length)) return std::nullopt;
-        const std::string& word = words_[at];
-        int value = 0;
-        const char* end = word.data() + word.size();
-        const auto [stop, error] = std::from_chars(word.data(), end, value);
-        const std::string_view rest(stop, static_cast<std::size_t>(end - stop));
-        const bool is_count = error == std::errc() && value >= 0 && value <= kMostPieces;
-        return is_count && (rest.empty() || rest == "x" || rest == "×") ? std::optional(value) : std::nullopt;
+        const auto begun = begun_with_number(words_[at]);
+        if (!begun || !(begun->rest.empty() || begun->rest == "x" || begun->rest == "×")) return std::nullopt;
+        return begun->count;
     }
 
     // Behind the word for cutting, or before it where nothing else is: "cut 2", "2 x zuschneiden". "Piece 5 cut on
@@ -194,16 +204,13 @@ class CutText {
     bool read_times(CutInstructions& cut) const {
         const std::size_t at = !words_.empty() && words_[0] == "annotation" ? 1 : 0;
         if (at >= words_.size() || words_.size() > at + 2) return false;
-        const std::string& word = words_[at];
-        int count = 0;
-        const char* end = word.data() + word.size();
-        const auto [stop, error] = std::from_chars(word.data(), end, count);
-        if (error != std::errc() || count < 1 || count > kMostPieces || stop == end || *stop != 'x') return false;
-        const std::string joined(stop + 1, end);  // "2XL" is a size: the material must be known
+        const auto begun = begun_with_number(words_[at]);
+        if (!begun || begun->count < 1 || !begun->rest.starts_with('x')) return false;
+        const std::string joined(begun->rest.substr(1));  // "2XL" is a size: the material must be known
         if (joined.empty() != (words_.size() == at + 2)) return false;
         const Meaning* meaning = meaning_of(joined.empty() ? words_[at + 1] : joined);
         if (meaning == nullptr || meaning->word != CutWord::Material) return false;
-        if (!cut.are_mirrored) cut.pieces = std::max(count, cut.pieces.value_or(1));
+        if (!cut.are_mirrored) cut.pieces = std::max(begun->count, cut.pieces.value_or(1));
         if (cut.material.empty()) cut.material = std::string(meaning->material);
         return true;
     }
