@@ -198,6 +198,29 @@ void check_lines(const GarmentMesh& mesh, const EdgeTable<int>& table, Faults& f
 
 }  // namespace
 
+DrawMesh draw_mesh(const GarmentMesh& mesh) {
+    DrawMesh drawn;
+    for (const Vec3d& x : mesh.x) drawn.x.emplace_back(x.cast<float>());
+    drawn.vertex_level.assign(drawn.x.size(), 0);
+    for (const GarmentTriangle& t : mesh.triangles) {
+        std::array<std::uint32_t, 3> corners{};
+        std::array<Vec2f, 3> u;
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners[k] = static_cast<std::uint32_t>(t.vertices[k]);
+            u[k] = t.u[k].cast<float>();
+        }
+        drawn.triangles.push_back(corners);
+        drawn.u.push_back(u);
+        drawn.panel.push_back(static_cast<std::uint16_t>(t.panel));
+        drawn.level.push_back(0);
+    }
+    drawn.normals = vertex_normals(drawn.x, drawn.triangles);
+    drawn.panel_names = mesh.panel_names;
+    for (const double angle : mesh.panel_grain_angles) drawn.panel_grain_angles.push_back(static_cast<float>(angle));
+    for (const Vec2d& offset : mesh.panel_sett_offsets) drawn.panel_sett_offsets.push_back(offset.cast<float>());
+    return drawn;
+}
+
 std::vector<std::string> check_mesh(const GarmentMesh& mesh) {
     Faults faults;
     check_indices(mesh, faults);

@@ -8,7 +8,6 @@
 #include "sim/body/landmarks.h"
 #include "sim/place/garment_section.h"
 #include "sim/place/limbs.h"
-#include "sim/place/proportions.h"
 
 namespace selvedge::sim {
 namespace {
@@ -61,8 +60,7 @@ constexpr double kHighestHip = 0.56, kLowestWaist = 0.57, kHighestWaist = 0.685;
 // Whether the surface shows the ends of the trunk, or it lies where people of that stature have it. Some figures of
 // cartoons and games do neither: their skeletons tell where their waist is, and nothing where a tape would measure it.
 bool shows_trunk(const MeasuredBody& body) {
-    return (body.landmarks().crotch && body.landmarks().armpit) ||
-           find_proportions(body.body(), body.stature()).is_usual;
+    return (body.landmarks().crotch && body.landmarks().armpit) || body.proportions().is_usual;
 }
 
 bool has_usual_trunk(const MeasuredBody& body) {
@@ -79,7 +77,7 @@ bool has_usual_trunk(const MeasuredBody& body) {
 double height_on_trunk(const MeasuredBody& body, double share) {
     const auto usual = [&](double other) { return body.stature().floor + other * body.stature().height(); };
     if (has_usual_trunk(body)) return usual(share);
-    if (!shows_trunk(body)) return find_proportions(body.body(), body.stature()).at(share);
+    if (!shows_trunk(body)) return body.proportions().at(share);
     const double crotch = body.landmarks().crotch.value_or(usual(kCrotchShare));
     const double armpit = body.landmarks().armpit.value_or(usual(kArmpitShare));
     return std::lerp(crotch, armpit, (share - kCrotchShare) / (kArmpitShare - kCrotchShare));

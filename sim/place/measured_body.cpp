@@ -12,6 +12,11 @@ const Stature& MeasuredBody::stature() const {
     return stature_;
 }
 
+const Proportions& MeasuredBody::proportions() const {
+    std::call_once(has_proportions_, [&] { proportions_ = find_proportions(body_, stature()); });
+    return proportions_;
+}
+
 const BodyLimbs& MeasuredBody::limbs() const {
     std::call_once(has_limbs_, [&] { limbs_ = find_limbs(body_, stature()); });
     return limbs_;

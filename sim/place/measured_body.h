@@ -1,5 +1,6 @@
 #pragma once
-// A body with its landmarks, stature, limbs and level sections. Each is found once, when it is first asked for.
+// A body with its landmarks, stature, proportions, limbs and level sections. Each is found once, when it is first asked
+// for.
 #include <memory>
 #include <mutex>
 
@@ -7,6 +8,7 @@
 #include "sim/body/landmarks.h"
 #include "sim/body/section.h"
 #include "sim/place/limbs.h"
+#include "sim/place/proportions.h"
 
 namespace selvedge::sim {
 
@@ -21,14 +23,16 @@ class MeasuredBody {
     const Body& body() const { return body_; }
     const LandmarkHeights& landmarks() const;
     const Stature& stature() const;
+    const Proportions& proportions() const;
     const BodyLimbs& limbs() const;
     const LevelSections& sections() const;
 
  private:
     const Body& body_;
-    mutable std::once_flag has_landmarks_, has_stature_, has_limbs_, has_sections_;
+    mutable std::once_flag has_landmarks_, has_stature_, has_proportions_, has_limbs_, has_sections_;
     mutable LandmarkHeights landmarks_;
     mutable Stature stature_;
+    mutable Proportions proportions_;
     mutable BodyLimbs limbs_;
     mutable std::unique_ptr<const LevelSections> sections_;
 };

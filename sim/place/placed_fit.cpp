@@ -8,7 +8,6 @@
 #include "sim/mesh/sew.h"
 #include "sim/place/body_girths.h"
 #include "sim/place/garment_section.h"
-#include "sim/place/proportions.h"
 
 namespace selvedge::sim {
 namespace {
@@ -17,20 +16,7 @@ constexpr double kStep = 0.02;  // m, between levels
 
 DrawMesh closed_mesh(GarmentMesh mesh) {
     merge_seams(mesh);
-    DrawMesh closed;
-    for (const Vec3d& x : mesh.x) closed.x.push_back(x.cast<float>());
-    for (const GarmentTriangle& t : mesh.triangles) {
-        std::array<std::uint32_t, 3> vertices{};
-        std::array<Vec2f, 3> u;
-        for (std::size_t k = 0; k < 3; ++k) {
-            vertices[k] = static_cast<std::uint32_t>(t.vertices[k]);
-            u[k] = t.u[k].cast<float>();
-        }
-        closed.triangles.push_back(vertices);
-        closed.u.push_back(u);
-        closed.panel.push_back(static_cast<std::uint16_t>(t.panel));
-    }
-    return closed;
+    return draw_mesh(mesh);
 }
 
 // Garment and body at one plane; a garment that does not go round all of the part there has no girth.
@@ -61,7 +47,7 @@ using PlacedLevels = std::vector<PlacedLevel>;  // along a part of the body
 
 PlacedLevels trunk_levels(const DrawMesh& closed, const MeasuredBody& body, const std::vector<double>& strain_limits) {
     constexpr double kCrotch = 0.49, kArmpits = 0.74;  // shares of the stature, inside of which the trunk is alone
-    const Proportions proportions = find_proportions(body.body(), body.stature());
+    const Proportions& proportions = body.proportions();
     PlacedLevels levels;
     for (double y = proportions.at(kCrotch); y < proportions.at(kArmpits); y += kStep)
         levels.push_back(level_of(closed, trunk_girth(body, y), y, strain_limits));

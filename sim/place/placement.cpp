@@ -39,10 +39,10 @@ Vec3d panel_centre(const Panel& panel) {
 }
 
 // Centre of the torso's section at this height, clamped to between crotch and shoulder; arms and legs are other loops.
-Vec3d torso_centre(const Body& body, const Proportions& proportions, double y) {
-    const double level = std::clamp(y, proportions.at(0.52), proportions.at(0.80));
+Vec3d torso_centre(const MeasuredBody& body, double y) {
+    const double level = std::clamp(y, body.proportions().at(0.52), body.proportions().at(0.80));
     const Plane plane{.point = Vec3d(0, level, 0)};
-    const auto loop = nearest_loop(section(body, plane), Vec3d(0, level, 0));
+    const auto loop = nearest_loop(section(body.body(), plane), Vec3d(0, level, 0));
     const Vec3d centre = loop ? loop->centre : Vec3d(0, level, 0);
     return {centre.x(), y, centre.z()};
 }
@@ -339,7 +339,7 @@ constexpr std::size_t kShoulderLevel = 3;
 
 BodyLevels levels_of(const MeasuredBody& body) {
     constexpr double kShoulders = 0.80;  // of the stature
-    const Proportions proportions = find_proportions(body.body(), body.stature());
+    const Proportions& proportions = body.proportions();
     const TorsoHeights torso = torso_heights(body.body(), body.stature());
     return {proportions.floor, torso.hip, torso.waist, proportions.at(kShoulders), proportions.crown};
 }
@@ -367,13 +367,9 @@ std::vector<double> tops_of(const Pattern& pattern) {
 }  // namespace
 
 Stature anchor_panels(Pattern& pattern, const MeasuredBody& from, const MeasuredBody& onto) {
-    const Stature &a = from.stature(), &b = onto.stature();
-    const Proportions from_proportions = find_proportions(from.body(), a);
-    const Proportions onto_proportions = find_proportions(onto.body(), b);
     const BodyLevels from_levels = levels_of(from), onto_levels = levels_of(onto);
     const auto shift = [&](const Vec3d& x, double rise) {
-        return Vec3d(torso_centre(onto.body(), onto_proportions, x.y() + rise) -
-                     torso_centre(from.body(), from_proportions, x.y()));
+        return Vec3d(torso_centre(onto, x.y() + rise) - torso_centre(from, x.y()));
     };
     const BodyLimbs &from_limbs = from.limbs(), &onto_limbs = onto.limbs();
     const std::vector<double> tops = tops_of(pattern);
@@ -391,7 +387,7 @@ Stature anchor_panels(Pattern& pattern, const MeasuredBody& from, const Measured
         panel.rotation = *turn * panel.rotation;
         panel.translation = shoulder + *turn * (panel.translation - shoulder);
     }
-    return b;
+    return onto.stature();
 }
 
 ClearedPanels clear_panels(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn) {

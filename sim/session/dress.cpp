@@ -19,7 +19,6 @@
 #include "sim/mesh/garment_mesh.h"
 #include "sim/place/fit_table.h"
 #include "sim/place/placed_fit.h"
-#include "sim/place/proportions.h"
 #include "sim/session/animation.h"
 #include "sim/session/dressed_faults.h"
 #include "sim/session/session_frame.h"
@@ -181,7 +180,7 @@ Misfit find_misfit(const Dressing& dressing, const MeasuredBody& body) {
 void blame(const Misfit& misfit, const MeasuredBody& body, DressReport& report) {
     constexpr double kKnees = 0.285;  // of the stature (Drillis and Contini 1966)
     if (misfit.too_small) blame_size(*misfit.too_small, body.limbs(), report);
-    blame_length(misfit.below_floor, find_proportions(body.body(), body.stature()).at(kKnees), report);
+    blame_length(misfit.below_floor, body.proportions().at(kKnees), report);
 }
 
 // What cannot be put on crumples; contact of its heaps with themselves takes long and shows nothing. What is much too

@@ -20,27 +20,9 @@ void count_triangles(SessionFrame& frame, std::size_t base_triangles) {
 }  // namespace
 
 void show_placed(SessionFrame& frame, const GarmentMesh& unsewn) {
-    DrawMesh& mesh = frame.mesh;
-    for (const Vec3d& x : unsewn.x) mesh.x.emplace_back(x.cast<float>());
-    mesh.vertex_level.assign(mesh.x.size(), 0);
-    for (const GarmentTriangle& t : unsewn.triangles) {
-        HierarchyTriangle base;
-        std::array<std::uint32_t, 3> corners{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            corners[k] = static_cast<std::uint32_t>(t.vertices[k]);
-            base.u[k] = t.u[k].cast<float>();
-        }
-        base.panel = static_cast<std::uint16_t>(t.panel);
-        mesh.triangles.push_back(corners);
-        mesh.u.push_back(base.u);
-        mesh.panel.push_back(base.panel);
-        mesh.level.push_back(0);
-        frame.hierarchy.push_back(base);
-    }
-    mesh.normals = vertex_normals(mesh.x, mesh.triangles);
-    mesh.panel_names = unsewn.panel_names;
-    for (const double angle : unsewn.panel_grain_angles) mesh.panel_grain_angles.push_back(static_cast<float>(angle));
-    for (const Vec2d& offset : unsewn.panel_sett_offsets) mesh.panel_sett_offsets.push_back(offset.cast<float>());
+    frame.mesh = draw_mesh(unsewn);
+    for (std::size_t t = 0; t < unsewn.triangles.size(); ++t)
+        frame.hierarchy.push_back({.u = frame.mesh.u[t], .panel = frame.mesh.panel[t]});
     add_seam_lines(frame, unsewn.links, unsewn.x);
     count_triangles(frame, unsewn.triangles.size());
 }
