@@ -69,9 +69,8 @@ class FlatReader {
     // Calls read(item) for a new item until all have been read, or the reader is no longer sound.
     template <class T, class Read>
     std::vector<T> each(const Read& read) {
-        const std::uint64_t count = value<std::uint64_t>();
         std::vector<T> items;
-        for (std::uint64_t i = 0; i < count && is_sound_; ++i) read(items.emplace_back());
+        for (std::size_t left = count(1); left > 0 && is_sound_; --left) read(items.emplace_back());
         return items;
     }
     std::vector<std::string> texts() {

@@ -380,21 +380,35 @@ void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& patte
     validate_mesh(cloth, report);
 }
 
+namespace {
+
+// Makes `cause` a fault, and notes, which begin with `what`, of the faults that follow from it.
+template <class Follows>
+void put_down_to(DressFault cause, const std::string& what, const Follows& follows, DressReport& report) {
+    const std::vector<DressFault> faults = std::exchange(report.faults, {});
+    add_fault(report, std::move(cause));
+    for (const DressFault& fault : faults) {
+        if (follows(fault)) {
+            report.notes.push_back(what + ": " + cause_of(fault));
+        } else {
+            report.faults.push_back(fault);
+        }
+    }
+}
+
+}  // namespace
+
 void blame_size(const TightLevel& as_placed, const BodyLimbs& limbs, DressReport& report) {
     const auto is_of_drape = [](const DressFault& fault) {
         return class_of(fault) == FaultClass::Defect && fault.kind != "not_finite" && fault.kind != "broken_mesh";
     };
     if (std::ranges::none_of(report.faults, is_of_drape)) return;
-    const std::vector<DressFault> faults = std::exchange(report.faults, {});
     const std::string place = place_on_body(limbs, (as_placed.low + as_placed.high) / 2);
-    add_fault(report, "does_not_fit", describe_too_small(as_placed, place), shortfall(as_placed));
-    for (const DressFault& fault : faults) {
-        if (is_of_drape(fault) || class_of(fault) == FaultClass::DoesNotFit) {
-            report.notes.push_back("it cannot close round the body: " + cause_of(fault));
-        } else {
-            report.faults.push_back(fault);
-        }
-    }
+    const auto follows = [&](const DressFault& fault) {
+        return is_of_drape(fault) || class_of(fault) == FaultClass::DoesNotFit;
+    };
+    put_down_to({"does_not_fit", describe_too_small(as_placed, place), shortfall(as_placed)},
+                "it cannot close round the body", follows, report);
 }
 
 void blame_length(double below_floor, double knees, DressReport& report) {
@@ -402,17 +416,10 @@ void blame_length(double below_floor, double knees, DressReport& report) {
         return class_of(fault) == FaultClass::Defect && fault.height && *fault.height < knees;
     };
     if (below_floor < kMuchTooLong || std::ranges::none_of(report.faults, is_of_heap)) return;
-    const std::vector<DressFault> faults = std::exchange(report.faults, {});
     const std::string by = std::to_string(std::lround(100 * below_floor)) + " cm";
-    add_fault(report, "does_not_fit", "too long for this body by " + by + ": its hem was placed below the floor",
-              below_floor);
-    for (const DressFault& fault : faults) {
-        if (is_of_heap(fault)) {
-            report.notes.push_back("it lies in a heap on the floor: " + cause_of(fault));
-        } else {
-            report.faults.push_back(fault);
-        }
-    }
+    put_down_to(
+        {"does_not_fit", "too long for this body by " + by + ": its hem was placed below the floor", below_floor},
+        "it lies in a heap on the floor", is_of_heap, report);
 }
 
 bool is_too_small(const Cloth& cloth, const Body& body) {

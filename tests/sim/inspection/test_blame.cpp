@@ -42,7 +42,7 @@ TEST(BlameSize, has_no_effect_on_a_drape_without_defects) {
     EXPECT_EQ(small.faults[0].value, 0.02);
 }
 
-TEST(BlameSize, keeps_what_size_does_not_explain) {
+TEST(BlameSize, keeps_a_bad_number_as_a_fault_when_the_garment_is_too_small) {
     DressReport report = report_with({{"not_finite", "'front'", 0}, {"open_seam", "seam 1", 0.1}});
     blame_size(kSmall, find_limbs(mannequin()), report);
     EXPECT_EQ(outcome_of(report), Outcome::Defect);
