@@ -37,8 +37,7 @@ TEST(Proportions, of_a_figure_with_a_large_head_leave_its_waist_where_it_is) {
     const MeasuredBody body(figure), usual(mannequin());
     ASSERT_GT(body.stature().height(), 1.2 * usual.stature().height());
     EXPECT_NEAR(torso_heights(figure, body.stature()).waist, torso_heights(mannequin(), usual.stature()).waist, 0.02);
-    ASSERT_TRUE(waist_girth(body));
-    EXPECT_NEAR(waist_girth(body)->length(), waist_girth(usual)->length(), 0.005);
+    EXPECT_FALSE(waist_girth(body));  // its surface does not show where a tape would measure it
 }
 
 }  // namespace

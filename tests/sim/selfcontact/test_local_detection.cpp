@@ -198,7 +198,7 @@ TEST(DividingPlanes, what_was_apart_at_the_start_is_apart_at_the_end) {
 }
 
 // A foot has taken the stack along by 10 cm, and pressed it together: what must go back does not stay behind the foot.
-TEST(DividingPlanes, take_cloth_back_only_against_what_it_meets_if_motion_is_shared_by_pair) {
+TEST(DividingPlanes, leave_a_moving_stack_where_it_was_taken_when_pairs_share_their_motion) {
     const Vec3f way(0.02F, 0, 0.1F);
     for (const bool is_by_pair : {false, true}) {
         Stack stack;
