@@ -20,9 +20,11 @@
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
+#include "sim/place/hanging_seams.h"
 #include "sim/place/limb_pieces.h"
 #include "sim/place/limbs.h"
 #include "sim/place/proportions.h"
+#include "sim/place/shoulder_top.h"
 
 namespace selvedge::sim {
 namespace {
@@ -239,10 +241,10 @@ BlockedLink find_blocked(const GarmentMesh& unsewn, const SeamLink& link, double
 
 // Sum of squared depths: one deep seam is worse than several shallow ones. Depths are capped at 4 cm, because a deeper
 // one, as for a tight skirt around spread legs, cannot be cured by a lift.
-double blocked_cost(const GarmentMesh& unsewn, double lift, const BodyCollider& body) {
+double blocked_cost(const GarmentMesh& unsewn, std::span<const SeamLink> links, double lift, const BodyCollider& body) {
     constexpr double kDeepest = 0.04;  // m
     double cost = 0;
-    for (const SeamLink& link : unsewn.links) {
+    for (const SeamLink& link : links) {
         const double depth = std::min(kDeepest, find_blocked(unsewn, link, lift, body).depth);
         cost += depth * depth;
     }
@@ -264,12 +266,16 @@ double least_blocked_lift(const GarmentMesh& unsewn, double as_placed, const Bod
     // A sleeve that is wrapped round an arm and lifted by more would lie beside it.
     constexpr int kStepsOfTubes = 4;
     const int steps = has_tubes(unsewn) ? kStepsOfTubes : kStepsEachWay;
+    const std::vector<SeamLink> shoulders = shoulder_links(unsewn);
+    const double at_shoulders = blocked_cost(unsewn, shoulders, 0, body);
     double best = 0;
     double least = as_placed;
     for (const double way : {kLiftStep, -kLiftStep}) {
         bool is_behind = false;
         for (int i = 1; i <= steps; ++i) {
-            const double cost = blocked_cost(unsewn, i * way, body);
+            // What bears the garment does not sink into the shoulders, nor through them.
+            if (way < 0 && blocked_cost(unsewn, shoulders, i * way, body) > at_shoulders) break;
+            const double cost = blocked_cost(unsewn, unsewn.links, i * way, body);
             is_behind |= cost > kHump * as_placed;
             const double with_way = cost + i * kWorthPerStep * as_placed;
             if (with_way >= least || (is_behind && cost > kGood * as_placed)) continue;
@@ -302,7 +308,7 @@ double lift_off(const GarmentMesh& unsewn, double lift, const BodyCollider& body
 }  // namespace
 
 double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body) {
-    const double as_placed = blocked_cost(unsewn, 0, body);
+    const double as_placed = blocked_cost(unsewn, unsewn.links, 0, body);
     if (as_placed <= 0) return 0;
     return lift_off(unsewn, least_blocked_lift(unsewn, as_placed, body), body);
 }
@@ -341,7 +347,8 @@ BodyLevels levels_of(const MeasuredBody& body) {
     constexpr double kShoulders = 0.80;  // of the stature
     const Proportions& proportions = body.proportions();
     const TorsoHeights torso = torso_heights(body.body(), body.stature());
-    return {proportions.floor, torso.hip, torso.waist, proportions.at(kShoulders), proportions.crown};
+    const double shoulders = shoulder_top(body).value_or(proportions.at(kShoulders));
+    return {proportions.floor, torso.hip, torso.waist, shoulders, proportions.crown};
 }
 
 // The same place on the other body, m; linear beyond the ends.
@@ -429,9 +436,14 @@ ClearedPanels clear_panels(GarmentMesh& unsewn, const BodyCollider& body, const 
 }
 
 ClearedPanels make_sewable(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn) {
+    const double closed = close_level_gaps(unsewn);
     const double lift = seam_clearing_lift(unsewn, body);
     for (Vec3d& x : unsewn.x) x.y() += lift;
     ClearedPanels cleared = clear_panels(unsewn, body, worn);
+    if (closed > 0.001)
+        cleared.notes.insert(cleared.notes.begin(), "panels moved by up to " +
+                                                        std::to_string(std::lround(closed * 1000)) +
+                                                        " mm, against those that they hang from");
     if (lift != 0) {
         const std::string millimetres = std::to_string(std::lround(std::abs(lift) * 1000));
         cleared.notes.insert(cleared.notes.begin(), "all panels moved " + millimetres +

@@ -1,5 +1,7 @@
 #pragma once
 // Shared by the tests of sim/place: the limbs of the mannequin, and a panel that nobody placed.
+#include <utility>
+
 #include "sim/body/body.h"
 #include "sim/pattern/pattern.h"
 #include "sim/place/limbs.h"
@@ -12,15 +14,20 @@ inline const BodyLimbs& mannequin_limbs() {
     return found;
 }
 
-// The body with a head that is three times as tall, as of a figure in a cartoon. Pre: it has the mannequin's bones.
-inline Body with_large_head(Body body) {
+// The body with a head that is so many times as tall. Pre: it has the mannequin's bones.
+inline Body with_head_scaled(Body body, double times) {
     const double height = height_range(body).high, neck = 0.86 * height;
     const auto grow = [&](Vec3d& x) {
-        if (x.y() > neck) x.y() = neck + 3 * (x.y() - neck);
+        if (x.y() > neck) x.y() = neck + times * (x.y() - neck);
     };
     for (Vec3d& x : body.x) grow(x);
     for (Bone& bone : body.bones) grow(bone.joint);
     return body;
+}
+
+// As of a figure in a cartoon.
+inline Body with_large_head(Body body) {
+    return with_head_scaled(std::move(body), 3);
 }
 
 // Edges: 0 bottom, 1 right, 2 top, 3 left.

@@ -1,0 +1,18 @@
+#pragma once
+// The seams by which a garment hangs, told by where their cloth lies. Shoulder seams bear it: both sides hang from
+// them. At level seams, as at a waist, one side hangs from the other.
+#include <vector>
+
+#include "sim/mesh/garment_mesh.h"
+
+namespace selvedge::sim {
+
+// Those between panels whose cloth lies below the seam on both sides, as it was placed. Pre: unsewn.
+std::vector<SeamLink> shoulder_links(const GarmentMesh& unsewn);
+
+// Moves panels up or down until their level seams are closed, each group of panels that other seams join as a whole.
+// What has shoulder seams stays where it is, or else what is highest. Patterns are often placed with a gap there; while
+// it is sewn, a skirt would pull a bodice down through the shoulders. Returns the largest move, m. Pre: unsewn.
+double close_level_gaps(GarmentMesh& unsewn);
+
+}  // namespace selvedge::sim
