@@ -539,11 +539,12 @@ void validate_panels(const WornGarment& garment, const PanelVertices& panels, co
     }
 }
 
+constexpr double kLiesOnFloor = 0.02;  // m, above the floor
+
 // Cloth on the floor has fallen if it was placed above the knees; a hem that was placed lower is only long. What slips
 // has a fault of its own.
 void validate_floor(const WornGarment& garment, const PanelVertices& panels, const std::vector<std::size_t>& parts,
                     const SlippingParts& slipping, const BodyPair& bodies, DressReport& report) {
-    constexpr double kNear = 0.02;   // m, above the floor
     constexpr double kShare = 0.01;  // of the vertices
     const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
     if (!is_ascending(from) || !is_ascending(to)) return;
@@ -552,7 +553,7 @@ void validate_floor(const WornGarment& garment, const PanelVertices& panels, con
     for (std::size_t p = 0; p < panels.size(); ++p) {
         if (slipping.contains(parts[p])) continue;
         for (const std::size_t v : panels[p]) {
-            if (garment.draped[v].y() >= bodies.worn_by.height.low + kNear) continue;
+            if (garment.draped[v].y() >= bodies.worn_by.height.low + kLiesOnFloor) continue;
             ++lying;
             if (carry_over(garment.panels.x[v].y(), from, to) > knees) ++fallen;
         }
@@ -564,6 +565,48 @@ void validate_floor(const WornGarment& garment, const PanelVertices& panels, con
                            .value = static_cast<double>(fallen) / vertices});
     } else if (static_cast<double>(lying) > kShare * vertices) {
         report.notes.emplace_back("part of the garment lies on the floor: is it too long for this body?");
+    }
+}
+
+// Whether one of the points lies on a surface of the body that faces up, above that height, m: as on a shoulder.
+bool is_carried(const std::vector<Vec3d>& points, const Body& body, double above) {
+    constexpr double kUp = 0.5;                      // cosine, 60 degrees from upright
+    constexpr double kBeside = 0.02, kOver = 0.015;  // m, from the middle of a triangle
+    const auto at = [&](int v) -> const Vec3d& { return body.x[static_cast<std::size_t>(v)]; };
+    for (const auto& [a, b, c] : body.triangles) {
+        const Vec3d normal = (at(b) - at(a)).cross(at(c) - at(a)), middle = (at(a) + at(b) + at(c)) / 3;
+        if (middle.y() < above || normal.y() < kUp * normal.norm()) continue;
+        const auto lies_on = [&](const Vec3d& p) {
+            const Vec3d from = p - middle;
+            return std::abs(from.y()) < kOver && std::hypot(from.x(), from.z()) < kBeside;
+        };
+        if (std::ranges::any_of(points, lies_on)) return true;
+    }
+    return false;
+}
+
+// A part that goes round no limb, lies on no shoulder and reaches the floor is not worn: it stands there.
+void validate_carried(const WornGarment& garment, const PanelVertices& panels, const std::vector<std::size_t>& parts,
+                      const MeantOpenings& meant, const BodyPair& bodies, DressReport& report) {
+    std::set<std::size_t> round_limbs;
+    for (std::size_t i = 0; i < meant.openings.size(); ++i) {
+        const LimbSet leaving = meant.limbs.through[i] & meant.limbs.known;
+        if (leaving.any() && leaving != meant.limbs.known)
+            round_limbs.insert(parts[static_cast<std::size_t>(meant.openings[i].panels.front())]);
+    }
+    std::map<std::size_t, std::vector<Vec3d>> others;  // per part, m
+    for (std::size_t p = 0; p < panels.size(); ++p) {
+        if (round_limbs.contains(parts[p])) continue;
+        for (const std::size_t v : panels[p]) others[parts[p]].push_back(garment.draped[v]);
+    }
+    const double floor = bodies.worn_by.height.low, knees = (floor + heights_of(bodies.worn_by)[1]) / 2;
+    for (const auto& [part, points] : others) {
+        const double lowest = std::ranges::min(points, {}, [](const Vec3d& p) { return p.y(); }).y();
+        if (lowest > floor + kLiesOnFloor || is_carried(points, bodies.wearer, knees)) continue;
+        add_fault(report, {.kind = "on_floor",
+                           .place = "'" + garment.panels.panel_names[part] +
+                                    "' stands on the floor: it goes round no part of the body, and lies on none",
+                           .value = static_cast<double>(points.size()) / static_cast<double>(garment.draped.size())});
     }
 }
 
@@ -690,6 +733,7 @@ void WearingCheck::validate(const Cloth& cloth, DressReport& report) const {
     validate_panels(garment, panels, parts, slipping, bodies, report);
     for (const Slip& slip : slips) add_fault(report, slip.fault);
     validate_floor(garment, panels, parts, slipping, bodies, report);
+    validate_carried(garment, panels, parts, known_->meant, bodies, report);
     const auto is_crumpled = [](const DressFault& fault) {
         return class_of(fault) == FaultClass::DoesNotFit || fault.kind == "on_floor" || fault.kind == "displaced";
     };

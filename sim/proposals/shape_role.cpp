@@ -174,6 +174,11 @@ void set_faces(std::vector<PanelRole>& roles, GarmentPart part, const std::vecto
 
 }  // namespace
 
+bool looks_like_bodice(const Panel& panel) {
+    const Armholes armholes = armholes_of(panel);
+    return armholes.is_left || armholes.is_right;
+}
+
 bool looks_like_leg(const Panel& panel) {
     constexpr double kSlender = 1.3;  // height over width
     constexpr double kHook = 0.03;    // m, by which the crotch stands out above

@@ -8,6 +8,9 @@
 
 namespace selvedge::sim {
 
+// Whether the outline goes up from an underarm, where it is widest, round an armhole to a shoulder and a neck.
+bool looks_like_bodice(const Panel& panel);
+
 // Whether the outline narrows from its widest place, where a crotch would be, both to the hem and to the waist, and
 // much more on one side than on the other: the hook of a trouser leg.
 bool looks_like_leg(const Panel& panel);

@@ -212,6 +212,29 @@ TEST(Wearing, only_notes_a_hem_that_is_long_enough_to_lie_on_the_floor) {
     EXPECT_TRUE(has_note(report, "the waist of 'front' lies 10 cm lower than it was placed"));
 }
 
+// A strip of cloth that reaches the floor.
+Pattern strip() {
+    Pattern pattern;
+    pattern.panels = {rectangle("strip", {.width = 0.2, .height = 1.5, .y = 0.005, .z = 0.5})};
+    return pattern;
+}
+
+TEST(Wearing, finds_a_strip_that_stands_on_the_floor_beside_the_body) {
+    const DressReport report = report_on(strip(), stays, mannequin());
+    ASSERT_EQ(report.faults.size(), 1U) << list(report);
+    EXPECT_EQ(report.faults[0].kind, "on_floor");
+    EXPECT_NE(report.faults[0].place.find("'strip' stands on the floor"), std::string::npos) << list(report);
+}
+
+TEST(Wearing, of_a_strip_that_hangs_from_a_shoulder_to_the_floor_has_no_fault) {
+    Vec3d shoulder = Vec3d::Zero();
+    for (const Vec3d& x : mannequin().x)
+        if (std::abs(x.x() - 0.1) < 0.01 && x.y() < 0.86 * height_range(mannequin()).high && x.y() > shoulder.y())
+            shoulder = x;
+    const auto hangs = [&](const Vec3d& x) { return Vec3d(x.y() > 1.4 ? shoulder + Vec3d(0, 0.002, 0) : x); };
+    EXPECT_EQ(list(report_on(strip(), hangs, mannequin())), "");
+}
+
 TEST(Wearing, finds_a_garment_beside_the_body) {
     const DressReport report = report_on(
         skirt(), [](const Vec3d& x) { return Vec3d(x + Vec3d(0, 0, 0.8)); }, mannequin());

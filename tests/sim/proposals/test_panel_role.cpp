@@ -103,6 +103,14 @@ TEST(PanelRole, of_bodices_and_skirts_is_not_that_of_a_leg) {
     EXPECT_EQ(roles_of(pattern)[0].part, Skirt) << "it hangs from a waistband";
 }
 
+// The hem is narrower than the chest, and the shoulder lies further in than the underarm.
+TEST(PanelRole, of_fronts_and_backs_with_shoulders_is_not_that_of_a_leg) {
+    Pattern pattern;
+    pattern.panels = {polygon("front", {{0, 0}, {0.28, 0}, {0.3, 0.36}, {0.248, 0.6}, {0.1, 0.64}, {0, 0.45}}),
+                      polygon("back", {{0, 0}, {0.28, 0}, {0.3, 0.36}, {0.248, 0.6}, {0.1, 0.64}, {0, 0.61}})};
+    for (const PanelRole& role : roles_of(pattern)) EXPECT_EQ(role.part, Torso);
+}
+
 TEST(PanelRole, of_a_leg_is_seen_though_its_waist_slopes_and_its_pocket_is_slanted) {
     Pattern pattern;
     pattern.panels = {leg_half("front", 0.3), leg_half("back", 0.34)};
