@@ -271,6 +271,7 @@ struct PanelShift {
     double moved = 0;              // m, upward, of the middle
     Vec3d middle = Vec3d::Zero();  // m, draped
     bool is_displaced = false;
+    bool is_bunched = false;   // it was pushed up, and does not hang down again
     bool is_at_place = false;  // so that seams may have drawn other panels to it
 };
 
@@ -281,6 +282,7 @@ struct PanelShift {
 PanelShift measure_shift(const WornGarment& garment, const std::vector<std::size_t>& vertices, const Heights& from,
                          const Heights& to) {
     constexpr double kLeastCovered = 0.5;  // of the heights
+    constexpr double kHanging = 0.7;       // of its height as placed, at which what hangs has still all of it
     Range placed, draped;
     PanelShift shift;
     for (const std::size_t v : vertices) {
@@ -292,6 +294,7 @@ PanelShift measure_shift(const WornGarment& garment, const std::vector<std::size
     const double reach = std::max(0.0, (to[2] - to[1] - placed.length()) / 2);
     const double covered = std::min(placed.high, draped.high + reach) - std::max(placed.low, draped.low - reach);
     shift.is_displaced = covered < kLeastCovered * placed.length();
+    shift.is_bunched = shift.is_displaced && shift.moved > 0 && draped.length() < kHanging * placed.length();
     shift.is_at_place = !shift.is_displaced && std::abs(shift.moved) <= (to[2] - to[1]) / 2;
     return shift;
 }
@@ -510,8 +513,8 @@ void note_raised_edges(const std::vector<TrunkEdge>& edges, const WornGarment& g
 // Panels that seams join are displaced together: where one is at its place, the others are as near to theirs as their
 // seams let them, and were placed loosely, as GarmentCode does with long skirts. A panel is at its place if it moved by
 // at most half of the height from the hips to the waist; a long skirt may have fallen with its bodice by more, and
-// still cover half of its heights. Panels round an arm are left out: they cannot leave it unless their openings miss
-// it; and those of what slips, which has a fault of its own.
+// still cover half of its heights. But seams hold none up that lies bunched above its place. Panels round an arm are
+// left out: they cannot leave it unless their openings miss it; and those of what slips, which has a fault of its own.
 void validate_panels(const WornGarment& garment, const PanelVertices& panels, const std::vector<std::size_t>& parts,
                      const SlippingParts& slipping, const BodyPair& bodies, DressReport& report) {
     const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
@@ -526,7 +529,7 @@ void validate_panels(const WornGarment& garment, const PanelVertices& panels, co
     }
     for (std::size_t p = 0; p < panels.size(); ++p) {
         if (!shifts[p]) continue;
-        const bool has_left_its_part = shifts[p]->is_displaced && !is_at_place[parts[p]];
+        const bool has_left_its_part = shifts[p]->is_displaced && (!is_at_place[parts[p]] || shifts[p]->is_bunched);
         // What is joined to a hood is at its place however the hood lies.
         if (!has_left_its_part && !is_off_head(garment, panels[p], bodies)) continue;
         const double moved = shifts[p]->moved;

@@ -196,6 +196,26 @@ TEST(Wearing, finds_a_bodice_that_fell_with_its_long_skirt) {
     EXPECT_NE(report.faults[0].place.find("'bodice' lies 19 cm lower"), std::string::npos) << list(report);
 }
 
+TEST(Wearing, finds_a_skirt_that_lies_bunched_above_the_hips_though_its_bodice_is_at_its_place) {
+    Pattern pattern = tube(0.5, 0.2, 0.85, 0.2);
+    const Pattern skirt = tube(0.5, 0.55, 0.3, 0.2);
+    pattern.panels.insert(pattern.panels.end(), skirt.panels.begin(), skirt.panels.end());
+    pattern.panels[2].name = "skirt";
+    pattern.panels[3].name = "skirt back";
+    pattern.seams.insert(pattern.seams.end(), {{.first = {2, 1}, .second = {3, 3}},
+                                               {.first = {2, 3}, .second = {3, 1}},
+                                               {.first = {0, 0}, .second = {2, 2}},
+                                               {.first = {1, 0}, .second = {3, 2}}});
+    EXPECT_EQ(list(report_on(pattern, stays, mannequin())), "");
+    const auto bunched = [](const Vec3d& x) {
+        return x.y() < 0.85 ? Vec3d(x.x(), 0.85 - 0.2 * (0.85 - x.y()), x.z()) : x;
+    };
+    const DressReport report = report_on(pattern, bunched, mannequin());
+    ASSERT_EQ(report.faults.size(), 2U) << list(report);
+    EXPECT_EQ(report.faults[0].kind, "displaced");
+    EXPECT_NE(report.faults[0].place.find("'skirt' lies 22 cm higher"), std::string::npos) << list(report);
+}
+
 TEST(Wearing, finds_a_skirt_on_the_floor) {
     const DressReport report = report_on(
         narrow_skirt(), [](const Vec3d& x) { return Vec3d(x.x(), 0.004, x.z()); }, mannequin());
