@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/mesh/garment_mesh.h"
+#include "sim/place/limbs.h"
 #include "sim/place/openings.h"
 
 namespace selvedge::sim {
@@ -20,9 +21,12 @@ struct RolledEdge {
     std::size_t vertex = 0;  // of the mesh, that is rolled by most
 };
 
-// placed, draped: how far inward of the edge each vertex lies, m: its height for a hem, for a cuff the way along the
-// arm up to the shoulder. Only what was placed clearly inward of a part of the edge can lie beyond it, so an edge that
-// slopes, or that was placed flat, is not taken for a rolled one. Pre: the mesh is sewn.
+// How far inward of a hem or cuff each point lies, m: its height, or, along the line of an arm, the way up from the
+// arm's end. arm: null for a hem.
+std::vector<double> inward_of(std::span<const Vec3d> x, const Limb* arm);
+
+// placed, draped: inward_of() each vertex. Only what was placed clearly inward of a part of the edge can lie beyond it,
+// so an edge that slopes, or that was placed flat, is not taken for a rolled one. Pre: the mesh is sewn.
 RolledEdge measure_rolled_edge(const GarmentMesh& sewn, const Opening& edge, std::span<const double> placed,
                                std::span<const double> draped);
 

@@ -17,6 +17,8 @@
 #include "sim/core/assert.h"
 #include "sim/core/disjoint_sets.h"
 #include "sim/core/math.h"
+#include "sim/inspection/body_heights.h"
+#include "sim/inspection/carried.h"
 #include "sim/inspection/hoop_support.h"
 #include "sim/inspection/rolled_edges.h"
 #include "sim/mesh/sew.h"
@@ -232,27 +234,6 @@ void validate_openings(const WornGarment& garment, const PanelVertices& panels, 
         add_mismatch(missed, *mismatch, name);
     }
     report_missed(missed, report);
-}
-
-// The heights of a body's joints, ascending, m: floor, hips, waist, chest, neck, top.
-using Heights = std::vector<double>;
-
-Heights heights_of(const BodyLimbs& body) {
-    Heights heights{body.height.low};
-    for (const LimbJoint& joint : body.torso) heights.push_back(joint.centre.y());
-    heights.push_back(body.height.high);
-    return heights;
-}
-
-bool is_ascending(const Heights& heights) {
-    return std::ranges::adjacent_find(heights, std::greater_equal<>()) == heights.end();
-}
-
-// The height on the other body between the same joints; linear beyond the ends.
-double carry_over(double y, const Heights& from, const Heights& to) {
-    std::size_t i = 0;
-    while (i + 2 < from.size() && y > from[i + 1]) ++i;
-    return to[i] + (y - from[i]) * (to[i + 1] - to[i]) / (from[i + 1] - from[i]);
 }
 
 struct Range {
@@ -571,30 +552,15 @@ void validate_floor(const WornGarment& garment, const PanelVertices& panels, con
     }
 }
 
-// Whether one of the points lies on a surface of the body that faces up, above that height, m: as on a shoulder.
-bool is_carried(const std::vector<Vec3d>& points, const Body& body, double above) {
-    constexpr double kUp = 0.5;                      // cosine, 60 degrees from upright
-    constexpr double kBeside = 0.02, kOver = 0.015;  // m, from the middle of a triangle
-    const auto at = [&](int v) -> const Vec3d& { return body.x[static_cast<std::size_t>(v)]; };
-    for (const auto& [a, b, c] : body.triangles) {
-        const Vec3d normal = (at(b) - at(a)).cross(at(c) - at(a)), middle = (at(a) + at(b) + at(c)) / 3;
-        if (middle.y() < above || normal.y() < kUp * normal.norm()) continue;
-        const auto lies_on = [&](const Vec3d& p) {
-            const Vec3d from = p - middle;
-            return std::abs(from.y()) < kOver && std::hypot(from.x(), from.z()) < kBeside;
-        };
-        if (std::ranges::any_of(points, lies_on)) return true;
-    }
-    return false;
-}
-
 // A part that goes round no limb, lies on no shoulder and reaches the floor is not worn: it stands there.
 void validate_carried(const WornGarment& garment, const PanelVertices& panels, const std::vector<std::size_t>& parts,
                       const MeantOpenings& meant, const BodyPair& bodies, DressReport& report) {
+    const LimbSet& known = meant.limbs.known;
+    if (!known[index_of(LimbKind::Head)] || !known[index_of(LimbKind::LeftLeg)]) return;  // both ends of the trunk
     std::set<std::size_t> round_limbs;
     for (std::size_t i = 0; i < meant.openings.size(); ++i) {
-        const LimbSet leaving = meant.limbs.through[i] & meant.limbs.known;
-        if (leaving.any() && leaving != meant.limbs.known)
+        const LimbSet leaving = meant.limbs.through[i] & known;
+        if (leaving.any() && leaving != known)
             round_limbs.insert(parts[static_cast<std::size_t>(meant.openings[i].panels.front())]);
     }
     std::map<std::size_t, std::vector<Vec3d>> others;  // per part, m
@@ -611,34 +577,6 @@ void validate_carried(const WornGarment& garment, const PanelVertices& panels, c
                                     "' stands on the floor: it goes round no part of the body, and lies on none",
                            .value = static_cast<double>(points.size()) / static_cast<double>(garment.draped.size())});
     }
-}
-
-// How far along a limb's joints the point is nearest to them, m from the first; on, straight, beyond the last.
-double length_along(const Limb& limb, const Vec3d& x) {
-    const std::vector<LimbJoint>& joints = limb.joints;
-    double length = 0, nearest = 0, least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
-        const Vec3d along = joints[i + 1].centre - joints[i].centre;
-        if (!(along.norm() > 0)) continue;
-        const bool is_last = i + 2 == joints.size();
-        const double free_share = along.dot(x - joints[i].centre) / along.squaredNorm();
-        const double share = std::clamp(free_share, 0.0, is_last ? std::numeric_limits<double>::infinity() : 1.0);
-        const double distance = (joints[i].centre + share * along - x).norm();
-        if (distance < least) {
-            least = distance;
-            nearest = length + share * along.norm();
-        }
-        length += along.norm();
-    }
-    return nearest;
-}
-
-// How far each vertex lies up its arm from the end of it, m, along the arm's line; or its height.
-std::vector<double> inward_of(const std::vector<Vec3d>& x, const Limb* arm) {
-    std::vector<double> inward;
-    inward.reserve(x.size());
-    for (const Vec3d& point : x) inward.push_back(arm ? -length_along(*arm, point) : point.y());
-    return inward;
 }
 
 // Of hems and cuffs: edges of the trunk's and the legs' lower ends, and of sleeves. Upper edges, as collars, may turn
