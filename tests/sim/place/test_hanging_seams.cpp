@@ -7,9 +7,11 @@
 #include <cstddef>
 #include <vector>
 
+#include "sim/collide/body_collider.h"
 #include "sim/mesh/sew.h"
 #include "sim/place/placement.h"
 #include "tests/sim/dress/shapes.h"
+#include "tests/support/bodies.h"
 
 namespace selvedge::sim::test {
 namespace {

@@ -14,6 +14,7 @@
 #include "sim/place/placement.h"
 #include "sim/session/dress.h"
 #include "tests/sim/dress/shapes.h"
+#include "tests/sim/place/support.h"
 #include "tests/support/bodies.h"
 #include "tests/support/posed_body.h"
 

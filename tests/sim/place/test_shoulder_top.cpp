@@ -6,6 +6,7 @@
 #include "sim/place/placement.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/sim/place/support.h"
+#include "tests/support/bodies.h"
 #include "tests/support/posed_body.h"
 
 namespace selvedge::sim::test {
