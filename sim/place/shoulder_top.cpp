@@ -34,7 +34,7 @@ std::vector<Corners> triangles_over(const Body& body, double x, double y) {
     for (const std::array<int, 3>& triangle : body.triangles) {
         Corners corners;
         for (std::size_t i = 0; i < 3; ++i) corners[i] = body.x[static_cast<std::size_t>(triangle[i])];
-        const auto [left, right] = std::ranges::minmax({corners[0].x(), corners[1].x(), corners[2].x()});
+        const auto [left, right] = std::minmax({corners[0].x(), corners[1].x(), corners[2].x()});
         const double top = std::max({corners[0].y(), corners[1].y(), corners[2].y()});
         if (left <= x && x <= right && top > y) found.push_back(corners);
     }
