@@ -1,5 +1,5 @@
 #pragma once
-// Heights of a body between which others lie alike on all bodies.
+// The heights of a body's joints, by which a place on one body is found on another.
 #include <vector>
 
 #include "sim/place/limbs.h"

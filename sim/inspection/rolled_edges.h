@@ -21,8 +21,8 @@ struct RolledEdge {
     std::size_t vertex = 0;  // of the mesh, that is rolled by most
 };
 
-// How far inward of a hem or cuff each point lies, m: its height, or, along the line of an arm, the way up from the
-// arm's end. arm: null for a hem.
+// How far inward each point lies, m from a place that is the same for all: its height for a hem; for a cuff, along the
+// line of the arm, less the way from the shoulder. arm: null for a hem.
 std::vector<double> inward_of(std::span<const Vec3d> x, const Limb* arm);
 
 // placed, draped: inward_of() each vertex. Only what was placed clearly inward of a part of the edge can lie beyond it,

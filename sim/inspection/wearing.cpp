@@ -263,10 +263,11 @@ struct PanelShift {
 PanelShift measure_shift(const WornGarment& garment, const std::vector<std::size_t>& vertices, const Heights& from,
                          const Heights& to) {
     constexpr double kLeastCovered = 0.5;  // of the heights
-    constexpr double kHanging = 0.7;       // of its height as placed, at which what hangs has still all of it
-    Range placed, draped;
+    constexpr double kHanging = 0.7;       // of its own height as placed: what hangs with folds has more of it left
+    Range own, placed, draped;
     PanelShift shift;
     for (const std::size_t v : vertices) {
+        own.extend(garment.panels.x[v].y());
         placed.extend(carry_over(garment.panels.x[v].y(), from, to));
         draped.extend(garment.draped[v].y());
         shift.middle += garment.draped[v] / static_cast<double>(vertices.size());
@@ -275,7 +276,7 @@ PanelShift measure_shift(const WornGarment& garment, const std::vector<std::size
     const double reach = std::max(0.0, (to[2] - to[1] - placed.length()) / 2);
     const double covered = std::min(placed.high, draped.high + reach) - std::max(placed.low, draped.low - reach);
     shift.is_displaced = covered < kLeastCovered * placed.length();
-    shift.is_bunched = shift.is_displaced && shift.moved > 0 && draped.length() < kHanging * placed.length();
+    shift.is_bunched = shift.is_displaced && shift.moved > 0 && draped.length() < kHanging * own.length();
     shift.is_at_place = !shift.is_displaced && std::abs(shift.moved) <= (to[2] - to[1]) / 2;
     return shift;
 }
@@ -556,7 +557,9 @@ void validate_floor(const WornGarment& garment, const PanelVertices& panels, con
 void validate_carried(const WornGarment& garment, const PanelVertices& panels, const std::vector<std::size_t>& parts,
                       const MeantOpenings& meant, const BodyPair& bodies, DressReport& report) {
     const LimbSet& known = meant.limbs.known;
-    if (!known[index_of(LimbKind::Head)] || !known[index_of(LimbKind::LeftLeg)]) return;  // both ends of the trunk
+    const auto tells = [&](LimbKind end) { return known[index_of(end)]; };  // an end of the trunk
+    if (!tells(LimbKind::Head) || !tells(LimbKind::LeftLeg) || !tells(LimbKind::RightLeg)) return;
+    if (std::ranges::find(report.faults, "on_floor", &DressFault::kind) != report.faults.end()) return;
     std::set<std::size_t> round_limbs;
     for (std::size_t i = 0; i < meant.openings.size(); ++i) {
         const LimbSet leaving = meant.limbs.through[i] & known;

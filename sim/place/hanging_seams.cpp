@@ -86,9 +86,8 @@ class LevelGroups {
             if (!seam.is_level()) groups_.join(seam.panels[0], seam.panels[1]);
         for (std::size_t v = 0; v < panel_of.size(); ++v)
             if (panel_of[v] >= 0) raise(group_of(panel_of[v]), unsewn.x[v].y());
-        constexpr double kAboveAll = 1e3;  // m
         for (const PlacedSeam& seam : seams_)
-            if (seam.is_shoulder()) raise(group_of(seam.panels[0]), kAboveAll);
+            if (seam.is_shoulder()) rise_[group_of(seam.panels[0])] = 0;
         hang_all();
     }
 
@@ -102,7 +101,11 @@ class LevelGroups {
     void raise(std::size_t group, double height) { height_[group] = std::max(height_[group], height); }
 
     void hang_all() {
-        for (std::size_t i = 0; i < height_.size(); ++i) {
+        std::vector<std::size_t> held;
+        for (std::size_t group = 0; group < rise_.size(); ++group)
+            if (rise_[group]) held.push_back(group);
+        for (const std::size_t group : held) hang_from(group);
+        for (;;) {
             std::size_t highest = 0;
             double height = kLowest;
             for (std::size_t group = 0; group < height_.size(); ++group) {
@@ -111,21 +114,22 @@ class LevelGroups {
                 height = height_[group];
             }
             if (height == kLowest) return;
+            rise_[highest] = 0;
             hang_from(highest);
         }
     }
 
-    // The groups that level seams join with this one, those that they join with them, and so on.
+    // The groups that hang from this one by level seams, those that hang from them, and so on.
     void hang_from(std::size_t root) {
-        rise_[root] = 0;
         std::vector<std::size_t> reached{root};
         for (std::size_t i = 0; i < reached.size(); ++i) {
             std::map<std::size_t, std::pair<double, double>> gaps;  // by group: sum over the links, m, and their number
             for (const PlacedSeam& seam : seams_) {
-                const std::size_t first = group_of(seam.panels[0]), second = group_of(seam.panels[1]);
-                if (first == second || (first != reached[i] && second != reached[i])) continue;
-                auto& [sum, count] = gaps[first == reached[i] ? second : first];
-                sum += first == reached[i] ? seam.first_over_second : -seam.first_over_second;
+                const std::size_t upper = seam.upness(0) > 0 ? 0 : 1;
+                const std::size_t above = group_of(seam.panels[upper]), below = group_of(seam.panels[1 - upper]);
+                if (!seam.is_level() || above != reached[i] || below == above) continue;
+                auto& [sum, count] = gaps[below];
+                sum += upper == 0 ? seam.first_over_second : -seam.first_over_second;
                 count += static_cast<double>(seam.links.size());
             }
             for (const auto& [group, gap] : gaps) {

@@ -10,9 +10,10 @@ namespace selvedge::sim {
 // Those between panels whose cloth lies below the seam on both sides, as it was placed. Pre: unsewn.
 std::vector<SeamLink> shoulder_links(const GarmentMesh& unsewn);
 
-// Moves panels up or down until their level seams are closed, each group of panels that other seams join as a whole.
-// What has shoulder seams stays where it is, or else what is highest. Patterns are often placed with a gap there; while
-// it is sewn, a skirt would pull a bodice down through the shoulders. Returns the largest move, m. Pre: unsewn.
+// Moves what hangs from level seams up or down until they are closed, each group of panels that other seams join as a
+// whole. What has shoulder seams stays where it is, and so does what stands on a seam, as a hood on a neckline.
+// Patterns are often placed with a gap there; while it is sewn, a skirt would pull a bodice down through the shoulders.
+// Returns the largest move, m. Pre: unsewn.
 double close_level_gaps(GarmentMesh& unsewn);
 
 }  // namespace selvedge::sim

@@ -343,11 +343,9 @@ std::optional<Eigen::Quaterniond> turn_of_arm(const BodyLimbs& from, const BodyL
 using BodyLevels = std::array<double, 5>;
 constexpr std::size_t kShoulderLevel = 3;
 
-BodyLevels levels_of(const MeasuredBody& body) {
-    constexpr double kShoulders = 0.80;  // of the stature
+BodyLevels levels_of(const MeasuredBody& body, double shoulders) {
     const Proportions& proportions = body.proportions();
     const TorsoHeights torso = torso_heights(body.body(), body.stature());
-    const double shoulders = shoulder_top(body).value_or(proportions.at(kShoulders));
     return {proportions.floor, torso.hip, torso.waist, shoulders, proportions.crown};
 }
 
@@ -374,7 +372,11 @@ std::vector<double> tops_of(const Pattern& pattern) {
 }  // namespace
 
 Stature anchor_panels(Pattern& pattern, const MeasuredBody& from, const MeasuredBody& onto) {
-    const BodyLevels from_levels = levels_of(from), onto_levels = levels_of(onto);
+    constexpr double kShoulders = 0.80;  // of the stature: the joints, where one of the bodies does not show their top
+    const auto from_top = shoulder_top(from), onto_top = shoulder_top(onto);
+    const bool have_tops = from_top && onto_top;
+    const BodyLevels from_levels = levels_of(from, have_tops ? *from_top : from.proportions().at(kShoulders));
+    const BodyLevels onto_levels = levels_of(onto, have_tops ? *onto_top : onto.proportions().at(kShoulders));
     const auto shift = [&](const Vec3d& x, double rise) {
         return Vec3d(torso_centre(onto, x.y() + rise) - torso_centre(from, x.y()));
     };

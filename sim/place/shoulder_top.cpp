@@ -55,9 +55,10 @@ std::optional<double> way_out(const std::vector<Corners>& triangles, double x, d
 }  // namespace
 
 std::optional<double> shoulder_top(const MeasuredBody& body) {
-    // Of the stature. Where shoulder seams lie, from the middle of the trunk; how far before and behind it they may be;
+    // Of the stature. Where shoulder seams lie, from the middle of the trunk; between places before and behind that;
     // a level of the chest.
-    constexpr double kBeside = 0.058, kReach = 0.05, kStep = 0.005, kChest = 0.75;
+    constexpr double kBeside = 0.058, kStep = 0.005, kChest = 0.75;
+    constexpr int kSteps = 10;                         // to each side
     constexpr double kLowest = 0.77, kHighest = 0.92;  // of the stature, on people of any build
     const Proportions& proportions = body.proportions();
     const double stature = proportions.stature_by_trunk(), chest = proportions.at(kChest);
@@ -68,8 +69,8 @@ std::optional<double> shoulder_top(const MeasuredBody& body) {
         const double x = trunk->centre.x() + side * kBeside * stature;
         const std::vector<Corners> triangles = triangles_over(body.body(), x, chest);
         std::optional<double> top;
-        for (double share = -kReach; share <= kReach; share += kStep) {
-            const auto out = way_out(triangles, x, chest, trunk->centre.z() + share * stature);
+        for (int i = -kSteps; i <= kSteps; ++i) {
+            const auto out = way_out(triangles, x, chest, trunk->centre.z() + i * kStep * stature);
             if (out && (!top || *out > *top)) top = out;
         }
         if (!top) return std::nullopt;

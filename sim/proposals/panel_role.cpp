@@ -102,13 +102,14 @@ GarmentPart part_of_faces(const Pattern& pattern, const std::vector<PanelRole>& 
          {GarmentPart::Sleeve, GarmentPart::Collar, GarmentPart::CollarStand, GarmentPart::Hood, GarmentPart::Yoke}) {
         if (has(upper)) return GarmentPart::Torso;
     }
-    // A front or back that spans the middle of the body, as those cut on the fold, is of no trousers, nor is one with a
-    // shoulder above its outermost corner.
+    // A front or back that spans the middle of the body, as those cut on the fold, is of no trousers, nor is a back
+    // with a shoulder above its outermost corner; a front may have a slanted pocket there.
     bool is_leg = false, has_other = false;
     for (std::size_t p = 0; p < roles.size(); ++p) {
         if (!is_plain_face(roles[p]) || !pattern.panels[p].is_worn) continue;
         (looks_like_leg(pattern.panels[p]) ? is_leg : has_other) = true;
-        has_other = has_other || is_symmetric(pattern.panels[p]) || looks_like_bodice(pattern.panels[p]);
+        has_other = has_other || is_symmetric(pattern.panels[p]) ||
+                    (roles[p].face == Face::Back && looks_like_bodice(pattern.panels[p]));
     }
     if (is_leg && !has_other) return GarmentPart::Leg;
     return has(GarmentPart::Waistband) ? GarmentPart::Skirt : GarmentPart::Torso;

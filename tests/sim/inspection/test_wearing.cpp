@@ -196,7 +196,8 @@ TEST(Wearing, finds_a_bodice_that_fell_with_its_long_skirt) {
     EXPECT_NE(report.faults[0].place.find("'bodice' lies 19 cm lower"), std::string::npos) << list(report);
 }
 
-TEST(Wearing, finds_a_skirt_that_lies_bunched_above_the_hips_though_its_bodice_is_at_its_place) {
+// A bodice to 0.85 m, and a skirt below it.
+Pattern dress_in_four_panels() {
     Pattern pattern = tube(0.5, 0.2, 0.85, 0.2);
     const Pattern skirt = tube(0.5, 0.55, 0.3, 0.2);
     pattern.panels.insert(pattern.panels.end(), skirt.panels.begin(), skirt.panels.end());
@@ -206,6 +207,11 @@ TEST(Wearing, finds_a_skirt_that_lies_bunched_above_the_hips_though_its_bodice_i
                                                {.first = {2, 3}, .second = {3, 1}},
                                                {.first = {0, 0}, .second = {2, 2}},
                                                {.first = {1, 0}, .second = {3, 2}}});
+    return pattern;
+}
+
+TEST(Wearing, finds_a_skirt_that_lies_bunched_above_the_hips_though_its_bodice_is_at_its_place) {
+    const Pattern pattern = dress_in_four_panels();
     EXPECT_EQ(list(report_on(pattern, stays, mannequin())), "");
     const auto bunched = [](const Vec3d& x) {
         return x.y() < 0.85 ? Vec3d(x.x(), 0.85 - 0.2 * (0.85 - x.y()), x.z()) : x;
@@ -214,6 +220,16 @@ TEST(Wearing, finds_a_skirt_that_lies_bunched_above_the_hips_though_its_bodice_i
     ASSERT_EQ(report.faults.size(), 2U) << list(report);
     EXPECT_EQ(report.faults[0].kind, "displaced");
     EXPECT_NE(report.faults[0].place.find("'skirt' lies 22 cm higher"), std::string::npos) << list(report);
+}
+
+// Of a child's size on a giant: the skirt hangs, but ends above its place.
+TEST(Wearing, of_a_short_dress_on_a_taller_body_has_nothing_bunched) {
+    Body tall = mannequin();
+    for (Vec3d& x : tall.x) x *= 1.5;
+    for (Bone& bone : tall.bones) bone.joint *= 1.5;
+    const auto at_the_waist = [](const Vec3d& x) { return Vec3d(1.5 * x.x(), x.y() + 0.48, 1.5 * x.z()); };
+    const DressReport report = report_on(dress_in_four_panels(), at_the_waist, tall);
+    EXPECT_EQ(list(report).find("displaced: 'skirt"), std::string::npos) << list(report);
 }
 
 TEST(Wearing, finds_a_skirt_on_the_floor) {
