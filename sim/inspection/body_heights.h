@@ -1,5 +1,5 @@
 #pragma once
-// The heights of a body's joints, by which a place on one body is found on another.
+// The heights of a body's joints, between which a place on one body is found on another (sim/place/level_on.h).
 #include <vector>
 
 #include "sim/place/limbs.h"
@@ -13,8 +13,5 @@ Heights heights_of(const BodyLimbs& body);
 
 // As those of a body that stands.
 bool is_ascending(const Heights& heights);
-
-// The height on the other body between the same joints; linear beyond the ends. Pre: both are ascending.
-double carry_over(double y, const Heights& from, const Heights& to);
 
 }  // namespace selvedge::sim

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "sim/body/vertical_line.h"
+
 namespace selvedge::sim {
 
 bool is_carried(std::span<const Vec3d> points, const Body& body, double above) {
@@ -12,19 +14,14 @@ bool is_carried(std::span<const Vec3d> points, const Body& body, double above) {
     // vertices.
     constexpr double kMostOver = 0.05, kMostUnder = 0.015;
     for (const std::array<int, 3>& triangle : body.triangles) {
-        const auto corner = [&](std::size_t i) -> const Vec3d& {
-            return body.x[static_cast<std::size_t>(triangle[i])];
-        };
-        const Vec3d &a = corner(0), &b = corner(1), &c = corner(2), normal = (b - a).cross(c - a);
-        if (std::max({a.y(), b.y(), c.y()}) < above || !(normal.y() > kUp * normal.norm())) continue;
+        std::array<Vec3d, 3> corners;
+        for (std::size_t i = 0; i < 3; ++i) corners[i] = body.x[static_cast<std::size_t>(triangle[i])];
+        const Vec3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        const double top = std::max({corners[0].y(), corners[1].y(), corners[2].y()});
+        if (top < above || !(normal.y() > kUp * normal.norm())) continue;
         const auto lies_on = [&](const Vec3d& p) {
-            const double over = (p - a).dot(normal) / normal.y();  // m, along the upright
-            if (over > kMostOver || over < -kMostUnder) return false;
-            const Vec3d on = p - Vec3d(0, over, 0);
-            const auto is_inside = [&](const Vec3d& from, const Vec3d& to) {
-                return (to - from).cross(on - from).dot(normal) >= 0;
-            };
-            return is_inside(a, b) && is_inside(b, c) && is_inside(c, a);
+            const auto met = meet_vertical(corners, p.x(), p.z());
+            return met && p.y() - met->y <= kMostOver && met->y - p.y() <= kMostUnder;
         };
         if (std::ranges::any_of(points, lies_on)) return true;
     }

@@ -22,6 +22,7 @@
 #include "sim/inspection/hoop_support.h"
 #include "sim/inspection/rolled_edges.h"
 #include "sim/mesh/sew.h"
+#include "sim/place/level_on.h"
 #include "sim/place/limb_pieces.h"
 #include "sim/place/limbs.h"
 #include "sim/place/openings.h"
@@ -268,7 +269,7 @@ PanelShift measure_shift(const WornGarment& garment, const std::vector<std::size
     PanelShift shift;
     for (const std::size_t v : vertices) {
         own.extend(garment.panels.x[v].y());
-        placed.extend(carry_over(garment.panels.x[v].y(), from, to));
+        placed.extend(level_on(garment.panels.x[v].y(), from, to));
         draped.extend(garment.draped[v].y());
         shift.middle += garment.draped[v] / static_cast<double>(vertices.size());
     }
@@ -442,7 +443,7 @@ std::vector<TrunkEdge> trunk_edges(const WornGarment& garment, const MeantOpenin
         if (meant.hang_from_shoulders[i]) continue;  // a hem
         double placed = 0;
         for (const int v : openings[i].vertices)
-            placed += carry_over(garment.closed.x[static_cast<std::size_t>(v)].y(), from, to);
+            placed += level_on(garment.closed.x[static_cast<std::size_t>(v)].y(), from, to);
         placed /= static_cast<double>(openings[i].vertices.size());
         const TrunkEdge lowered{.edge = &openings[i],
                                 .placed = placed,
@@ -540,7 +541,7 @@ void validate_floor(const WornGarment& garment, const PanelVertices& panels, con
         for (const std::size_t v : panels[p]) {
             if (garment.draped[v].y() >= bodies.worn_by.height.low + kLiesOnFloor) continue;
             ++lying;
-            if (carry_over(garment.panels.x[v].y(), from, to) > knees) ++fallen;
+            if (level_on(garment.panels.x[v].y(), from, to) > knees) ++fallen;
         }
     }
     const auto vertices = static_cast<double>(garment.draped.size());

@@ -1,5 +1,7 @@
 #include "sim/place/measured_body.h"
 
+#include "sim/place/shoulder_top.h"
+
 namespace selvedge::sim {
 
 const LandmarkHeights& MeasuredBody::landmarks() const {
@@ -20,6 +22,11 @@ const Proportions& MeasuredBody::proportions() const {
 const BodyLimbs& MeasuredBody::limbs() const {
     std::call_once(has_limbs_, [&] { limbs_ = find_limbs(body_, stature()); });
     return limbs_;
+}
+
+const std::optional<double>& MeasuredBody::shoulder_top() const {
+    std::call_once(has_shoulder_top_, [&] { shoulder_top_ = find_shoulder_top(*this); });
+    return shoulder_top_;
 }
 
 const LevelSections& MeasuredBody::sections() const {

@@ -1,8 +1,9 @@
 #pragma once
-// A body with its landmarks, stature, proportions, limbs and level sections. Each is found once, when it is first asked
-// for.
+// A body with its landmarks, stature, proportions, limbs, level sections and shoulders. Each is found once, when it is
+// first asked for.
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "sim/body/body.h"
 #include "sim/body/landmarks.h"
@@ -25,16 +26,18 @@ class MeasuredBody {
     const Stature& stature() const;
     const Proportions& proportions() const;
     const BodyLimbs& limbs() const;
+    const std::optional<double>& shoulder_top() const;  // m: find_shoulder_top()
     const LevelSections& sections() const;
 
  private:
     const Body& body_;
-    mutable std::once_flag has_landmarks_, has_stature_, has_proportions_, has_limbs_, has_sections_;
+    mutable std::once_flag has_landmarks_, has_stature_, has_proportions_, has_limbs_, has_sections_, has_shoulder_top_;
     mutable LandmarkHeights landmarks_;
     mutable Stature stature_;
     mutable Proportions proportions_;
     mutable BodyLimbs limbs_;
     mutable std::unique_ptr<const LevelSections> sections_;
+    mutable std::optional<double> shoulder_top_;
 };
 
 }  // namespace selvedge::sim

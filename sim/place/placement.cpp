@@ -21,10 +21,10 @@
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
 #include "sim/place/hanging_seams.h"
+#include "sim/place/level_on.h"
 #include "sim/place/limb_pieces.h"
 #include "sim/place/limbs.h"
 #include "sim/place/proportions.h"
-#include "sim/place/shoulder_top.h"
 
 namespace selvedge::sim {
 namespace {
@@ -349,13 +349,6 @@ BodyLevels levels_of(const MeasuredBody& body, double shoulders) {
     return {proportions.floor, torso.hip, torso.waist, shoulders, proportions.crown};
 }
 
-// The same place on the other body, m; linear beyond the ends.
-double level_on(double y, const BodyLevels& from, const BodyLevels& onto) {
-    std::size_t i = 0;
-    while (i + 2 < from.size() && y > from[i + 1]) ++i;
-    return onto[i] + (y - from[i]) * (onto[i + 1] - onto[i]) / (from[i + 1] - from[i]);
-}
-
 // Per panel, the height of the highest point of what seams join it with, m.
 std::vector<double> tops_of(const Pattern& pattern) {
     DisjointSets parts(pattern.panels.size());
@@ -373,7 +366,7 @@ std::vector<double> tops_of(const Pattern& pattern) {
 
 Stature anchor_panels(Pattern& pattern, const MeasuredBody& from, const MeasuredBody& onto) {
     constexpr double kShoulders = 0.80;  // of the stature: the joints, where one of the bodies does not show their top
-    const auto from_top = shoulder_top(from), onto_top = shoulder_top(onto);
+    const auto &from_top = from.shoulder_top(), &onto_top = onto.shoulder_top();
     const bool have_tops = from_top && onto_top;
     const BodyLevels from_levels = levels_of(from, have_tops ? *from_top : from.proportions().at(kShoulders));
     const BodyLevels onto_levels = levels_of(onto, have_tops ? *onto_top : onto.proportions().at(kShoulders));

@@ -6,27 +6,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "sim/body/vertical_line.h"
+#include "sim/place/measured_body.h"
+
 namespace selvedge::sim {
 namespace {
 
 using Corners = std::array<Vec3d, 3>;
-
-// Where the vertical line through (x, z) meets a triangle.
-struct Meeting {
-    double y = 0;  // m
-    bool faces_up = false;
-};
-
-std::optional<Meeting> meeting(const Corners& corners, double x, double z) {
-    const auto& [a, b, c] = corners;
-    const auto side = [&](const Vec3d& from, const Vec3d& to) {
-        return (to.z() - from.z()) * (x - from.x()) - (to.x() - from.x()) * (z - from.z());
-    };
-    const double to_a = side(b, c), to_b = side(c, a), to_c = side(a, b), area = to_a + to_b + to_c;
-    const bool is_inside = area > 0 ? std::min({to_a, to_b, to_c}) >= 0 : std::max({to_a, to_b, to_c}) <= 0;
-    if (area == 0 || !is_inside) return std::nullopt;
-    return Meeting{.y = (to_a * a.y() + to_b * b.y() + to_c * c.y()) / area, .faces_up = area > 0};
-}
 
 // The triangles that reach above the height at that x.
 std::vector<Corners> triangles_over(const Body& body, double x, double y) {
@@ -43,9 +29,9 @@ std::vector<Corners> triangles_over(const Body& body, double x, double y) {
 
 // The first way out of the body above (x, y, z); none from where that is not inside. What comes after it is the head.
 std::optional<double> way_out(const std::vector<Corners>& triangles, double x, double y, double z) {
-    std::optional<Meeting> first;
+    std::optional<VerticalMeeting> first;
     for (const Corners& corners : triangles) {
-        const std::optional<Meeting> met = meeting(corners, x, z);
+        const auto met = meet_vertical(corners, x, z);
         if (met && met->y > y && (!first || met->y < first->y)) first = met;
     }
     if (!first || !first->faces_up) return std::nullopt;
@@ -54,7 +40,7 @@ std::optional<double> way_out(const std::vector<Corners>& triangles, double x, d
 
 }  // namespace
 
-std::optional<double> shoulder_top(const MeasuredBody& body) {
+std::optional<double> find_shoulder_top(const MeasuredBody& body) {
     // Of the stature. Where shoulder seams lie, from the middle of the trunk; between places before and behind that;
     // a level of the chest.
     constexpr double kBeside = 0.058, kStep = 0.005, kChest = 0.75;

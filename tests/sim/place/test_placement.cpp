@@ -12,6 +12,7 @@
 #include "sim/mesh/sew.h"
 #include "sim/place/limbs.h"
 #include "sim/place/placement.h"
+#include "sim/place/shoulder_top.h"
 #include "sim/session/dress.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/sim/place/support.h"
@@ -77,8 +78,17 @@ TEST(AnchorPanels, moves_a_shirt_up_on_a_taller_mannequin) {
     MannequinOptions small{.subdivisions = 1};
     small.measures.height = 1.60;
     Pattern pattern = tube(0.5, 0.4, 0.9, 0.2);
-    move_panels(pattern, make_mannequin(small).body, make_mannequin(tall).body);
-    for (const Panel& panel : pattern.panels) EXPECT_NEAR(centre_height(panel), 1.1 + 0.8 * 0.2, 0.015);
+    const Body from = make_mannequin(small).body, onto = make_mannequin(tall).body;
+    move_panels(pattern, from, onto);
+    // The top, at 1.3 m, stays in its place between the waist and the top of the shoulders.
+    const auto waist = [](const Body& body) { return torso_heights(body, find_stature(body)).waist; };
+    const auto shoulders = [](const Body& body) { return find_shoulder_top(MeasuredBody(body)).value(); };
+    const double share = (1.3 - waist(from)) / (shoulders(from) - waist(from));
+    const double rise = std::lerp(waist(onto), shoulders(onto), share) - 1.3;
+    for (const Panel& panel : pattern.panels) {
+        EXPECT_NEAR(centre_height(panel), 1.1 + rise, 1e-9);
+        EXPECT_NEAR(centre_height(panel), 1.1 + 0.8 * 0.2, 0.015);
+    }
 }
 
 TEST(AnchorPanels, keeps_the_heights_of_joined_panels_among_themselves) {
