@@ -166,16 +166,17 @@ void draw_fit_table(InspectorContext& context, const sim::DressReport& report) {
 void draw_findings(InspectorContext& context, const sim::SessionFrame& frame) {
     DrapeState& state = context.state.drape;
     state.hovered_finding.reset();
-    if (frame.report != state.report) {
+    if (frame.report != state.report || frame.motion.faults.size() != state.motion_faults) {
         state.report = frame.report;
+        state.motion_faults = frame.motion.faults.size();
         state.lit_finding.reset();
     }
-    if (!frame.report) return;
+    if (!frame.report && frame.motion.faults.empty()) return;
     if (!folding("Fit and faults", Fold::Open)) return;
-    const std::vector<Finding> findings = findings_of(*frame.report, context.pattern());
+    const std::vector<Finding> findings = findings_of(frame, context.pattern());
     for (std::size_t i = 0; i < findings.size(); ++i) draw_finding(context, findings[i], i);
     if (findings.empty()) paragraph(context, "Nothing is wrong with how it hangs.");
-    draw_fit_table(context, *frame.report);
+    if (frame.report) draw_fit_table(context, *frame.report);
     const std::optional<std::size_t> lit = state.hovered_finding ? state.hovered_finding : state.lit_finding;
     if (lit && *lit < findings.size()) context.workspace.lit = findings[*lit].place;
 }

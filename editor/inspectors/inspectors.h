@@ -97,6 +97,7 @@ struct DrapeState {
     std::vector<std::string> kept{};                   // names of the drapes that the session keeps
     std::string name{};                                // name for the next one
     std::shared_ptr<const sim::DressReport> report{};  // of which findings are listed
+    std::size_t motion_faults = 0;                     // listed before them
     std::optional<std::size_t> lit_finding{}, hovered_finding{};
 };
 

@@ -296,8 +296,8 @@ void draw_axis_cross(Overlay& overlay) {
 }
 
 sim::Rgb8 verdict_colour(const sim::SessionFrame& frame, const ViewportColours& colours) {
-    if (!frame.report) return colours.faint;  // it was not looked at yet
-    switch (verdict_of(*frame.report).verdict) {
+    if (!frame.report && frame.motion.faults.empty()) return colours.faint;  // it was not looked at yet
+    switch (verdict_of(frame).verdict) {
         case Verdict::Good:
             return colours.good;
         case Verdict::Tight:
@@ -316,7 +316,9 @@ sim::Rgb8 stage_colour(const sim::SessionFrame& frame, const ViewportColours& co
             if (frame.report) return verdict_colour(frame, colours);
             [[fallthrough]];
         case sim::SessionStage::Sewing:
+            return frame.is_running ? colours.busy : colours.faint;
         case sim::SessionStage::Moving:
+            if (!frame.motion.faults.empty()) return colours.error;
             return frame.is_running ? colours.busy : colours.faint;
         case sim::SessionStage::Failed:
             return colours.error;
@@ -350,7 +352,7 @@ void draw_stage(Overlay& overlay, const Workspace& workspace, const ViewportCont
 }
 
 std::string with_verdict(const std::string& stage, const sim::SessionFrame& frame) {
-    const std::string wrong = frame.report ? verdict_of(*frame.report).text : "";
+    const std::string wrong = verdict_of(frame).text;
     return wrong.empty() ? stage : stage + ", " + wrong;
 }
 
@@ -370,6 +372,7 @@ std::string stage_badge(const sim::SessionFrame& frame) {
         case sim::SessionStage::Draping:
             return with_verdict(frame.is_running ? "Draping" : "Paused", frame);
         case sim::SessionStage::Moving:
+            if (!frame.motion.faults.empty()) return with_verdict(frame.is_running ? "Moving" : "Paused", frame);
             return frame.is_running ? "Moving" : "Paused";
         case sim::SessionStage::Settled:
             return with_verdict("Settled", frame);

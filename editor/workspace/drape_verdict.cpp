@@ -80,6 +80,17 @@ const std::string* note_of_tightness(const sim::DressReport& report) {
     return found == report.notes.end() ? nullptr : &*found;
 }
 
+// "the garment of 'front' left the waist at 1.20 s and hangs on the left hand" gives "left the waist at 1.20 s".
+std::string shortened_motion(const std::string& text) {
+    const std::size_t begin = text.find(" left the "), end = text.find(" and ", begin);
+    return begin == std::string::npos ? text : text.substr(begin + 1, end - begin - 1);
+}
+
+std::string with_more(std::string text, std::size_t more) {
+    if (more > 0) text += ", and " + std::to_string(more) + (more == 1 ? " more fault" : " more faults");
+    return text;
+}
+
 std::string readable(std::string_view measure) {
     std::string text(measure);
     std::ranges::replace(text, '_', ' ');
@@ -109,16 +120,33 @@ VerdictText verdict_of(const sim::DressReport& report) {
         };
         const auto worst = std::ranges::find_if(report.faults, is_of_fit);
         const sim::DressFault& first = worst == report.faults.end() ? report.faults.front() : *worst;
-        const std::size_t more = report.faults.size() - 1;
-        std::string text = shortened(cause_of(first));
-        if (more > 0) text += ", and " + std::to_string(more) + (more == 1 ? " more fault" : " more faults");
-        return {.verdict = Verdict::Wrong, .text = text};
+        return {.verdict = Verdict::Wrong, .text = with_more(shortened(cause_of(first)), report.faults.size() - 1)};
     }
     const std::string* note = note_of_tightness(report);
     if (note == nullptr) return {};
     std::string text = note->substr(0, note->find(','));
     if (const sim::FitRow* row = tightest(report)) text += " at the " + readable(row->measure);
     return {.verdict = Verdict::Tight, .text = text};
+}
+
+std::vector<Finding> findings_of(const sim::SessionFrame& frame, const sim::Pattern& pattern) {
+    std::vector<Finding> findings;
+    for (const std::string& fault : frame.motion.faults)
+        findings.push_back({.kind = FindingKind::Defect, .text = fault, .place = place_in(fault, pattern)});
+    if (!frame.report) return findings;
+    const std::vector<Finding> at_rest = findings_of(*frame.report, pattern);
+    findings.insert(findings.end(), at_rest.begin(), at_rest.end());
+    return findings;
+}
+
+VerdictText verdict_of(const sim::SessionFrame& frame) {
+    const std::vector<std::string>& moved = frame.motion.faults;
+    if (!moved.empty()) {
+        const std::size_t at_rest = frame.report ? frame.report->faults.size() : 0;
+        return {.verdict = Verdict::Wrong,
+                .text = with_more(shortened_motion(moved.front()), moved.size() - 1 + at_rest)};
+    }
+    return frame.report ? verdict_of(*frame.report) : VerdictText{};
 }
 
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
-// What the report of a garment at rest (sim/inspection/report.h) says to its user: whether it fits in a few words, and
-// each fault and note with its place on the panels and in space.
+// What the report of a garment at rest (sim/inspection/report.h), and what its session saw while its body moved, say to
+// their user: whether it fits in a few words, and each fault and note with its place on the panels and in space.
 #include <array>
 #include <optional>
 #include <string>
@@ -11,6 +11,7 @@
 #include "sim/inspection/report.h"
 #include "sim/mesh/draw_mesh.h"
 #include "sim/pattern/pattern.h"
+#include "sim/session/session.h"
 
 namespace selvedge::editor {
 
@@ -26,7 +27,7 @@ struct FindingPlace {
 
 enum class FindingKind {
     DoesNotFit,  // a fault: `dress` ends with 4
-    Defect,      // a fault: `dress` ends with 3
+    Defect,      // a fault: `dress` or `animate` ends with 3
     Note
 };
 
@@ -39,11 +40,14 @@ struct Finding {
 // The faults, then the notes.
 std::vector<Finding> findings_of(const sim::DressReport& report, const sim::Pattern& pattern);
 
+// The faults of the motion, then those of the garment at rest, if it was looked at.
+std::vector<Finding> findings_of(const sim::SessionFrame& frame, const sim::Pattern& pattern);
+
 // How well it fits, for the badge.
 enum class Verdict {
     Good,   // nothing is wrong
     Tight,  // it is smaller than the body, and stretches no more than its fabric may
-    Wrong   // `dress` would end with 3 or 4
+    Wrong   // `dress` or `animate` would end with 3 or 4
 };
 
 struct VerdictText {
@@ -52,6 +56,9 @@ struct VerdictText {
 };
 
 VerdictText verdict_of(const sim::DressReport& report);
+
+// Of the motion, where that has a fault: "left the waist at 1.20 s".
+VerdictText verdict_of(const sim::SessionFrame& frame);
 
 // The place on cloth that hangs: lines in space and on the panels, m. A point is a line without length.
 struct LitCloth {

@@ -29,6 +29,7 @@ LiveMotion::LiveMotion(const Simulation& dressed, std::vector<VertexId> kept, co
     };
     simulation_.keep(kept_);
     run_.emplace(simulation_, *body_, body_at, live_options());
+    kept_place_.emplace(cloth(), *body_, collider().surface());
     set_options(options);
 }
 
@@ -54,6 +55,7 @@ MotionFrame LiveMotion::advance(BodyMover& mover) {
     run_->options().air_damping =
         MotionOptions{}.air_damping + falling.damping_growth * static_cast<float>(body_still_seconds_);
     const MotionFrame frame = run_->advance_to(simulation_, start_ + kLiveFrameSeconds);
+    if (!frame.has_bad_number) kept_place_->note(cloth(), collider().surface(), run_->seconds());
     rms_speed_ = frame.rms_speed;
     still_seconds_ = stands && rms_speed_ < falling.rest_speed ? still_seconds_ + kLiveFrameSeconds : 0;
     return frame;

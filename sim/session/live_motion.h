@@ -4,11 +4,13 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "sim/body/yielding_flesh.h"
 #include "sim/dress/dressing.h"
 #include "sim/dress/motion_run.h"
+#include "sim/inspection/kept_place.h"
 #include "sim/session/body_mover.h"
 #include "sim/simulation/simulation.h"
 
@@ -40,6 +42,8 @@ class LiveMotion {
     std::vector<Vec3f> pins() const;  // m
     double simulated_seconds() const { return run_->seconds(); }
     float rms_speed() const { return rms_speed_; }  // m/s, of the last frame
+    // As KeptPlace::faults(), since the body began to move.
+    std::vector<std::string> faults(std::span<const std::string> panels) const { return kept_place_->faults(panels); }
     // Whether the body stands still, and the cloth too, for DrapeOptions::rest_time.
     bool is_at_rest() const { return still_seconds_ >= rest_time_; }
 
@@ -48,9 +52,10 @@ class LiveMotion {
     Simulation simulation_;
     std::vector<VertexId> kept_;
     MovingFlesh flesh_;
-    Pose from_, to_;                // of the body at the ends of the present frame
-    double start_ = 0;              // s, of the present frame
-    std::optional<MotionRun> run_;  // never empty
+    Pose from_, to_;                       // of the body at the ends of the present frame
+    double start_ = 0;                     // s, of the present frame
+    std::optional<MotionRun> run_;         // never empty
+    std::optional<KeptPlace> kept_place_;  // never empty
     float rms_speed_ = 0;
     double body_still_seconds_ = 0, still_seconds_ = 0;
     double rest_time_ = DrapeOptions{}.rest_time;

@@ -83,6 +83,9 @@ struct SessionMotion {
     Vec3f way = Vec3f::Zero();                      // m over the floor, from where the body was dressed
     std::shared_ptr<const Pose> pose{};             // of the body; null: its rest pose
     std::shared_ptr<const std::vector<Vec3f>> x{};  // m, of its surface; null: Body::x
+    // What the motion did to the garment, since the body left the pose in which it was dressed, as `animate` reports
+    // it: "the garment of 'front' left the waist at 1.20 s and hangs on the left hand".
+    std::vector<std::string> faults{};
 };
 
 // Snapshot of the drape. Immutable once published.

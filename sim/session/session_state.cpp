@@ -551,6 +551,7 @@ void SessionState::show_motion(SessionFrame& frame) const {
     const std::span<const Vec3f> x = motion_->body_positions();
     motion.x = std::make_shared<const std::vector<Vec3f>>(x.begin(), x.end());
     motion.way = mover_->way().cast<float>();
+    motion.faults = motion_->faults(names_of(dressing_.pattern()));
     motion.pose = std::make_shared<const Pose>(mover_->pose());
 }
 

@@ -1,5 +1,6 @@
 // What a report says to the user, and where: texts as sim/inspection writes them.
 #include <gtest/gtest.h>
+#include <memory>
 
 #include "editor/workspace/drape_verdict.h"
 #include "sim/pattern/pattern_file.h"
@@ -43,6 +44,25 @@ TEST(DrapeVerdict, leaves_details_of_other_faults_to_the_list) {
                       .place = "12 pairs of triangles, one at 'front' at x 0.113 y 1.071 z 0.129 m",
                       .value = 0.014}};
     EXPECT_EQ(verdict_of(report).text, "crossing itself over 1.4 cm");
+}
+
+// While the body moves, and after it; whether the garment at rest was looked at or not.
+TEST(DrapeVerdict, says_first_that_a_garment_left_its_body_in_a_motion) {
+    sim::SessionFrame frame;
+    EXPECT_EQ(verdict_of(frame).verdict, Verdict::Good);
+    frame.motion.faults = {"the garment of 'front' left the waist at 1.20 s and hangs on the left hand"};
+    EXPECT_EQ(verdict_of(frame).verdict, Verdict::Wrong);
+    EXPECT_EQ(verdict_of(frame).text, "left the waist at 1.20 s");
+    sim::DressReport report;
+    report.faults = {{.kind = "does_not_fit", .place = "too small at the bust (y 1.24 m) by 2.2 cm", .value = 0.022}};
+    frame.report = std::make_shared<const sim::DressReport>(report);
+    EXPECT_EQ(verdict_of(frame).text, "left the waist at 1.20 s, and 1 more fault");
+    const std::vector<Finding> findings = findings_of(frame, squares());
+    ASSERT_EQ(findings.size(), 2U);
+    EXPECT_EQ(findings[0].kind, FindingKind::Defect);
+    EXPECT_EQ(findings[0].text, frame.motion.faults[0]);
+    EXPECT_EQ(findings[0].place.parts, (std::vector<PartLocation>{{.panel = "front"}}));
+    EXPECT_EQ(findings[1].kind, FindingKind::DoesNotFit);
 }
 
 TEST(Findings, have_the_panels_edges_points_and_levels_that_their_texts_name) {
