@@ -141,7 +141,8 @@ void Dressing::begin_sewing(std::optional<WornGarments> worn, LimbsInTheWay limb
                           .constraints = constraints(),
                           .interrupt = interrupt_,
                           .store = store_,
-                          .limbs = {}};
+                          .limbs = {},
+                          .body = {body_, &measured()}};
     if (limbs == LimbsInTheWay::GiveWay) options.limbs = {body_, &measured().limbs()};
     GarmentSewing sewing(
         std::move(unsewn), garments_of(anchored()), fabrics(), collider(), std::move(options),

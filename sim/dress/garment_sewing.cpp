@@ -88,7 +88,7 @@ void GarmentSewing::take_worn(WornGarments worn) {
 GarmentMesh GarmentSewing::place_next(const BodyCollider& body) {
     MeshPart next = part_of(unsewn_, panels_of(garments_[next_], is_worn_.size()));
     const GarmentMesh worn = part_of(unsewn_, is_worn_).mesh;
-    ClearedPanels cleared = make_sewable(next.mesh, body, worn);
+    ClearedPanels cleared = make_sewable(next.mesh, body, worn, options_.body.get());
     std::ranges::move(cleared.notes, std::back_inserter(notes_));
     std::ranges::move(cleared.stuck, std::back_inserter(stuck_));
     for (std::size_t v = 0; v < next.vertices.size(); ++v)

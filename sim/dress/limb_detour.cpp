@@ -256,7 +256,7 @@ std::unique_ptr<LimbDetour> plan_raised_arms(const GarmentMesh& unsewn, const Ga
     const BodyLimbs& limbs = body.limbs();
     if (limbs.torso.empty()) return nullptr;
     const std::vector<bool> panels = panels_without_arms(unsewn, pattern, limbs);
-    if (std::ranges::none_of(panels, std::identity())) return nullptr;
+    if (!are_in_way_of_arms(panels, unsewn, limbs)) return nullptr;
     BodyInPieces parts = cut_off(body.body(), limbs, kArms);
     if (parts.limbs.size() < kArms.size()) return nullptr;
     const auto arms = std::make_shared<RaisedArms>();

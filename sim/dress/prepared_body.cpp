@@ -28,12 +28,11 @@ std::shared_ptr<const BodyCollider> shared_collider_of(std::shared_ptr<const Bod
     return {made, &made->collider};
 }
 
-// Null unless it is wanted and the body can be posed.
-std::shared_ptr<const Pose> pose_if(bool is_wanted, const std::shared_ptr<const Body>& body,
-                                    Pose (*pose_of)(const Body&)) {
+// Null if the body cannot be posed.
+std::shared_ptr<const Pose> pose_if_boned(const std::shared_ptr<const Body>& body, Pose (*pose_of)(const Body&)) {
     SELVEDGE_ASSERT(body);
-    const bool has_it = is_wanted && !body->bones.empty() && !body->skin.empty();
-    return has_it ? std::make_shared<const Pose>(pose_of(*body)) : nullptr;
+    const bool has_bones = !body->bones.empty() && !body->skin.empty();
+    return has_bones ? std::make_shared<const Pose>(pose_of(*body)) : nullptr;
 }
 
 std::shared_ptr<const Body> standing(const std::shared_ptr<const Body>& body, const Pose* pose) {
@@ -64,17 +63,25 @@ MadeBody make_body(const MannequinOptions& options, const ContentStore* store) {
             .readings = std::move(mannequin.report)};
 }
 
-PreparedBody::PreparedBody(MadeBody made) : PreparedBody(std::move(made), Arms::Lowered) {}
+PreparedBody::PreparedBody(MadeBody made)
+    : PreparedBody(made, pose_if_boned(made.body, rest_pose), pose_if_boned(made.body, sim::dressing_pose)) {}
 
-PreparedBody::PreparedBody(MadeBody made, Arms arms)
+PreparedBody::PreparedBody(MadeBody made, PosePointer own_pose, PosePointer dressing_pose)
     : made_(std::move(made)),
-      own_pose_(pose_if(arms == Arms::Lowered, made_.body, rest_pose)),
-      dressing_pose_(pose_if(arms == Arms::Lowered, made_.body, sim::dressing_pose)),
+      own_pose_(std::move(own_pose)),
+      dressing_pose_(std::move(dressing_pose)),
       stands_(standing(made_.body, dressing_pose_.get())),
       measured_(*stands_) {}
 
 std::shared_ptr<const PreparedBody> PreparedBody::in_given_pose(std::shared_ptr<const Body> body) {
-    return std::shared_ptr<const PreparedBody>(new PreparedBody({.body = std::move(body)}, Arms::AsGiven));
+    return std::shared_ptr<const PreparedBody>(new PreparedBody({.body = std::move(body)}, nullptr, nullptr));
+}
+
+std::shared_ptr<const PreparedBody> PreparedBody::as_given() const {
+    if (!stands_otherwise()) return nullptr;
+    const std::scoped_lock lock(building_);
+    if (!as_given_) as_given_.reset(new PreparedBody(made_, own_pose_, own_pose_));
+    return as_given_;
 }
 
 std::shared_ptr<const BodyCollider> PreparedBody::collider(const std::function<void()>& interrupt,

@@ -46,13 +46,15 @@ class PreparedBody {
 
     // One that is dressed in the pose in which it is given, whatever its arms do. body: not null.
     static std::shared_ptr<const PreparedBody> in_given_pose(std::shared_ptr<const Body> body);
+    // The same body, dressed in its own pose; null if it is anyway. Made when first asked for.
+    std::shared_ptr<const PreparedBody> as_given() const;
 
     const MadeBody& made() const { return made_; }
     const Body& body() const { return *made_.body; }  // in its own pose
     // In the pose in which it is dressed: the same body if that is its own pose.
     const std::shared_ptr<const Body>& stands() const { return stands_; }
     bool stands_otherwise() const { return stands_ != made_.body; }
-    // Its own pose, and dressing_pose(); null for a body without bones, or one that is dressed as it is given.
+    // Its own pose, and that in which it is dressed; null for a body without bones, or one in_given_pose().
     const std::shared_ptr<const Pose>& own_pose() const { return own_pose_; }
     const std::shared_ptr<const Pose>& dressing_pose() const { return dressing_pose_; }
     const MeasuredBody& measured() const { return measured_; }  // stands()
@@ -69,15 +71,16 @@ class PreparedBody {
     bool has_colliders() const;
 
  private:
-    enum class Arms { Lowered, AsGiven };
-    PreparedBody(MadeBody made, Arms arms);
+    using PosePointer = std::shared_ptr<const Pose>;
+    PreparedBody(MadeBody made, PosePointer own_pose, PosePointer dressing_pose);
 
     MadeBody made_;
-    std::shared_ptr<const Pose> own_pose_, dressing_pose_;
+    PosePointer own_pose_, dressing_pose_;
     std::shared_ptr<const Body> stands_;
     MeasuredBody measured_;
     mutable std::mutex building_;
     mutable std::shared_ptr<const BodyCollider> collider_, own_collider_;
+    mutable std::shared_ptr<const PreparedBody> as_given_;
 };
 
 }  // namespace selvedge::sim

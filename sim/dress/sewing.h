@@ -16,6 +16,7 @@
 namespace selvedge::sim {
 
 class ContentStore;
+class MeasuredBody;
 struct BodyLimbs;
 
 struct SewingOptions {
@@ -23,12 +24,13 @@ struct SewingOptions {
     float closed_gap = 0.006F;   // m, a shorter link is closed: two contact offsets may lie between its ends
     // m; when the time is up, a shorter link is sewn too: limbs are thicker, so what holds it open are folds of gathers
     float sewn_gap = 0.02F;
-    float extra_pull_time = 1.5F;              // s of further pulling after the allowed gap has reached zero
-    SimulationOptions simulation{};            // without self_contact panels pass through each other
-    ClothConstraints constraints{};            // of the cloth, besides the seams
-    std::function<void()> interrupt{};         // called during long preparations: see DistanceField
-    const ContentStore* store = nullptr;       // for their results: see BodyCollider
-    std::shared_ptr<const BodyLimbs> limbs{};  // of the body; null: none get out of the way
+    float extra_pull_time = 1.5F;                // s of further pulling after the allowed gap has reached zero
+    SimulationOptions simulation{};              // without self_contact panels pass through each other
+    ClothConstraints constraints{};              // of the cloth, besides the seams
+    std::function<void()> interrupt{};           // called during long preparations: see DistanceField
+    const ContentStore* store = nullptr;         // for their results: see BodyCollider
+    std::shared_ptr<const BodyLimbs> limbs{};    // of the body; null: none get out of the way
+    std::shared_ptr<const MeasuredBody> body{};  // round which panels are placed; null: its shoulders are not known
 };
 
 struct OpenSeam {

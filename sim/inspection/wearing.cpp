@@ -20,8 +20,11 @@
 #include "sim/inspection/body_heights.h"
 #include "sim/inspection/carried.h"
 #include "sim/inspection/hoop_support.h"
+#include "sim/inspection/missed_limbs.h"
 #include "sim/inspection/rolled_edges.h"
+#include "sim/inspection/worn_garment.h"
 #include "sim/mesh/sew.h"
+#include "sim/place/hanging_seams.h"
 #include "sim/place/level_on.h"
 #include "sim/place/limb_pieces.h"
 #include "sim/place/limbs.h"
@@ -29,213 +32,7 @@
 
 namespace selvedge::sim {
 
-// Parts of WearingCheck::Known: so they have external linkage.
-
-// The garment before and after draping: its separate panels, and the same with all seams closed. A seam that did not
-// close joins its two sides here at their mean positions.
-struct WornGarment {
-    GarmentMesh panels;                // as placed
-    std::vector<Vec3d> draped;         // m, per vertex of `panels`
-    GarmentMesh closed;                // as placed
-    std::vector<int> in_closed;        // vertex of `closed`, per vertex of `panels`
-    std::vector<Vec3d> closed_draped;  // m, per vertex of `closed`
-};
-
-// The openings of a garment, and the limbs that were meant to leave through each.
-struct MeantOpenings {
-    std::vector<Opening> openings;
-    LimbPassages limbs;
-    std::vector<bool> hang_from_shoulders;  // per opening: what it belongs to does, so it need not hold anything up
-};
-
 namespace {
-
-// The garment as it was placed.
-WornGarment undraped(GarmentMesh unsewn) {
-    WornGarment garment{.panels = unsewn, .draped = unsewn.x, .closed = unsewn, .in_closed = {}, .closed_draped = {}};
-    garment.in_closed = merge_seams(garment.closed);
-    return garment;
-}
-
-WornGarment compare_drape(const Cloth& cloth, const GarmentMesh& sewn, WornGarment garment) {
-    for (std::size_t t = 0; t < sewn.triangles.size(); ++t) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto now = static_cast<std::size_t>(sewn.triangles[t].vertices[k]);
-            garment.draped[static_cast<std::size_t>(garment.panels.triangles[t].vertices[k])] =
-                cloth.x[now].head<3>().cast<double>();
-        }
-    }
-    garment.closed_draped.assign(garment.closed.x.size(), Vec3d::Zero());
-    std::vector<int> joined(garment.closed.x.size(), 0);
-    for (std::size_t v = 0; v < garment.draped.size(); ++v) {
-        const auto at = static_cast<std::size_t>(garment.in_closed[v]);
-        garment.closed_draped[at] += garment.draped[v];
-        ++joined[at];
-    }
-    for (std::size_t v = 0; v < joined.size(); ++v) garment.closed_draped[v] /= joined[v];
-    return garment;
-}
-
-// "the left arm and the right arm"
-std::string list_limbs(LimbSet limbs) {
-    std::string text;
-    for (std::size_t i = 0; i < kLimbCount; ++i) {
-        if (limbs[i]) text += (text.empty() ? "the " : " and the ") + std::string(name_of(static_cast<LimbKind>(i)));
-    }
-    return text;
-}
-
-// The arm to which most of the vertices are nearest.
-std::optional<LimbKind> arm_of(const std::vector<std::size_t>& vertices, const std::vector<Vec3d>& x,
-                               const BodyLimbs& body) {
-    std::vector<Vec3d> points;
-    for (const std::size_t v : vertices) points.push_back(x[v]);
-    return arm_nearest_to(points, body, 0.5);
-}
-
-// What a tailor calls an opening for these limbs, from its place on the body for which the garment was placed.
-std::string_view call_opening(LimbSet limbs, std::string_view place, bool is_of_sleeve) {
-    if (limbs.none()) return "opening";
-    if (limbs.count() > 2 && !limbs[index_of(LimbKind::Head)]) return "hem";  // of a poncho, flat or not
-    if (limbs.count() == 1 && limbs[index_of(LimbKind::Head)]) return "neckline";
-    if (limbs.count() == 1 && (limbs[index_of(LimbKind::LeftArm)] || limbs[index_of(LimbKind::RightArm)]))
-        return is_of_sleeve ? "cuff" : "armhole";
-    if (place == "waist") return "waist";
-    return place == "chest" || place == "neck" ? "upper edge" : "hem";
-}
-
-// The limbs that should not be in the opening, and those that should but are not.
-struct Mismatch {
-    LimbSet expected;
-    LimbSet extra;
-    LimbSet missing;
-};
-
-// Both sets are only defined up to their complement: what leaves through a skirt's waist is all that does not leave
-// through its hem. The smaller one is what a tailor names, but for a poncho's hem: all limbs but the head.
-std::optional<Mismatch> compare(LimbSet expected, LimbSet found, LimbSet known) {
-    expected &= known;
-    found &= known;
-    const LimbSet others = known & ~expected;
-    const bool is_for_all_but_head = others.count() == 1 && others[index_of(LimbKind::Head)];
-    if (!is_for_all_but_head || found.none() || found == known) {
-        if (expected.count() > others.count()) {
-            expected = others;
-            found = known & ~found;
-        }
-        if (2 * (expected ^ found).count() > known.count()) found = known & ~found;
-    }
-    if (expected == found) return std::nullopt;
-    return Mismatch{.expected = expected, .extra = found & ~expected, .missing = expected & ~found};
-}
-
-// The openings that miss a limb, and those that hold it but should not: "the hem of 'skirt_front'".
-struct MissedLimb {
-    std::vector<std::string> missing;
-    std::vector<std::string> holding;
-
-    bool operator==(const MissedLimb&) const = default;
-};
-using MissedLimbs = std::array<MissedLimb, kLimbCount>;
-
-void add_mismatch(MissedLimbs& missed, const Mismatch& mismatch, const std::string& opening) {
-    for (std::size_t i = 0; i < kLimbCount; ++i) {
-        for (auto [is_so, openings] :
-             {std::pair(mismatch.missing[i], &missed[i].missing), std::pair(mismatch.extra[i], &missed[i].holding)}) {
-            // Both ends of a sleeve may have one name.
-            if (is_so && std::ranges::find(*openings, opening) == openings->end()) openings->push_back(opening);
-        }
-    }
-}
-
-std::string joined(const std::vector<std::string>& texts, const std::string& word) {
-    std::string text;
-    for (const std::string& one : texts) text += (text.empty() ? "" : " " + word + " ") + one;
-    return text;
-}
-
-// "the left arm does not pass through the cuff of 'sleeve'; the hem of 'front' holds it"
-std::string describe(LimbSet limbs, const MissedLimb& missed) {
-    const bool is_one = limbs.count() == 1;
-    std::string text;
-    if (!missed.missing.empty()) {
-        text = list_limbs(limbs) + (is_one ? " does" : " do") + " not pass through " + joined(missed.missing, "or");
-        if (missed.holding.empty()) return text;
-        text += "; ";
-    }
-    const std::string held = missed.missing.empty() ? list_limbs(limbs) : is_one ? "it" : "them";
-    return text + joined(missed.holding, "and") + (missed.holding.size() == 1 ? " holds " : " hold ") + held;
-}
-
-// One fault for all limbs that miss the same openings.
-void report_missed(const MissedLimbs& missed, DressReport& report) {
-    LimbSet named;
-    for (std::size_t i = 0; i < kLimbCount; ++i) {
-        if (named[i] || missed[i] == MissedLimb{}) continue;
-        LimbSet alike;
-        for (std::size_t k = i; k < kLimbCount; ++k) alike[k] = missed[k] == missed[i];
-        named |= alike;
-        add_fault(
-            report,
-            {.kind = "limb_missed", .place = describe(alike, missed[i]), .value = static_cast<double>(alike.count())});
-    }
-}
-
-// The body for which a garment was placed, and the one that wears it.
-struct BodyPair {
-    const BodyLimbs& meant_for;
-    const BodyLimbs& worn_by;
-    const Body& wearer;
-};
-
-using PanelVertices = std::vector<std::vector<std::size_t>>;  // per panel, ascending
-
-PanelVertices vertices_by_panel(const GarmentMesh& mesh) {
-    PanelVertices panels(mesh.panel_names.size());
-    for (const GarmentTriangle& t : mesh.triangles) {
-        for (const int v : t.vertices) panels[static_cast<std::size_t>(t.panel)].push_back(static_cast<std::size_t>(v));
-    }
-    for (std::vector<std::size_t>& vertices : panels) {
-        std::ranges::sort(vertices);
-        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    }
-    return panels;
-}
-
-void validate_openings(const WornGarment& garment, const PanelVertices& panels, const MeantOpenings& meant,
-                       const BodyPair& bodies, DressReport& report) {
-    const std::vector<Opening>& openings = meant.openings;
-    // Level 0 cuts the corners that its leaves go round. If no leaf is inside the body, a limb meets cloth only there.
-    const LimbPassages found = find_passages(garment.closed, garment.closed_draped, openings, bodies.worn_by,
-                                             {.ends_at_cloth = report.contact.faces_in_body == 0});
-    LimbSet known = meant.limbs.known & found.known;
-    // An arm that leaves through the end of its own sleeve is where it belongs, whatever follows from how the panels
-    // were placed: those of a sleeve that stands open do not hold it.
-    std::vector<std::optional<LimbKind>> arms;  // per opening: whose sleeve it ends
-    for (const Opening& opening : openings)
-        arms.push_back(
-            arm_of(panels[static_cast<std::size_t>(opening.panels.front())], garment.panels.x, bodies.meant_for));
-    const auto is_for = [](const LimbSet& limbs, LimbKind arm) { return limbs.count() == 1 && limbs[index_of(arm)]; };
-    for (std::size_t i = 0; i < openings.size(); ++i) {
-        if (!arms[i] || !is_for(found.through[i], *arms[i])) continue;
-        // Another opening of the sleeve, as a slit at the elbow, is none where the cuff follows from the panels.
-        bool is_cuff_known = false;
-        for (std::size_t j = 0; j < openings.size(); ++j)
-            is_cuff_known = is_cuff_known || (arms[j] == arms[i] && is_for(meant.limbs.through[j], *arms[i]));
-        if (!is_cuff_known) known[index_of(*arms[i])] = false;
-    }
-    MissedLimbs missed;
-    for (std::size_t i = 0; i < openings.size(); ++i) {
-        const auto mismatch = compare(meant.limbs.through[i], found.through[i], known);
-        if (!mismatch) continue;
-        const auto panel = static_cast<std::size_t>(openings[i].panels.front());
-        const std::string place = place_on_body(bodies.meant_for, centre_of(openings[i], garment.closed.x));
-        const std::string name = "the " + std::string(call_opening(mismatch->expected, place, arms[i].has_value())) +
-                                 " of '" + garment.panels.panel_names[panel] + "'";
-        add_mismatch(missed, *mismatch, name);
-    }
-    report_missed(missed, report);
-}
 
 struct Range {
     double low = std::numeric_limits<double>::infinity();
@@ -257,27 +54,44 @@ struct PanelShift {
     bool is_at_place = false;  // so that seams may have drawn other panels to it
 };
 
+// The height of a panel as placed, m, in the mean over its breadth: a waistband that is cut in a curve stands higher
+// where it is placed than where it is worn.
+double mean_height(const GarmentMesh& mesh, std::size_t panel, const std::vector<std::size_t>& vertices) {
+    double area = 0;
+    for (const GarmentTriangle& t : mesh.triangles)
+        if (t.panel == static_cast<int>(panel)) area += cross2(t.u[1] - t.u[0], t.u[2] - t.u[0]) / 2;
+    Eigen::AlignedBox3d box;
+    for (const std::size_t v : vertices) box.extend(mesh.x[v]);
+    const Vec3d size = box.sizes();
+    return std::min(size.y(), area / std::hypot(size.x(), size.z()));
+}
+
 // A panel is displaced if it has left more than half of the heights over which it was placed: what is gone lies where
 // another part of the garment belongs. Panels stand free of the body and settle on it, a waistband by more than its
 // width, and a poncho that is placed flat hangs down; so a panel shorter than from the hips to the waist may also be
 // off by half of what it is shorter.
-PanelShift measure_shift(const WornGarment& garment, const std::vector<std::size_t>& vertices, const Heights& from,
-                         const Heights& to) {
+PanelShift measure_shift(const WornGarment& garment, std::size_t panel, const std::vector<std::size_t>& vertices,
+                         const Heights& from, const Heights& to) {
     constexpr double kLeastCovered = 0.5;  // of the heights
-    constexpr double kHanging = 0.7;       // of its own height as placed: what hangs with folds has more of it left
-    Range own, placed, draped;
+    constexpr double kHanging = 0.7;       // of mean_height(): what hangs with folds has more of it left
+    Range placed, hung, draped;
     PanelShift shift;
     for (const std::size_t v : vertices) {
-        own.extend(garment.panels.x[v].y());
-        placed.extend(level_on(garment.panels.x[v].y(), from, to));
+        const double y = garment.panels.x[v].y();
+        hung.extend(level_on(y, from, to));
+        placed.extend(level_on(y - garment.rises[v], from, to));
         draped.extend(garment.draped[v].y());
         shift.middle += garment.draped[v] / static_cast<double>(vertices.size());
     }
-    shift.moved = draped.middle() - placed.middle();
-    const double reach = std::max(0.0, (to[2] - to[1] - placed.length()) / 2);
-    const double covered = std::min(placed.high, draped.high + reach) - std::max(placed.low, draped.low - reach);
-    shift.is_displaced = covered < kLeastCovered * placed.length();
-    shift.is_bunched = shift.is_displaced && shift.moved > 0 && draped.length() < kHanging * own.length();
+    // Its place is anywhere from where it was placed to where it hangs.
+    const auto [lowest, highest] = std::minmax({placed.middle(), hung.middle()});
+    const double middle = std::clamp(draped.middle(), lowest, highest), half = hung.length() / 2;
+    shift.moved = draped.middle() - middle;
+    const double reach = std::max(0.0, (to[2] - to[1] - hung.length()) / 2);
+    const double covered = std::min(middle + half, draped.high + reach) - std::max(middle - half, draped.low - reach);
+    shift.is_displaced = covered < kLeastCovered * hung.length();
+    shift.is_bunched = shift.is_displaced && shift.moved > 0 &&
+                       draped.length() < kHanging * mean_height(garment.panels, panel, vertices);
     shift.is_at_place = !shift.is_displaced && std::abs(shift.moved) <= (to[2] - to[1]) / 2;
     return shift;
 }
@@ -288,28 +102,11 @@ bool is_off_head(const WornGarment& garment, const std::vector<std::size_t>& ver
     if (from.joints.size() < 2 || to.joints.size() < 2) return false;
     Range placed, draped;
     for (const std::size_t v : vertices) {
-        placed.extend(garment.panels.x[v].y());
+        placed.extend(garment.panels.x[v].y() - garment.rises[v]);
         draped.extend(garment.draped[v].y());
     }
     const double neck = from.joints[0].centre.y(), middle = from.joints[1].centre.y();
     return placed.middle() > neck && placed.high > middle && draped.high < to.joints[1].centre.y();
-}
-
-// Per panel, the first of those that seams join it with.
-std::vector<std::size_t> garment_parts(const WornGarment& garment, const PanelVertices& panels) {
-    DisjointSets parts(panels.size());
-    std::vector<int> panel_at(garment.closed.x.size(), -1);
-    for (std::size_t p = 0; p < panels.size(); ++p) {
-        for (const std::size_t v : panels[p]) {
-            int& panel = panel_at[static_cast<std::size_t>(garment.in_closed[v])];
-            if (panel >= 0) parts.join(panel, static_cast<int>(p));
-            panel = static_cast<int>(p);
-        }
-    }
-    std::vector<std::size_t> first;
-    for (std::size_t p = 0; p < panels.size(); ++p)
-        first.push_back(static_cast<std::size_t>(parts.find(static_cast<int>(p))));
-    return first;
 }
 
 // The girth of the wearer's trunk at this height, m.
@@ -410,33 +207,15 @@ bool does_not_fit(const Slip& slip) {
 // Parts of the garment that slip, because they do not fit.
 using SlippingParts = std::set<std::size_t>;
 
-// Which openings belong to a part of the garment that hangs from the shoulders, because it has a neckline or an
-// armhole: an opening for some of head and arms, but not for all three. parts: of each panel.
-std::vector<bool> hang_from_shoulders(const MeantOpenings& meant, const std::vector<std::size_t>& parts) {
-    LimbSet above;
-    for (const LimbKind kind : {LimbKind::Head, LimbKind::LeftArm, LimbKind::RightArm}) above.set(index_of(kind));
-    above &= meant.limbs.known;
-    const auto part_of = [&](std::size_t i) {
-        return parts[static_cast<std::size_t>(meant.openings[i].panels.front())];
-    };
-    std::set<std::size_t> hanging;
-    for (std::size_t i = 0; i < meant.openings.size(); ++i) {
-        const LimbSet leaving = meant.limbs.through[i] & above;
-        if (leaving.any() && leaving != above) hanging.insert(part_of(i));
-    }
-    std::vector<bool> hang;
-    for (std::size_t i = 0; i < meant.openings.size(); ++i) hang.push_back(hanging.contains(part_of(i)));
-    return hang;
-}
-
 // Edges that go round the trunk, and were placed where the hips or the chest hold them: the waists and upper edges of
-// what does not hang from the shoulders.
+// what does not hang from the shoulders. Each part has one, the highest; one below it is the hem of what is short.
 std::vector<TrunkEdge> trunk_edges(const WornGarment& garment, const MeantOpenings& meant, const BodyPair& bodies) {
     std::vector<TrunkEdge> edges;
     const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
     if (!is_ascending(from) || !is_ascending(to)) return edges;
     const double hips = to[1], chest = to[3];
     const std::vector<Opening>& openings = meant.openings;
+    std::map<std::size_t, std::size_t> edge_of;  // by part
     for (std::size_t i = 0; i < openings.size(); ++i) {
         const std::size_t limbs = meant.limbs.through[i].count(), others = meant.limbs.known.count() - limbs;
         if (limbs < 2 || others < 2) continue;       // a neckline, an armhole, a cuff or a leg's hem
@@ -450,7 +229,13 @@ std::vector<TrunkEdge> trunk_edges(const WornGarment& garment, const MeantOpenin
                                 .draped = centre_of(openings[i], garment.closed_draped).y(),
                                 .held_at = placed > chest ? chest : hips,
                                 .is_of_chest = placed > chest};
-        if (placed >= lowered.held_at) edges.push_back(lowered);
+        if (placed < lowered.held_at) continue;
+        const auto [of_part, is_first] = edge_of.try_emplace(meant.parts[i], edges.size());
+        if (is_first) {
+            edges.push_back(lowered);
+        } else if (placed > edges[of_part->second].placed) {
+            edges[of_part->second] = lowered;
+        }
     }
     return edges;
 }
@@ -507,7 +292,7 @@ void validate_panels(const WornGarment& garment, const PanelVertices& panels, co
     for (std::size_t p = 0; p < panels.size(); ++p) {
         if (panels[p].empty() || slipping.contains(parts[p])) continue;
         if (arm_of(panels[p], garment.panels.x, bodies.meant_for)) continue;
-        shifts[p] = measure_shift(garment, panels[p], from, to);
+        shifts[p] = measure_shift(garment, p, panels[p], from, to);
         if (shifts[p]->is_at_place) is_at_place[parts[p]] = true;
     }
     for (std::size_t p = 0; p < panels.size(); ++p) {
@@ -637,14 +422,14 @@ WearingCheck::WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, co
     const auto known = std::make_shared<Known>(Known{.sewn = sewn, .designed = std::move(designed), .wearer = wearer});
     known_ = known;
     if (!known->has_torsos()) return;
-    known->placed = undraped(std::move(known->designed.unsewn));
+    GarmentMesh& unsewn = known->designed.unsewn;
+    const std::vector<bool> without_arms = panels_without_arms(unsewn, *known->designed.pattern, known->meant_for);
+    const std::vector<Vec3d> as_placed = unsewn.x;
+    hang_on_shoulders(unsewn, *known->designed.body);
+    known->placed = undraped(std::move(unsewn), as_placed);
     known->panels = vertices_by_panel(known->placed.panels);
     known->parts = garment_parts(known->placed, known->panels);
-    const GarmentMesh& closed = known->placed.closed;
-    known->meant.openings = find_openings(closed);
-    known->meant.limbs =
-        find_passages(closed, closed.x, known->meant.openings, known->meant_for, {.ends_at_cloth = true});
-    known->meant.hang_from_shoulders = hang_from_shoulders(known->meant, known->parts);
+    known->meant = find_meant_openings(known->placed, known->parts, without_arms, known->meant_for);
 }
 
 bool WearingCheck::slips(const Cloth& cloth) const {

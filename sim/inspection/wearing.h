@@ -9,6 +9,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/inspection/report.h"
 #include "sim/mesh/garment_mesh.h"
+#include "sim/pattern/pattern.h"
 #include "sim/place/measured_body.h"
 
 namespace selvedge::sim {
@@ -16,6 +17,7 @@ namespace selvedge::sim {
 // A garment as its designer placed it.
 struct DesignedGarment {
     GarmentMesh unsewn;
+    const Pattern* pattern = nullptr;    // of the mesh; not read after the check is made
     const MeasuredBody* body = nullptr;  // for which it was placed
 };
 

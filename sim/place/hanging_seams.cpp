@@ -21,12 +21,15 @@ struct PlacedSeam {
     std::array<int, 2> panels{};
     std::array<Vec3d, 2> into{Vec3d::Zero(), Vec3d::Zero()};  // from the seam into the cloth
     double first_over_second = 0;                             // m
+    Vec3d middle = Vec3d::Zero();                             // m, of its first side: the sum
+    double top = -std::numeric_limits<double>::infinity();    // m, of its first side
     std::vector<SeamLink> links;
 
     // How far upwards the cloth of a side lies from the seam, -1 to 1.
     double upness(std::size_t side) const {
         return into[side].y() / std::max(into[side].norm(), std::numeric_limits<double>::min());
     }
+    std::size_t upper() const { return upness(0) > 0 ? 0 : 1; }  // of a level seam: the side that the other hangs from
     bool is_shoulder() const { return upness(0) < -kUpright && upness(1) < -kUpright; }
     bool is_level() const {
         return std::min(std::abs(upness(0)), std::abs(upness(1))) > kUpright && upness(0) * upness(1) < 0;
@@ -67,6 +70,8 @@ std::vector<PlacedSeam> placed_seams(const GarmentMesh& unsewn, const std::vecto
         seam.into[0] += into[a].normalized();
         seam.into[1] += into[b].normalized();
         seam.first_over_second += unsewn.x[a].y() - unsewn.x[b].y();
+        seam.middle += unsewn.x[a];
+        seam.top = std::max(seam.top, unsewn.x[a].y());
         seam.links.push_back(link);
     }
     std::vector<PlacedSeam> found;
@@ -74,10 +79,35 @@ std::vector<PlacedSeam> placed_seams(const GarmentMesh& unsewn, const std::vecto
     return found;
 }
 
+// Of the body.
+struct Shoulders {
+    double top = 0;               // m
+    Vec3d chest = Vec3d::Zero();  // m
+    double half_breadth = 0;      // m, of both shoulders
+
+    // The side seams of a wide skirt also have its cloth below them, but lie lower, or farther out.
+    bool bear(const PlacedSeam& seam) const {
+        const double out = seam.middle.x() / static_cast<double>(seam.links.size()) - chest.x();
+        return seam.top > chest.y() && std::abs(out) < half_breadth;
+    }
+};
+
+std::optional<Shoulders> shoulders_of(const MeasuredBody* body) {
+    constexpr std::size_t kChest = 2;       // of the torso's joints
+    constexpr double kHalfBreadth = 0.129;  // of the stature (Drillis and Contini 1966)
+    if (body == nullptr || !body->shoulder_top() || body->limbs().torso.size() <= kChest) return std::nullopt;
+    return Shoulders{.top = *body->shoulder_top(),
+                     .chest = body->limbs().torso[kChest].centre,
+                     .half_breadth = kHalfBreadth * body->stature().height()};
+}
+
+// Whether what has shoulder seams stays where it is, or is lifted to the body's shoulders.
+enum class AtShoulders { Stay, Lift };
+
 // Panels that seams other than level ones join move together.
 class LevelGroups {
  public:
-    LevelGroups(const GarmentMesh& unsewn, const std::vector<int>& panel_of)
+    LevelGroups(const GarmentMesh& unsewn, const std::vector<int>& panel_of, const MeasuredBody* body, AtShoulders how)
         : seams_(placed_seams(unsewn, panel_of)),
           groups_(unsewn.panel_names.size()),
           height_(unsewn.panel_names.size(), kLowest),
@@ -86,8 +116,7 @@ class LevelGroups {
             if (!seam.is_level()) groups_.join(seam.panels[0], seam.panels[1]);
         for (std::size_t v = 0; v < panel_of.size(); ++v)
             if (panel_of[v] >= 0) raise(group_of(panel_of[v]), unsewn.x[v].y());
-        for (const PlacedSeam& seam : seams_)
-            if (seam.is_shoulder()) rise_[group_of(seam.panels[0])] = 0;
+        hold_shoulders(shoulders_of(body), how);
         hang_all();
     }
 
@@ -98,7 +127,21 @@ class LevelGroups {
     static constexpr double kLowest = -std::numeric_limits<double>::infinity();
 
     std::size_t group_of(int panel) { return static_cast<std::size_t>(groups_.find(panel)); }
+    std::size_t above_of(const PlacedSeam& seam) { return group_of(seam.panels[seam.upper()]); }
+    std::size_t below_of(const PlacedSeam& seam) { return group_of(seam.panels[1 - seam.upper()]); }
     void raise(std::size_t group, double height) { height_[group] = std::max(height_[group], height); }
+
+    // What has shoulder seams on the body's shoulders, or any if these are not known.
+    void hold_shoulders(const std::optional<Shoulders>& shoulders, AtShoulders how) {
+        std::map<std::size_t, double> tops;  // m, by group
+        for (const PlacedSeam& seam : seams_) {
+            if (!seam.is_shoulder() || (shoulders && !shoulders->bear(seam))) continue;
+            double& top = tops.try_emplace(group_of(seam.panels[0]), kLowest).first->second;
+            top = std::max(top, seam.top);
+        }
+        const bool lifts = shoulders && how == AtShoulders::Lift;
+        for (const auto& [group, top] : tops) rise_[group] = lifts ? std::max(0.0, shoulders->top - top) : 0;
+    }
 
     void hang_all() {
         std::vector<std::size_t> held;
@@ -106,17 +149,28 @@ class LevelGroups {
             if (rise_[group]) held.push_back(group);
         for (const std::size_t group : held) hang_from(group);
         for (;;) {
-            std::size_t highest = 0;
-            double height = kLowest;
-            for (std::size_t group = 0; group < height_.size(); ++group) {
-                if (rise_[group] || height_[group] <= height) continue;
-                highest = group;
-                height = height_[group];
-            }
-            if (height == kLowest) return;
-            rise_[highest] = 0;
-            hang_from(highest);
+            std::optional<std::size_t> top = highest(true);
+            if (!top) top = highest(false);
+            if (!top) return;
+            rise_[*top] = 0;
+            hang_from(*top);
         }
+    }
+
+    // Of the groups whose rise is not known: if `is_free`, of those that hang from no other such group.
+    std::optional<std::size_t> highest(bool is_free) {
+        std::vector<bool> hangs(rise_.size(), false);
+        for (const PlacedSeam& seam : seams_) {
+            if (!is_free || !seam.is_level()) continue;
+            const std::size_t above = above_of(seam), below = below_of(seam);
+            if (above != below && !rise_[above]) hangs[below] = true;
+        }
+        std::optional<std::size_t> found;
+        for (std::size_t group = 0; group < height_.size(); ++group) {
+            if (rise_[group] || hangs[group] || height_[group] == kLowest) continue;
+            if (!found || height_[group] > height_[*found]) found = group;
+        }
+        return found;
     }
 
     // The groups that hang from this one by level seams, those that hang from them, and so on.
@@ -125,11 +179,10 @@ class LevelGroups {
         for (std::size_t i = 0; i < reached.size(); ++i) {
             std::map<std::size_t, std::pair<double, double>> gaps;  // by group: sum over the links, m, and their number
             for (const PlacedSeam& seam : seams_) {
-                const std::size_t upper = seam.upness(0) > 0 ? 0 : 1;
-                const std::size_t above = group_of(seam.panels[upper]), below = group_of(seam.panels[1 - upper]);
+                const std::size_t above = above_of(seam), below = below_of(seam);
                 if (!seam.is_level() || above != reached[i] || below == above) continue;
                 auto& [sum, count] = gaps[below];
-                sum += upper == 0 ? seam.first_over_second : -seam.first_over_second;
+                sum += seam.upper() == 0 ? seam.first_over_second : -seam.first_over_second;
                 count += static_cast<double>(seam.links.size());
             }
             for (const auto& [group, gap] : gaps) {
@@ -155,9 +208,10 @@ std::vector<SeamLink> shoulder_links(const GarmentMesh& unsewn) {
     return links;
 }
 
-double close_level_gaps(GarmentMesh& unsewn) {
-    const std::vector<int> panel_of = panels_of_vertices(unsewn);
-    LevelGroups groups(unsewn, panel_of);
+namespace {
+
+// Returns the largest move, m.
+double move_groups(GarmentMesh& unsewn, const std::vector<int>& panel_of, LevelGroups groups) {
     double largest = 0;
     for (std::size_t v = 0; v < unsewn.x.size(); ++v) {
         if (panel_of[v] < 0) continue;
@@ -166,6 +220,18 @@ double close_level_gaps(GarmentMesh& unsewn) {
         largest = std::max(largest, std::abs(rise));
     }
     return largest;
+}
+
+}  // namespace
+
+double close_level_gaps(GarmentMesh& unsewn, const MeasuredBody* body) {
+    const std::vector<int> panel_of = panels_of_vertices(unsewn);
+    return move_groups(unsewn, panel_of, LevelGroups(unsewn, panel_of, body, AtShoulders::Stay));
+}
+
+void hang_on_shoulders(GarmentMesh& unsewn, const MeasuredBody& body) {
+    const std::vector<int> panel_of = panels_of_vertices(unsewn);
+    move_groups(unsewn, panel_of, LevelGroups(unsewn, panel_of, &body, AtShoulders::Lift));
 }
 
 }  // namespace selvedge::sim

@@ -417,27 +417,31 @@ std::vector<bool> links_along_limbs(const GarmentMesh& unsewn, const BodyLimbs& 
 }
 
 std::vector<bool> panels_without_arms(const GarmentMesh& unsewn, const Pattern& pattern, const BodyLimbs& limbs) {
-    GarmentMesh closed = unsewn;
-    merge_seams(closed);
-    const SurfaceBvh surface(surface_of(closed));
-    std::vector<bool> is_in_way(pattern.panels.size(), false), without = is_in_way;
-    for (const LimbKind kind : kArms) {
-        if (!limbs[kind].is_found) continue;
-        for (const auto& line : lines_along(limbs[kind])) mark_panels_on(line, surface, closed.triangles, is_in_way);
-    }
     const std::vector<std::vector<Vec3d>> points = points_of_panels(unsewn);
     const std::vector<bool> reaches = reaches_shoulders(unsewn, pattern, limbs);
-    bool is_any = false;
+    std::vector<bool> without(pattern.panels.size(), false);
     for (std::size_t p = 0; p < without.size(); ++p) {
         if (points[p].empty()) continue;
         const std::string& label = pattern.panels[p].label;
         const auto is_bodice = [&](const Vec3d& x) { return reaches[p] && is_over_chest(x, limbs); };
         without[p] =
             label == "leg" || (!arm_of_panel(label, points[p], limbs) && std::ranges::none_of(points[p], is_bodice));
-        is_any |= without[p] && is_in_way[p];
     }
-    if (!is_any) without.assign(without.size(), false);
     return without;
+}
+
+bool are_in_way_of_arms(const std::vector<bool>& panels, const GarmentMesh& unsewn, const BodyLimbs& limbs) {
+    GarmentMesh closed = unsewn;
+    merge_seams(closed);
+    const SurfaceBvh surface(surface_of(closed));
+    std::vector<bool> is_in_way(panels.size(), false);
+    for (const LimbKind kind : kArms) {
+        if (!limbs[kind].is_found) continue;
+        for (const auto& line : lines_along(limbs[kind])) mark_panels_on(line, surface, closed.triangles, is_in_way);
+    }
+    for (std::size_t p = 0; p < panels.size(); ++p)
+        if (panels[p] && is_in_way[p]) return true;
+    return false;
 }
 
 }  // namespace selvedge::sim

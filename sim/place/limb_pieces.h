@@ -57,11 +57,13 @@ std::optional<LimbKind> arm_of_panel(std::string_view label, const std::vector<V
 // are placed round that limb, and it runs along it.
 std::vector<bool> links_along_limbs(const GarmentMesh& unsewn, const BodyLimbs& limbs, std::span<const LimbKind> kinds);
 
-// Whether the panels ignore the arms while they are sewn, per panel. They are those through which an arm would pass if
-// all seams closed where they stand, as wide skirts whose front and back stand before and behind the hands; and with
-// them all others that are labelled "leg", or are placed not round an arm, and not over the chest, unless nothing that
-// they are sewn to reaches up to the shoulders: a bodice without straps. None if no arm passes
-// through a panel. Panels without triangles in the mesh, as those that are worn already, do not.
+// The panels that no arm belongs in, per panel: those that are labelled "leg", or are placed not round an arm, and not
+// over the chest, unless nothing that they are sewn to reaches up to the shoulders: a bodice without straps. Not panels
+// without triangles in the mesh, as those that are worn already.
 std::vector<bool> panels_without_arms(const GarmentMesh& unsewn, const Pattern& pattern, const BodyLimbs& limbs);
+
+// Whether an arm would pass through one of these panels if all seams closed where they stand, as through a wide skirt
+// whose front and back stand before and behind the hands.
+bool are_in_way_of_arms(const std::vector<bool>& panels, const GarmentMesh& unsewn, const BodyLimbs& limbs);
 
 }  // namespace selvedge::sim

@@ -430,8 +430,9 @@ ClearedPanels clear_panels(GarmentMesh& unsewn, const BodyCollider& body, const 
     return cleared;
 }
 
-ClearedPanels make_sewable(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn) {
-    const double closed = close_level_gaps(unsewn);
+ClearedPanels make_sewable(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn,
+                           const MeasuredBody* measured) {
+    const double closed = close_level_gaps(unsewn, measured);
     const double lift = seam_clearing_lift(unsewn, body);
     for (Vec3d& x : unsewn.x) x.y() += lift;
     ClearedPanels cleared = clear_panels(unsewn, body, worn);

@@ -36,9 +36,10 @@ ClearedPanels clear_panels(GarmentMesh& unsewn, const BodyCollider& body, const 
 // between linked vertices run through the body, and then lifts those off the body that graze it from above.
 double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body);
 
-// Applies seam_clearing_lift() and then clear_panels(). The notes tell both. `worn`: cloth under the garment, where it
-// is.
-ClearedPanels make_sewable(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn = {});
+// Applies close_level_gaps(), seam_clearing_lift() and clear_panels(). The notes tell all. `worn`: cloth under the
+// garment, where it is. measured: the body; null: its shoulders are not known.
+ClearedPanels make_sewable(GarmentMesh& unsewn, const BodyCollider& body, const GarmentMesh& worn = {},
+                           const MeasuredBody* measured = nullptr);
 
 // Arrangement points: positions around a body at which a panel can be placed, wrapped on a cylinder about the torso or
 // limb. They are computed from plane sections of the body and, where it has one, its skeleton (arms, legs).

@@ -14,10 +14,12 @@
 #include "sim/core/stopwatch.h"
 #include "sim/dress/dressing.h"
 #include "sim/dress/dressing_pose.h"
+#include "sim/dress/wearer.h"
 #include "sim/inspection/inspection.h"
 #include "sim/inspection/wearing.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/place/fit_table.h"
+#include "sim/place/hanging_seams.h"
 #include "sim/place/placed_fit.h"
 #include "sim/session/animation.h"
 #include "sim/session/dressed_faults.h"
@@ -33,7 +35,7 @@ class PhaseTimer {
 
     void done(const std::string& phase) {
         timing_.wall_s = seconds_since(start_);
-        timing_.phases_s[phase] = seconds_since(phase_start_);
+        timing_.phases_s[phase] += seconds_since(phase_start_);
         phase_start_ = Clock::now();
     }
 
@@ -173,7 +175,9 @@ Misfit find_misfit(const Dressing& dressing, const MeasuredBody& body) {
     PlacedFitOptions options;
     for (const Fabric& fabric : fabrics_of(dressing.pattern(), dressing.options().fabric))
         options.strain_limits.push_back(fabric.strain_limit);
-    misfit.too_small = too_small_as_placed(dressing.placed(), body, options);
+    GarmentMesh hung = dressing.placed();
+    hang_on_shoulders(hung, body);
+    misfit.too_small = too_small_as_placed(hung, body, options);
     return misfit;
 }
 
@@ -201,11 +205,20 @@ std::optional<GiveUp> still_given_up(std::optional<GiveUp> given_up, const Cloth
     return is_too_small(cloth, as_it_stands) && is_overstretched(cloth) ? given_up : std::nullopt;
 }
 
+// "not worn, as the pattern says: 'facing', 'pocket'"
+void note_unworn(const Pattern& pattern, DressReport& report) {
+    std::string names;
+    for (const Panel& panel : pattern.panels)
+        if (!panel.is_worn) names += (names.empty() ? "'" : ", '") + panel.name + "'";
+    if (!names.empty()) report.notes.push_back("not worn, as the pattern says: " + names);
+}
+
 // None for cloth that is not finite: nothing is checked of it.
 std::optional<WearingCheck> check_wearing(Dressing& dressing, const MeasuredBody& wearer) {
     if (dressing.result().bad_vertex) return std::nullopt;
-    return WearingCheck(dressing.sewn_mesh(), {.unsewn = dressing.designed(), .body = &dressing.designed_for()},
-                        wearer);
+    return WearingCheck(
+        dressing.sewn_mesh(),
+        {.unsewn = dressing.designed(), .pattern = &dressing.pattern(), .body = &dressing.designed_for()}, wearer);
 }
 
 // What slipped may not slip in another pose. Then nothing excuses that it is not at rest.
@@ -223,6 +236,24 @@ void inspect(DressedGarment& dressed, Dressing& dressing, const std::optional<We
     if (result.bad_vertex) return;
     wearing->validate(cloth, dressed.report);
     dressed.report.fit = measure_fit(dressed.mesh, measured);
+}
+
+// Round the body in the pose in which it is dressed. Returns the body in that pose.
+std::shared_ptr<const PreparedBody> place(Dressing& dressing, const Pattern& pattern,
+                                          const std::shared_ptr<const PreparedBody>& body) {
+    dressing.set_body(body);
+    dressing.set_pattern(pattern);
+    std::shared_ptr<const PreparedBody> wearer = wearer_of(dressing.placed(), dressing.anchored(), body);
+    dressing.set_body(wearer);
+    return wearer;
+}
+
+// Returns that of the body's own pose; null if it is dressed in that.
+std::shared_ptr<const BodyCollider> build_colliders(Dressing& dressing, const PreparedBody& wearer,
+                                                    const Progress& progress, const ContentStore* store) {
+    if (!wearer.has_colliders()) report(progress, "reading the body", 0);
+    dressing.collider();
+    return wearer.own_collider({}, store);
 }
 
 DressReport report_of(const Pattern& pattern, const Body& body, const DressOptions& options) {
@@ -288,16 +319,15 @@ DressedGarment dress(const Pattern& pattern, const std::shared_ptr<const Prepare
     PhaseTimer timer(report.timing);
     Dressing dressing({}, store);
     dressing.set_options(options);
-    dressing.set_body(prepared);
-    if (!prepared->has_colliders()) selvedge::sim::report(progress, "reading the body", 0);
-    dressing.collider();
-    const std::shared_ptr<const BodyCollider> own_collider = prepared->own_collider({}, store);
+    const std::shared_ptr<const PreparedBody> wearer = place(dressing, pattern, prepared);
+    timer.done("mesh");
+    const std::shared_ptr<const BodyCollider> own_collider = build_colliders(dressing, *wearer, progress, store);
     timer.done("body");
 
-    dressing.set_pattern(pattern);
     const Misfit misfit = find_misfit(dressing, dressing.measured());
     begin_sewing(dressing, options, misfit);
     report.notes = dressing.take_notes();
+    note_unworn(pattern, report);
     timer.done("mesh");
 
     finish_stage(dressing, DressingStage::Sew, "sewing", progress);
@@ -318,7 +348,7 @@ DressedGarment dress(const Pattern& pattern, const std::shared_ptr<const Prepare
     const MeasuredBody as_given(body);
     if (own != nullptr) {
         if (!misfit.too_small) result.given_up = still_given_up(result.given_up, cloth, own->body());
-        result = move_to_own_pose(simulation, body, *prepared->dressing_pose(), *own, options, result, progress);
+        result = move_to_own_pose(simulation, body, *wearer->dressing_pose(), *own, options, result, progress);
         too_small.reset();  // it was found in the other pose
         wearing = check_wearing(dressing, as_given);
         excuse_no_slip(*wearing, cloth, result);

@@ -8,6 +8,7 @@
 #include "sim/core/math.h"
 #include "sim/core/stopwatch.h"
 #include "sim/dress/carry_over.h"
+#include "sim/dress/wearer.h"
 #include "sim/inspection/inspection.h"
 #include "sim/inspection/wearing.h"
 #include "sim/place/fit_table.h"
@@ -138,9 +139,10 @@ void SessionState::operator()(request::Reset) {
     problem_.clear();
     motion_.reset();
     if (mover_) mover_->back_to_start();
-    if (start_pose_) mover_->go_to(*body_->own_pose());
+    if (start_pose_) mover_->go_to(*wearer_->own_pose());
     forget_rest();
     dressing_.reset();
+    choose_wearer();
 }
 
 void SessionState::sew() {
@@ -191,9 +193,10 @@ void SessionState::inspect() {
         too_small = too_small_when_sewn_;
     try {
         report_faults(cloth, dressing_, dressing_.collider(), result, too_small, report);
-        const WearingCheck wearing(dressing_.sewn_mesh(),
-                                   {.unsewn = dressing_.designed(), .body = &dressing_.designed_for()},
-                                   dressing_.measured());
+        const WearingCheck wearing(
+            dressing_.sewn_mesh(),
+            {.unsewn = dressing_.designed(), .pattern = &dressing_.pattern(), .body = &dressing_.designed_for()},
+            dressing_.measured());
         wearing.validate(cloth, report);
         report.fit = measure_fit(draw_mesh(cloth, names_of(dressing_.pattern())), dressing_.measured());
     } catch (const InputError& error) {  // the body that the pattern names cannot be made
@@ -356,17 +359,33 @@ void SessionState::operator()(request::BackToStart) {
 void SessionState::begin_body() {
     const Playback playback = mover_ ? mover_->playback() : Playback();
     mover_.reset();
+    if (wearer_ && wearer_->dressing_pose()) {
+        mover_.emplace(wearer_->made().body, *wearer_->dressing_pose());
+        mover_->set_playback(playback);
+        if (wearer_->stands_otherwise()) mover_->go_to(*wearer_->own_pose());
+    }
+    note_start();
+}
+
+void SessionState::note_start() {
     start_pose_.reset();
     start_x_.reset();
-    if (!body_ || !body_->dressing_pose()) return;
-    mover_.emplace(body_->made().body, *body_->dressing_pose());
-    mover_->set_playback(playback);
-    if (!body_->stands_otherwise()) return;
-    mover_->go_to(*body_->own_pose());
+    if (!wearer_ || !wearer_->stands_otherwise()) return;
     auto x = std::make_shared<std::vector<Vec3f>>();
-    for (const Vec3d& p : body_->stands()->x) x->push_back(p.cast<float>());
+    for (const Vec3d& p : wearer_->stands()->x) x->push_back(p.cast<float>());
     start_x_ = std::move(x);
-    start_pose_ = body_->dressing_pose();
+    start_pose_ = wearer_->dressing_pose();
+}
+
+// The pose in which it is dressed depends on what stands round it, until that is sewn.
+void SessionState::choose_wearer() {
+    if (!body_ || stage() != SessionStage::Placed) return;
+    std::shared_ptr<const PreparedBody> wearer = wearer_of(dressing_.placed(), dressing_.anchored(), body_);
+    if (wearer == wearer_) return;
+    dressing_.set_body(wearer);
+    wearer_ = std::move(wearer);
+    mover_->set_start(*wearer_->dressing_pose());
+    note_start();
 }
 
 void SessionState::operator()(request::SetBody& request) {
@@ -374,10 +393,11 @@ void SessionState::operator()(request::SetBody& request) {
     if (is_same || request.body == body_) return;
     has_changed_ = true;
     motion_.reset();
-    body_ = std::move(request.body);
+    wearer_ = body_ = std::move(request.body);
     try {
         begin_body();
-        dressing_.set_body(body_);
+        dressing_.set_body(wearer_);
+        choose_wearer();
     } catch (const InputError& error) {  // the body that the pattern names is none
         return fail(error.what());
     }
@@ -405,6 +425,7 @@ bool SessionState::take_pattern(Pattern pattern) {
     has_changed_ = true;
     try {
         dressing_.set_pattern(std::move(pattern));
+        choose_wearer();
         return true;
     } catch (const InputError& error) {
         problem_ = error.what();

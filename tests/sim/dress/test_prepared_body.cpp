@@ -64,6 +64,17 @@ TEST(PreparedBody, keeps_its_arms_when_it_is_dressed_in_the_given_pose) {
     EXPECT_EQ(given->dressing_pose(), nullptr);
 }
 
+TEST(PreparedBody, keeps_its_poses_when_it_is_dressed_as_given) {
+    const PreparedBody t_pose = prepared(posed(mannequin(), find_pose("T", mannequin())));
+    const auto given = t_pose.as_given();
+    ASSERT_NE(given, nullptr);
+    EXPECT_EQ(given, t_pose.as_given());
+    EXPECT_EQ(given->stands(), t_pose.made().body);
+    EXPECT_EQ(given->own_pose(), t_pose.own_pose());
+    EXPECT_EQ(given->dressing_pose(), t_pose.own_pose());
+    EXPECT_EQ(prepared(mannequin()).as_given(), nullptr);
+}
+
 TEST(PreparedBody, is_built_by_the_next_thread_when_one_is_interrupted) {
     const PreparedBody body = prepared(mannequin());
     struct Stop {};

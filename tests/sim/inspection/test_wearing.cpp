@@ -17,6 +17,7 @@
 #include "sim/collide/surface_bvh.h"
 #include "sim/mesh/sew.h"
 #include "sim/place/limbs.h"
+#include "sim/place/shoulder_top.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
 #include "tests/support/mannequin.h"
@@ -53,7 +54,10 @@ DressReport report_on(const GarmentMesh& unsewn, const Move& move, const Body& w
     DressReport report;
     report.contact.faces_in_body = find_penetration(cloth, SurfaceBvh(wearer), {.depth = 0.0005F}).faces;
     const MeasuredBody designed_for(mannequin()), worn_by(wearer);
-    WearingCheck(sewn, {.unsewn = unsewn, .body = &designed_for}, worn_by).validate(cloth, report);
+    Pattern unlabelled;
+    unlabelled.panels.resize(sewn.panel_names.size());
+    WearingCheck(sewn, {.unsewn = unsewn, .pattern = &unlabelled, .body = &designed_for}, worn_by)
+        .validate(cloth, report);
     return report;
 }
 
@@ -182,6 +186,42 @@ TEST(Wearing, lets_seams_pull_a_panel_to_its_neighbour) {
     EXPECT_EQ(list(report_on(pattern, pulled_up, mannequin())), "");
     const auto fallen = [](const Vec3d& x) { return Vec3d(x.x(), 0.03 + 0.1 * x.y(), x.z()); };
     EXPECT_NE(list(report_on(pattern, fallen, mannequin())), "");
+}
+
+// As GarmentCode places dresses: the bodice below the shoulders, and a waistband far below the bodice.
+TEST(Wearing, expects_a_waistband_where_it_hangs_from_the_shoulders) {
+    constexpr double kLow = 0.06, kGap = 0.10;  // m
+    const double top = find_shoulder_top(MeasuredBody(mannequin())).value(), waist = top - 0.45;
+    Pattern pattern = tabard(0.3, 0.45, waist - kLow, 0.2);
+    const Pattern band = tube(0.3, 0.06, waist - kLow - kGap - 0.06, 0.2);
+    pattern.panels.insert(pattern.panels.end(), band.panels.begin(), band.panels.end());
+    pattern.seams.insert(pattern.seams.end(), {{.first = {2, 1}, .second = {3, 3}},
+                                               {.first = {2, 3}, .second = {3, 1}},
+                                               {.first = {0, 0}, .second = {2, 2}},
+                                               {.first = {1, 0}, .second = {3, 2}}});
+    const auto hangs = [&](const Vec3d& x) {
+        return Vec3d(x + Vec3d(0, x.y() < waist - kLow - kGap / 2 ? kLow + kGap : kLow, 0));
+    };
+    EXPECT_EQ(list(report_on(pattern, hangs, mannequin())).find("displaced"), std::string::npos);
+    const auto pushed_up = [&](const Vec3d& x) { return Vec3d(hangs(x) + Vec3d(0, 0.25, 0)); };
+    EXPECT_NE(list(report_on(pattern, pushed_up, mannequin())).find("displaced"), std::string::npos);
+}
+
+// Its front and back stand before and behind one hand; it hangs beside it.
+TEST(Wearing, does_not_mean_an_arm_for_the_hem_of_a_wide_skirt) {
+    Pattern wide = tube(0.4, 0.5, 0.5, 0.2);
+    for (Panel& panel : wide.panels) panel.vertices[panel.name == "front" ? 1 : 0].x() *= 6;
+    const auto hangs = [](const Vec3d& x) { return Vec3d(std::clamp(x.x(), -0.3, 0.3), x.y(), x.z()); };
+    EXPECT_EQ(list(report_on(wide, hangs, mannequin())), "");
+}
+
+// It is placed at the hips, and hangs below them.
+TEST(Wearing, does_not_take_the_hem_of_a_short_dress_without_straps_for_a_waist) {
+    const std::vector<LimbJoint> torso = find_limbs(mannequin()).torso;
+    const double top = torso[2].centre.y() + 0.02, hips = torso[0].centre.y();
+    const Pattern dress = tube(0.4, top - hips - 0.02, hips + 0.02, 0.2);
+    const auto longer = [&](const Vec3d& x) { return Vec3d(x - Vec3d(0, 0.15 * (top - x.y()) / (top - hips), 0)); };
+    EXPECT_EQ(list(report_on(dress, longer, mannequin())), "");
 }
 
 // A long skirt still covers half of its heights, but it is no place to which the bodice was drawn.

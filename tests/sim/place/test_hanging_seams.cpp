@@ -12,6 +12,7 @@
 #include "sim/place/placement.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
+#include "tests/support/mannequin.h"
 
 namespace selvedge::sim::test {
 namespace {
@@ -76,6 +77,43 @@ TEST(LevelGaps, are_not_between_panels_side_by_side) {
     const GarmentMesh before = assemble(pattern);
     GarmentMesh after = before;
     EXPECT_EQ(close_level_gaps(after), 0);
+}
+
+// Its top lies that much below the shoulders.
+TEST(HangOnShoulders, lifts_a_low_bodice_to_the_shoulders_and_what_hangs_from_it_with_it) {
+    constexpr double kLow = 0.08;  // m
+    const MeasuredBody body(mannequin());
+    ASSERT_TRUE(body.shoulder_top());
+    Pattern pattern = in_two_parts(tabard(0.3, 0.4, kWaist, 0.2));
+    for (Panel& panel : pattern.panels) panel.translation.y() += *body.shoulder_top() - kLow - kWaist - 0.4;
+    const GarmentMesh before = assemble(pattern);
+    GarmentMesh after = before;
+    hang_on_shoulders(after, body);
+    const Rises found = rises(before, after);
+    EXPECT_NEAR(found.upper_least, kLow, 1e-9);
+    EXPECT_NEAR(found.upper_most, kLow, 1e-9);
+    EXPECT_NEAR(found.lower_least, kLow + kGap, 1e-9);
+}
+
+TEST(HangOnShoulders, leaves_what_stands_on_them_or_above) {
+    const MeasuredBody body(mannequin());
+    const GarmentMesh before = assemble(tabard(0.3, 0.4, body.shoulder_top().value() - 0.39, 0.2));
+    GarmentMesh after = before;
+    hang_on_shoulders(after, body);
+    EXPECT_EQ(before.x, after.x);
+}
+
+TEST(HangOnShoulders, leaves_a_skirt_whose_side_seams_slope_like_shoulders) {
+    Pattern skirt = tube(0.4, 0.5, 0.6, 0.16);
+    for (Panel& panel : skirt.panels) {
+        panel.vertices[0].x() = -1.3;
+        panel.vertices[1].x() = 1.3;
+    }
+    const GarmentMesh before = assemble(skirt);
+    ASSERT_FALSE(shoulder_links(before).empty());
+    GarmentMesh after = before;
+    hang_on_shoulders(after, MeasuredBody(mannequin()));
+    EXPECT_EQ(before.x, after.x);
 }
 
 TEST(ShoulderLinks, are_those_of_upper_edges_alone) {
