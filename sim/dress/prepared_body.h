@@ -54,7 +54,8 @@ class PreparedBody {
     // In the pose in which it is dressed: the same body if that is its own pose.
     const std::shared_ptr<const Body>& stands() const { return stands_; }
     bool stands_otherwise() const { return stands_ != made_.body; }
-    // Its own pose, and that in which it is dressed; null for a body without bones, or one in_given_pose().
+    // Its own pose, and that in which it is dressed, which is the same one for as_given(); null for a body without
+    // bones, or one in_given_pose().
     const std::shared_ptr<const Pose>& own_pose() const { return own_pose_; }
     const std::shared_ptr<const Pose>& dressing_pose() const { return dressing_pose_; }
     const MeasuredBody& measured() const { return measured_; }  // stands()

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "sim/place/limb_pieces.h"
@@ -11,11 +12,11 @@
 namespace selvedge::sim {
 namespace {
 
-// Of both arms, m; minus infinity if one was not found.
-double lowest_of_arms(const BodyLimbs& limbs) {
+// The lowest joint of both arms, m; none if one of them was not found.
+std::optional<double> lowest_of_arms(const BodyLimbs& limbs) {
     double lowest = std::numeric_limits<double>::infinity();
     for (const LimbKind kind : kArms) {
-        if (!limbs[kind].is_found) return -lowest;
+        if (!limbs[kind].is_found) return std::nullopt;
         for (const LimbJoint& joint : limbs[kind].joints) lowest = std::min(lowest, joint.centre.y());
     }
     return lowest;
@@ -31,11 +32,11 @@ bool has_arms(const GarmentMesh& placed, const Pattern& pattern, const BodyLimbs
 
 std::shared_ptr<const PreparedBody> wearer_of(const GarmentMesh& placed, const Pattern& pattern,
                                               const std::shared_ptr<const PreparedBody>& body) {
+    if (!body->stands_otherwise() || has_arms(placed, pattern, body->measured().limbs())) return body;
     const std::shared_ptr<const PreparedBody> as_given = body->as_given();
-    if (!as_given) return body;
-    const BodyLimbs &dressed = body->measured().limbs(), &given = as_given->measured().limbs();
-    const bool is_in_way = lowest_of_arms(given) > lowest_of_arms(dressed);
-    return is_in_way && !has_arms(placed, pattern, dressed) ? as_given : body;
+    const std::optional<double> dressed = lowest_of_arms(body->measured().limbs());
+    const std::optional<double> given = lowest_of_arms(as_given->measured().limbs());
+    return dressed && given && *given > *dressed ? as_given : body;
 }
 
 }  // namespace selvedge::sim

@@ -9,7 +9,8 @@
 namespace selvedge::sim {
 
 // The body as it is given, if no arm belongs in the garment and its arms are lower while it is dressed: they would only
-// be in the way of a skirt. Else the body itself. placed: the pattern's panels round the body. body: not null.
+// be in the way of a skirt. Else the body itself, also if an arm was not found. placed: the pattern's panels round it
+// as it stands while it is dressed. body: not null.
 std::shared_ptr<const PreparedBody> wearer_of(const GarmentMesh& placed, const Pattern& pattern,
                                               const std::shared_ptr<const PreparedBody>& body);
 

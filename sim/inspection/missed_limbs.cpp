@@ -117,6 +117,7 @@ std::vector<bool> hang_from_shoulders(const MeantOpenings& meant) {
 // An arm that no panel of a part belongs round leaves it with the head, wherever the panels stand: a wide skirt stands
 // before and behind the hands. without_arms: per panel; parts: of each panel.
 void keep_arms_out(MeantOpenings& meant, const std::vector<std::size_t>& parts, const std::vector<bool>& without_arms) {
+    if (!meant.limbs.known[index_of(LimbKind::Head)]) return;
     std::set<std::size_t> with_arms;
     for (std::size_t p = 0; p < parts.size(); ++p)
         if (!without_arms[p]) with_arms.insert(parts[p]);

@@ -10,12 +10,10 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "sim/body/section.h"
 #include "sim/core/assert.h"
-#include "sim/core/disjoint_sets.h"
 #include "sim/core/math.h"
 #include "sim/inspection/body_heights.h"
 #include "sim/inspection/carried.h"
@@ -23,7 +21,6 @@
 #include "sim/inspection/missed_limbs.h"
 #include "sim/inspection/rolled_edges.h"
 #include "sim/inspection/worn_garment.h"
-#include "sim/mesh/sew.h"
 #include "sim/place/hanging_seams.h"
 #include "sim/place/level_on.h"
 #include "sim/place/limb_pieces.h"
@@ -326,7 +323,7 @@ void validate_floor(const WornGarment& garment, const PanelVertices& panels, con
         for (const std::size_t v : panels[p]) {
             if (garment.draped[v].y() >= bodies.worn_by.height.low + kLiesOnFloor) continue;
             ++lying;
-            if (level_on(garment.panels.x[v].y(), from, to) > knees) ++fallen;
+            if (level_on(garment.panels.x[v].y() - garment.rises[v], from, to) > knees) ++fallen;
         }
     }
     const auto vertices = static_cast<double>(garment.draped.size());
@@ -427,6 +424,7 @@ WearingCheck::WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, co
     const std::vector<Vec3d> as_placed = unsewn.x;
     hang_on_shoulders(unsewn, *known->designed.body);
     known->placed = undraped(std::move(unsewn), as_placed);
+    known->designed.pattern = nullptr;
     known->panels = vertices_by_panel(known->placed.panels);
     known->parts = garment_parts(known->placed, known->panels);
     known->meant = find_meant_openings(known->placed, known->parts, without_arms, known->meant_for);

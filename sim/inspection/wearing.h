@@ -1,9 +1,9 @@
 #pragma once
 // Checks whether a draped garment is worn as its pattern was placed: each opening (hem, cuff, neckline, waist) holds
 // the limbs that it was placed for, each panel lies on the part of the body over which it was placed, and no waist or
-// upper edge has slipped below the hips or the bust that should hold it. What was meant is read from the panels as they
-// stand, unsewn, round the body for which they were placed; so the body that wears the garment may have another size
-// and pose.
+// upper edge has slipped below the hips or the bust that should hold it. What was meant is read from the unsewn panels
+// round the body for which they were placed, raised to its shoulders if they stand lower (hang_on_shoulders); so the
+// body that wears the garment may have another size and pose.
 #include <memory>
 
 #include "sim/cloth/cloth.h"

@@ -1,7 +1,6 @@
 #include "sim/inspection/worn_garment.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "sim/core/disjoint_sets.h"
 #include "sim/mesh/sew.h"

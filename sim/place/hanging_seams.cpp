@@ -19,10 +19,9 @@ constexpr double kUpright = 0.7;  // cosine, 45 degrees: shoulders slope, and so
 // Both sides of a seam between two panels: sums over its links.
 struct PlacedSeam {
     std::array<int, 2> panels{};
-    std::array<Vec3d, 2> into{Vec3d::Zero(), Vec3d::Zero()};  // from the seam into the cloth
-    double first_over_second = 0;                             // m
-    Vec3d middle = Vec3d::Zero();                             // m, of its first side: the sum
-    double top = -std::numeric_limits<double>::infinity();    // m, of its first side
+    std::array<Vec3d, 2> into{Vec3d::Zero(), Vec3d::Zero()};            // from the seam into the cloth
+    double first_over_second = 0;                                       // m
+    Vec3d top = Vec3d(0, -std::numeric_limits<double>::infinity(), 0);  // m, the highest point of its first side
     std::vector<SeamLink> links;
 
     // How far upwards the cloth of a side lies from the seam, -1 to 1.
@@ -70,8 +69,7 @@ std::vector<PlacedSeam> placed_seams(const GarmentMesh& unsewn, const std::vecto
         seam.into[0] += into[a].normalized();
         seam.into[1] += into[b].normalized();
         seam.first_over_second += unsewn.x[a].y() - unsewn.x[b].y();
-        seam.middle += unsewn.x[a];
-        seam.top = std::max(seam.top, unsewn.x[a].y());
+        if (unsewn.x[a].y() > seam.top.y()) seam.top = unsewn.x[a];
         seam.links.push_back(link);
     }
     std::vector<PlacedSeam> found;
@@ -84,21 +82,27 @@ struct Shoulders {
     double top = 0;               // m
     Vec3d chest = Vec3d::Zero();  // m
     double half_breadth = 0;      // m, of both shoulders
+    double head = 0;              // m, its middle
 
-    // The side seams of a wide skirt also have its cloth below them, but lie lower, or farther out.
+    // The side seams of a wide skirt also have its cloth below them, but their upper ends lie lower, or farther out;
+    // and the seam along the top of a hood lies higher.
     bool bear(const PlacedSeam& seam) const {
-        const double out = seam.middle.x() / static_cast<double>(seam.links.size()) - chest.x();
-        return seam.top > chest.y() && std::abs(out) < half_breadth;
+        return seam.top.y() > chest.y() && seam.top.y() < head && std::abs(seam.top.x() - chest.x()) < half_breadth;
     }
 };
 
 std::optional<Shoulders> shoulders_of(const MeasuredBody* body) {
-    constexpr std::size_t kChest = 2;       // of the torso's joints
-    constexpr double kHalfBreadth = 0.129;  // of the stature (Drillis and Contini 1966)
-    if (body == nullptr || !body->shoulder_top() || body->limbs().torso.size() <= kChest) return std::nullopt;
+    constexpr std::size_t kChest = 2, kMiddle = 1;  // of the torso's joints, and of the head's
+    constexpr double kHalfBreadth = 0.129;          // of the stature (Drillis and Contini 1966)
+    if (body == nullptr || !body->shoulder_top()) return std::nullopt;
+    const BodyLimbs& limbs = body->limbs();
+    const Limb& head = limbs[LimbKind::Head];
+    if (limbs.torso.size() <= kChest) return std::nullopt;
     return Shoulders{.top = *body->shoulder_top(),
-                     .chest = body->limbs().torso[kChest].centre,
-                     .half_breadth = kHalfBreadth * body->stature().height()};
+                     .chest = limbs.torso[kChest].centre,
+                     .half_breadth = kHalfBreadth * body->stature().height(),
+                     .head = head.is_found && head.joints.size() > kMiddle ? head.joints[kMiddle].centre.y()
+                                                                           : std::numeric_limits<double>::infinity()};
 }
 
 // Whether what has shoulder seams stays where it is, or is lifted to the body's shoulders.
@@ -137,7 +141,7 @@ class LevelGroups {
         for (const PlacedSeam& seam : seams_) {
             if (!seam.is_shoulder() || (shoulders && !shoulders->bear(seam))) continue;
             double& top = tops.try_emplace(group_of(seam.panels[0]), kLowest).first->second;
-            top = std::max(top, seam.top);
+            top = std::max(top, seam.top.y());
         }
         const bool lifts = shoulders && how == AtShoulders::Lift;
         for (const auto& [group, top] : tops) rise_[group] = lifts ? std::max(0.0, shoulders->top - top) : 0;
@@ -148,26 +152,29 @@ class LevelGroups {
         for (std::size_t group = 0; group < rise_.size(); ++group)
             if (rise_[group]) held.push_back(group);
         for (const std::size_t group : held) hang_from(group);
-        for (;;) {
-            std::optional<std::size_t> top = highest(true);
-            if (!top) top = highest(false);
-            if (!top) return;
+        stand_on(held);
+        while (const std::optional<std::size_t> top = highest()) {
             rise_[*top] = 0;
             hang_from(*top);
         }
     }
 
-    // Of the groups whose rise is not known: if `is_free`, of those that hang from no other such group.
-    std::optional<std::size_t> highest(bool is_free) {
-        std::vector<bool> hangs(rise_.size(), false);
-        for (const PlacedSeam& seam : seams_) {
-            if (!is_free || !seam.is_level()) continue;
-            const std::size_t above = above_of(seam), below = below_of(seam);
-            if (above != below && !rise_[above]) hangs[below] = true;
+    // What stands on these groups, as a hood on a neckline, keeps its height over them.
+    void stand_on(std::vector<std::size_t> reached) {
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            for (const PlacedSeam& seam : seams_) {
+                if (!seam.is_level() || below_of(seam) != reached[i] || rise_[above_of(seam)]) continue;
+                rise_[above_of(seam)] = rise_[reached[i]];
+                reached.push_back(above_of(seam));
+            }
         }
+    }
+
+    // Of the groups whose rise is not known.
+    std::optional<std::size_t> highest() const {
         std::optional<std::size_t> found;
         for (std::size_t group = 0; group < height_.size(); ++group) {
-            if (rise_[group] || hangs[group] || height_[group] == kLowest) continue;
+            if (rise_[group] || height_[group] == kLowest) continue;
             if (!found || height_[group] > height_[*found]) found = group;
         }
         return found;

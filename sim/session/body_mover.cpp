@@ -124,11 +124,6 @@ void BodyMover::stand_at_start() {
     if (has_goal) begin_blend(options_.blend_seconds);
 }
 
-void BodyMover::set_start(const Pose& start) {
-    start_ = start;
-    stand_at_start();
-}
-
 void BodyMover::back_to_start() {
     now_ = goal_pose_ = start_;
     goal_ = Goal::Pose;

@@ -55,8 +55,6 @@ class BodyMover {
     // Back to the start pose at once, for a body that is dressed anew: what it is to do stays, and is gone to from
     // there.
     void stand_at_start();
-    // The same, from another start pose.
-    void set_start(const Pose& start);
     // Back to the start pose at once, with nothing to do; the motion is at its start.
     void back_to_start();
 

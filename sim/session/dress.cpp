@@ -163,20 +163,20 @@ std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional
     return std::nullopt;
 }
 
-// How a garment's size is wrong as its panels stand round the body, before it is sewn.
+// How a garment's size is wrong as its panels will hang round the body, before it is sewn.
 struct Misfit {
     std::optional<TightLevel> too_small;  // of a single garment
     double below_floor = 0;               // m
 };
 
 Misfit find_misfit(const Dressing& dressing, const MeasuredBody& body) {
-    Misfit misfit{.too_small = {}, .below_floor = depth_below_floor(dressing.placed(), body)};
+    GarmentMesh hung = dressing.placed();
+    hang_on_shoulders(hung, body);
+    Misfit misfit{.too_small = {}, .below_floor = depth_below_floor(hung, body)};
     if (!is_single(dressing)) return misfit;
     PlacedFitOptions options;
     for (const Fabric& fabric : fabrics_of(dressing.pattern(), dressing.options().fabric))
         options.strain_limits.push_back(fabric.strain_limit);
-    GarmentMesh hung = dressing.placed();
-    hang_on_shoulders(hung, body);
     misfit.too_small = too_small_as_placed(hung, body, options);
     return misfit;
 }

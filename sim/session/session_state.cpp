@@ -8,7 +8,6 @@
 #include "sim/core/math.h"
 #include "sim/core/stopwatch.h"
 #include "sim/dress/carry_over.h"
-#include "sim/dress/wearer.h"
 #include "sim/inspection/inspection.h"
 #include "sim/inspection/wearing.h"
 #include "sim/place/fit_table.h"
@@ -139,10 +138,9 @@ void SessionState::operator()(request::Reset) {
     problem_.clear();
     motion_.reset();
     if (mover_) mover_->back_to_start();
-    if (start_pose_) mover_->go_to(*wearer_->own_pose());
+    if (start_pose_) mover_->go_to(*body_->own_pose());
     forget_rest();
     dressing_.reset();
-    choose_wearer();
 }
 
 void SessionState::sew() {
@@ -359,33 +357,17 @@ void SessionState::operator()(request::BackToStart) {
 void SessionState::begin_body() {
     const Playback playback = mover_ ? mover_->playback() : Playback();
     mover_.reset();
-    if (wearer_ && wearer_->dressing_pose()) {
-        mover_.emplace(wearer_->made().body, *wearer_->dressing_pose());
-        mover_->set_playback(playback);
-        if (wearer_->stands_otherwise()) mover_->go_to(*wearer_->own_pose());
-    }
-    note_start();
-}
-
-void SessionState::note_start() {
     start_pose_.reset();
     start_x_.reset();
-    if (!wearer_ || !wearer_->stands_otherwise()) return;
+    if (!body_ || !body_->dressing_pose()) return;
+    mover_.emplace(body_->made().body, *body_->dressing_pose());
+    mover_->set_playback(playback);
+    if (!body_->stands_otherwise()) return;
+    mover_->go_to(*body_->own_pose());
     auto x = std::make_shared<std::vector<Vec3f>>();
-    for (const Vec3d& p : wearer_->stands()->x) x->push_back(p.cast<float>());
+    for (const Vec3d& p : body_->stands()->x) x->push_back(p.cast<float>());
     start_x_ = std::move(x);
-    start_pose_ = wearer_->dressing_pose();
-}
-
-// The pose in which it is dressed depends on what stands round it, until that is sewn.
-void SessionState::choose_wearer() {
-    if (!body_ || stage() != SessionStage::Placed) return;
-    std::shared_ptr<const PreparedBody> wearer = wearer_of(dressing_.placed(), dressing_.anchored(), body_);
-    if (wearer == wearer_) return;
-    dressing_.set_body(wearer);
-    wearer_ = std::move(wearer);
-    mover_->set_start(*wearer_->dressing_pose());
-    note_start();
+    start_pose_ = body_->dressing_pose();
 }
 
 void SessionState::operator()(request::SetBody& request) {
@@ -393,11 +375,10 @@ void SessionState::operator()(request::SetBody& request) {
     if (is_same || request.body == body_) return;
     has_changed_ = true;
     motion_.reset();
-    wearer_ = body_ = std::move(request.body);
+    body_ = std::move(request.body);
     try {
         begin_body();
-        dressing_.set_body(wearer_);
-        choose_wearer();
+        dressing_.set_body(body_);
     } catch (const InputError& error) {  // the body that the pattern names is none
         return fail(error.what());
     }
@@ -425,7 +406,6 @@ bool SessionState::take_pattern(Pattern pattern) {
     has_changed_ = true;
     try {
         dressing_.set_pattern(std::move(pattern));
-        choose_wearer();
         return true;
     } catch (const InputError& error) {
         problem_ = error.what();

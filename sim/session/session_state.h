@@ -169,9 +169,7 @@ class SessionState {
 
     bool wants_motion() const { return mover_ && !mover_->has_arrived(); }
     bool hangs() const;
-    void choose_wearer();
     void begin_body();
-    void note_start();
     void begin_motion();
     void advance_motion();
     void leave_motion();
@@ -194,12 +192,12 @@ class SessionState {
     // Copies, made for the first frame at rest; the collider, of a body that has moved.
     std::shared_ptr<const Cloth> cloth_at_rest_;
     std::shared_ptr<const Collider> collider_at_rest_;
-    std::shared_ptr<const DressReport> report_;          // of the dressing at rest
-    std::optional<TightLevel> too_small_when_sewn_;      // of what was sewn: fits_nowhere()
-    ViewPoint viewer_, adapted_to_;                      // now, and when the cloth adapted last
-    std::optional<Visibility> visibility_;               // while back faces are coarsened
-    std::shared_ptr<const PreparedBody> body_, wearer_;  // as asked for, and as it is dressed: wearer_of()
-    std::optional<BodyMover> mover_;                     // of a body with bones
+    std::shared_ptr<const DressReport> report_;      // of the dressing at rest
+    std::optional<TightLevel> too_small_when_sewn_;  // of what was sewn: fits_nowhere()
+    ViewPoint viewer_, adapted_to_;                  // now, and when the cloth adapted last
+    std::optional<Visibility> visibility_;           // while back faces are coarsened
+    std::shared_ptr<const PreparedBody> body_;
+    std::optional<BodyMover> mover_;  // of a body with bones
     // Where the dressing's body stands, m, and in which pose, if that is not its own; otherwise null.
     std::shared_ptr<const std::vector<Vec3f>> start_x_;
     std::shared_ptr<const Pose> start_pose_;

@@ -15,6 +15,8 @@
 #include "sim/cloth/cloth_penetration.h"
 #include "sim/collide/collider.h"
 #include "sim/collide/surface_bvh.h"
+#include "sim/inspection/missed_limbs.h"
+#include "sim/inspection/worn_garment.h"
 #include "sim/mesh/sew.h"
 #include "sim/place/limbs.h"
 #include "sim/place/shoulder_top.h"
@@ -213,6 +215,18 @@ TEST(Wearing, does_not_mean_an_arm_for_the_hem_of_a_wide_skirt) {
     for (Panel& panel : wide.panels) panel.vertices[panel.name == "front" ? 1 : 0].x() *= 6;
     const auto hangs = [](const Vec3d& x) { return Vec3d(std::clamp(x.x(), -0.3, 0.3), x.y(), x.z()); };
     EXPECT_EQ(list(report_on(wide, hangs, mannequin())), "");
+}
+
+TEST(MeantOpenings, of_a_skirt_have_the_arms_above_its_waist_when_the_body_has_no_head) {
+    BodyLimbs headless = find_limbs(mannequin());
+    headless.limbs[index_of(LimbKind::Head)] = {};
+    const GarmentMesh unsewn = assemble(skirt());
+    const WornGarment placed = undraped(unsewn, unsewn.x);
+    const std::vector<std::size_t> parts = garment_parts(placed, vertices_by_panel(unsewn));
+    const MeantOpenings meant = find_meant_openings(placed, parts, {true, true}, headless);
+    ASSERT_EQ(meant.openings.size(), 2U);
+    for (const LimbSet& through : meant.limbs.through)
+        EXPECT_NE(through[index_of(LimbKind::LeftArm)], through[index_of(LimbKind::LeftLeg)]) << "by one or the other";
 }
 
 // It is placed at the hips, and hangs below them.

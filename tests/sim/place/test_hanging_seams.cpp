@@ -95,6 +95,50 @@ TEST(HangOnShoulders, lifts_a_low_bodice_to_the_shoulders_and_what_hangs_from_it
     EXPECT_NEAR(found.lower_least, kLow + kGap, 1e-9);
 }
 
+// A strip that stands over the top of a tabard's front, with a seam between them, or along its own upper edge on a
+// head.
+GarmentMesh with_strip(Pattern pattern, double y) {
+    pattern.panels.push_back(rectangle("strip", {.width = 0.3, .height = 0.06, .y = y, .z = 0.2}));
+    GarmentMesh mesh = assemble(pattern);
+    std::vector<int> lower, upper;  // of the strip; of the front
+    for (const GarmentTriangle& t : mesh.triangles) {
+        for (const int v : t.vertices) {
+            const double height = mesh.x[std::size_t(v)].y();
+            if (t.panel == 2 && height < y + 1e-6) lower.push_back(v);
+            if (t.panel == 0 && height > pattern.panels[0].translation.y() + 0.4 - 1e-6) upper.push_back(v);
+        }
+    }
+    for (std::size_t i = 0; i < std::min(lower.size(), upper.size()); ++i)
+        mesh.links.push_back({.a = lower[i], .b = upper[i], .seam = 9});
+    return mesh;
+}
+
+TEST(HangOnShoulders, lifts_what_stands_on_a_neckline_with_the_bodice) {
+    constexpr double kLow = 0.08;  // m
+    const MeasuredBody body(mannequin());
+    const double top = body.shoulder_top().value() - kLow;
+    const GarmentMesh before = with_strip(tabard(0.3, 0.4, top - 0.4, 0.2), top + 0.02);
+    GarmentMesh after = before;
+    hang_on_shoulders(after, body);
+    for (std::size_t v = 0; v < before.x.size(); ++v) EXPECT_NEAR(after.x[v].y() - before.x[v].y(), kLow, 1e-9);
+}
+
+TEST(HangOnShoulders, lifts_a_low_bodice_whose_hood_has_a_seam_over_the_head) {
+    constexpr double kLow = 0.08;  // m
+    const MeasuredBody body(mannequin());
+    const double top = body.shoulder_top().value() - kLow;
+    Pattern pattern = tabard(0.3, 0.4, top - 0.4, 0.2);
+    const Pattern hood = tabard(0.3, 0.1, body.stature().crown - 0.08, 0.15);
+    pattern.panels.insert(pattern.panels.end(), hood.panels.begin(), hood.panels.end());
+    pattern.seams.push_back({.first = {2, 2}, .second = {3, 2}});
+    const GarmentMesh before = assemble(pattern);
+    GarmentMesh after = before;
+    hang_on_shoulders(after, body);
+    const Rises found = rises(before, after);
+    EXPECT_NEAR(found.upper_least, kLow, 1e-9);
+    EXPECT_EQ(found.lower_most, 0) << "nothing joins it with the bodice here";
+}
+
 TEST(HangOnShoulders, leaves_what_stands_on_them_or_above) {
     const MeasuredBody body(mannequin());
     const GarmentMesh before = assemble(tabard(0.3, 0.4, body.shoulder_top().value() - 0.39, 0.2));

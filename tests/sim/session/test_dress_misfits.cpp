@@ -35,15 +35,15 @@ TEST(DressMisfit, of_a_shirt_that_cannot_close_round_a_body_is_told_as_its_size_
 }
 
 TEST(DressMisfit, of_a_heap_of_cloth_ends_on_its_way_to_the_body_s_own_pose) {
-    const auto t_pose = std::make_shared<const PreparedBody>(
-        MadeBody{.body = std::make_shared<const Body>(posed(mannequin(), find_pose("T", mannequin())))});
-    ASSERT_TRUE(t_pose->stands_otherwise());
+    const auto arms_down = std::make_shared<const PreparedBody>(
+        MadeBody{.body = std::make_shared<const Body>(posed(mannequin(), find_pose("arms_down", mannequin())))});
+    ASSERT_TRUE(arms_down->stands_otherwise());
     const Pattern skirt = tube(0.42, 0.3, 0.9, 0.2);
     DressOptions options;
     options.max_level = 0;
-    const double fall = dress(skirt, *t_pose->stands(), options).report.work;
+    const double fall = dress(skirt, *arms_down->stands(), options).report.work;
     options.most_work = fall + 1;
-    const DressReport report = dress(skirt, t_pose, options).report;
+    const DressReport report = dress(skirt, arms_down, options).report;
     EXPECT_EQ(report.stopped_because, "work limit");
     EXPECT_GT(report.work, fall);
 }

@@ -195,29 +195,6 @@ TEST_F(SessionOnMovingBody, cannot_be_pulled_while_its_body_is_elsewhere_and_say
     EXPECT_NE(session_.frame()->messages.back().find("back to the start"), std::string::npos);
 }
 
-// Arms are lowered for a shirt, and not for a skirt, while it is the same body.
-TEST(SessionOnBodyInTPose, lowers_the_arms_when_the_pattern_needs_it) {
-    const auto t_pose = std::make_shared<const Body>(posed(*session_body(), find_pose("T", *session_body())));
-    Session session{SessionDrive::Caller};
-    session.set_body(t_pose);
-    session.set_options(coarse_options());
-    session.set_pattern(session_pattern("skirt"));
-    session.set_clip(t_pose, std::make_shared<const Clip>(find_motion("walk", *t_pose)));
-    session.advance(0);
-    EXPECT_EQ(session.frame()->motion.x, nullptr) << "as it is given";
-    session.set_pattern(session_pattern("two_squares"));
-    session.advance(0);
-    EXPECT_NE(session.frame()->motion.x, nullptr);
-    EXPECT_GT(session.frame()->motion.length, 0) << "the clip stays";
-    session.set_pattern(session_pattern("skirt"));
-    session.start();
-    session.advance(600);
-    EXPECT_EQ(session.frame()->stage, SessionStage::Settled);
-    EXPECT_EQ(session.frame()->motion.x, nullptr);
-    for (const std::string& message : session.frame()->messages)
-        EXPECT_EQ(message.find("lowered arms"), std::string::npos) << message;
-}
-
 TEST_F(SessionOnMovingBody, ignores_poses_of_another_body) {
     settle();
     const auto other = std::make_shared<const Body>(*session_body());
