@@ -206,19 +206,10 @@ class LevelGroups {
     std::vector<std::optional<double>> rise_;  // m, by group; none: not known yet
 };
 
-}  // namespace
-
-std::vector<SeamLink> shoulder_links(const GarmentMesh& unsewn) {
-    std::vector<SeamLink> links;
-    for (const PlacedSeam& seam : placed_seams(unsewn, panels_of_vertices(unsewn)))
-        if (seam.is_shoulder()) links.insert(links.end(), seam.links.begin(), seam.links.end());
-    return links;
-}
-
-namespace {
-
 // Returns the largest move, m.
-double move_groups(GarmentMesh& unsewn, const std::vector<int>& panel_of, LevelGroups groups) {
+double move_groups(GarmentMesh& unsewn, const MeasuredBody* body, AtShoulders how) {
+    const std::vector<int> panel_of = panels_of_vertices(unsewn);
+    LevelGroups groups(unsewn, panel_of, body, how);
     double largest = 0;
     for (std::size_t v = 0; v < unsewn.x.size(); ++v) {
         if (panel_of[v] < 0) continue;
@@ -231,14 +222,19 @@ double move_groups(GarmentMesh& unsewn, const std::vector<int>& panel_of, LevelG
 
 }  // namespace
 
+std::vector<SeamLink> shoulder_links(const GarmentMesh& unsewn) {
+    std::vector<SeamLink> links;
+    for (const PlacedSeam& seam : placed_seams(unsewn, panels_of_vertices(unsewn)))
+        if (seam.is_shoulder()) links.insert(links.end(), seam.links.begin(), seam.links.end());
+    return links;
+}
+
 double close_level_gaps(GarmentMesh& unsewn, const MeasuredBody* body) {
-    const std::vector<int> panel_of = panels_of_vertices(unsewn);
-    return move_groups(unsewn, panel_of, LevelGroups(unsewn, panel_of, body, AtShoulders::Stay));
+    return move_groups(unsewn, body, AtShoulders::Stay);
 }
 
 void hang_on_shoulders(GarmentMesh& unsewn, const MeasuredBody& body) {
-    const std::vector<int> panel_of = panels_of_vertices(unsewn);
-    move_groups(unsewn, panel_of, LevelGroups(unsewn, panel_of, &body, AtShoulders::Lift));
+    move_groups(unsewn, &body, AtShoulders::Lift);
 }
 
 }  // namespace selvedge::sim

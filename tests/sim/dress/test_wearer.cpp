@@ -47,7 +47,7 @@ TEST(Wearer, lowers_its_arms_when_it_is_dressed_in_a_shirt) {
     EXPECT_EQ(wearer(both, body), body);
 }
 
-TEST(Wearer, stays_as_it_is_when_its_arms_hang) {
+TEST(Wearer, is_the_body_itself_when_its_arms_hang) {
     const auto body = in_pose("");
     EXPECT_EQ(body->as_given(), nullptr);
     EXPECT_EQ(wearer(skirt(), body), body);

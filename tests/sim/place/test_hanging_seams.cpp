@@ -80,7 +80,7 @@ TEST(LevelGaps, are_not_between_panels_side_by_side) {
 }
 
 // Its top lies that much below the shoulders.
-TEST(HangOnShoulders, lifts_a_low_bodice_to_the_shoulders_and_what_hangs_from_it_with_it) {
+TEST(HangOnShoulders, lifts_bodice_and_skirt_when_the_bodice_stands_below_the_shoulders) {
     constexpr double kLow = 0.08;  // m
     const MeasuredBody body(mannequin());
     ASSERT_TRUE(body.shoulder_top());
@@ -113,7 +113,7 @@ GarmentMesh with_strip(Pattern pattern, double y) {
     return mesh;
 }
 
-TEST(HangOnShoulders, lifts_what_stands_on_a_neckline_with_the_bodice) {
+TEST(HangOnShoulders, lifts_a_collar_when_the_bodice_under_it_stands_below_the_shoulders) {
     constexpr double kLow = 0.08;  // m
     const MeasuredBody body(mannequin());
     const double top = body.shoulder_top().value() - kLow;
@@ -139,7 +139,7 @@ TEST(HangOnShoulders, lifts_a_low_bodice_whose_hood_has_a_seam_over_the_head) {
     EXPECT_EQ(found.lower_most, 0) << "nothing joins it with the bodice here";
 }
 
-TEST(HangOnShoulders, leaves_what_stands_on_them_or_above) {
+TEST(HangOnShoulders, leaves_a_bodice_in_place_when_it_reaches_above_the_shoulders) {
     const MeasuredBody body(mannequin());
     const GarmentMesh before = assemble(tabard(0.3, 0.4, body.shoulder_top().value() - 0.39, 0.2));
     GarmentMesh after = before;

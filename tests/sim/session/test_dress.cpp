@@ -188,7 +188,7 @@ TEST(Dress, leaves_level_arms_as_they_are_when_it_puts_on_a_skirt) {
     EXPECT_FALSE(has_note(skirt, "lowered arms"));
 }
 
-TEST(Dress, tells_what_the_pattern_leaves_off) {
+TEST(Dress, names_a_panel_in_its_notes_when_the_pattern_leaves_it_off) {
     Pattern pattern = tube(0.4, 0.5, 0.5, 0.2);
     EXPECT_FALSE(has_note(dress(pattern, mannequin(), up_to_level(0)).report, "not worn"));
     pattern.panels.push_back(rectangle("facing", {.width = 0.1, .height = 0.1, .y = 1.0, .z = 0.5}));

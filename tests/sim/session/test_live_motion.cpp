@@ -23,7 +23,7 @@ Pattern towel(const Body& body) {
     return pattern;
 }
 
-TEST(LiveMotion, tells_what_left_its_place_when_an_arm_is_lowered) {
+TEST(LiveMotion, reports_a_towel_when_it_slides_off_a_lowered_arm) {
     const Body level = posed(mannequin(), find_pose("T", mannequin()));
     const auto body = std::make_shared<const Body>(level);
     Dressing dressing;
