@@ -12,6 +12,7 @@
 #include "sim/mannequin/mannequin.h"
 #include "sim/mannequin/stored_mannequin.h"
 #include "sim/place/placement.h"
+#include "sim/place/strapless_tops.h"
 #include "sim/repair/load_body.h"
 #include "sim/repair/stored_body.h"
 
@@ -127,8 +128,17 @@ AnchoredPattern PatternAnchor::anchor(const Pattern& pattern, const MeasuredBody
         if (is_for_this_file) return anchored;
     }
     const std::string text = made_from(mannequin_of(named_by));
-    if (text == onto.made_from) return anchored;
-    anchored.designed_for = &named(text, named_by);
+    const bool is_worn_by_it = text == onto.made_from;
+    if (!is_worn_by_it) anchored.designed_for = &named(text, named_by);
+    if (named_by.body.empty()) {
+        const double rise = raise_strapless_tops(anchored.pattern, *anchored.designed_for);
+        if (rise > 0) {
+            anchored.designed = anchored.pattern;
+            notes.push_back("panels without straps raised by up to " + std::to_string(std::lround(1000 * rise)) +
+                            " mm: their upper edge is placed under the armpits");
+        }
+    }
+    if (is_worn_by_it) return anchored;
     note_stature(anchor_panels(anchored.pattern, *anchored.designed_for, measured), notes);
     return anchored;
 }

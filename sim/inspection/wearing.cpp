@@ -20,6 +20,7 @@
 #include "sim/inspection/missed_limbs.h"
 #include "sim/inspection/rolled_edges.h"
 #include "sim/inspection/worn_garment.h"
+#include "sim/place/body_girths.h"
 #include "sim/place/hanging_seams.h"
 #include "sim/place/level_on.h"
 #include "sim/place/limb_pieces.h"
@@ -110,7 +111,7 @@ double girth_at(const BodyPair& bodies, double y) {
     const Plane plane{.point = Vec3d(0, y, 0)};
     const HeightRange& height = bodies.worn_by.height;
     SectionLoop trunk;
-    trunk.points = trunk_points(bodies.wearer, y, height.high - height.low);
+    trunk.points = trunk_points(bodies.wearer.body(), y, height.high - height.low);
     return trunk.points.empty() ? 0 : tape_length(trunk, plane);
 }
 
@@ -119,13 +120,19 @@ struct TrunkEdge {
     const Opening* edge = nullptr;
     double placed = 0;
     double draped = 0;
-    double held_at = 0;  // height of the hips or the chest, which should hold it
+    double held_at = 0;  // where the hips or the chest that should hold it end
     bool is_of_chest = false;
 
     double moved() const { return placed - draped; }
     bool has_slipped() const { return draped <= held_at; }
     const char* holder() const { return is_of_chest ? "chest" : "hips"; }
 };
+
+// The girth of the wearer that an edge must not exceed, m: of the bust, or where the edge was placed.
+double girth_that_holds(const TrunkEdge& edge, const BodyPair& bodies) {
+    const auto bust = edge.is_of_chest ? bust_girth(bodies.wearer) : std::nullopt;
+    return bust ? bust->length() : girth_at(bodies, edge.placed);
+}
 
 std::string in_centimetres(double x) {
     return std::to_string(std::lround(100 * x)) + " cm";
@@ -140,7 +147,7 @@ std::string describe(const TrunkEdge& lowered, const GarmentMesh& mesh) {
 }
 
 // An edge that slipped: "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest". If it is at
-// least 1 cm longer than the body is round where it was placed, it says so: "too large above the chest by 14 cm: ...".
+// least 1 cm longer than the body is round where that should hold it, it says so: "too large above the chest by 14 cm: ...".
 DressFault fault_of_slip(const TrunkEdge& lowered, const GarmentMesh& mesh, double girth) {
     const std::string lies = describe(lowered, mesh) + ", below the " + lowered.holder();
     constexpr double kLeast = 0.01;  // m, by which an edge is too large
@@ -209,7 +216,8 @@ std::vector<TrunkEdge> trunk_edges(const WornGarment& garment, const MeantOpenin
     std::vector<TrunkEdge> edges;
     const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
     if (!is_ascending(from) || !is_ascending(to)) return edges;
-    const double hips = to[1], chest = to[3];
+    // The bust holds an edge that was placed nearer to the chest than to the waist; there it has left the bust.
+    const double hips = to[1], chest = to[3], under_bust = (to[2] + chest) / 2;
     const std::vector<Opening>& openings = meant.openings;
     std::map<std::size_t, std::size_t> edge_of;  // by part
     for (std::size_t i = 0; i < openings.size(); ++i) {
@@ -223,8 +231,8 @@ std::vector<TrunkEdge> trunk_edges(const WornGarment& garment, const MeantOpenin
         const TrunkEdge lowered{.edge = &openings[i],
                                 .placed = placed,
                                 .draped = centre_of(openings[i], garment.closed_draped).y(),
-                                .held_at = placed > chest ? chest : hips,
-                                .is_of_chest = placed > chest};
+                                .held_at = placed > chest ? chest : placed > under_bust ? under_bust : hips,
+                                .is_of_chest = placed > under_bust};
         if (placed < lowered.held_at) continue;
         const auto [of_part, is_first] = edge_of.try_emplace(meant.parts[i], edges.size());
         if (is_first) {
@@ -251,7 +259,7 @@ std::vector<Slip> find_slips(const std::vector<TrunkEdge>& edges, const Cloth& c
     std::vector<Slip> slips;
     for (const TrunkEdge& lowered : edges) {
         if (!lowered.has_slipped()) continue;
-        DressFault fault = fault_of_slip(lowered, garment.panels, girth_at(bodies, lowered.placed));
+        DressFault fault = fault_of_slip(lowered, garment.panels, girth_that_holds(lowered, bodies));
         if (class_of(fault) == FaultClass::Defect) {
             if (auto weakness = weakness_of(lowered, garment, cloth, bodies)) fault = std::move(*weakness);
         }
@@ -356,7 +364,7 @@ void validate_carried(const WornGarment& garment, const PanelVertices& panels, c
     const double floor = bodies.worn_by.height.low, knees = (floor + heights_of(bodies.worn_by)[1]) / 2;
     for (const auto& [part, points] : others) {
         const double lowest = std::ranges::min(points, {}, [](const Vec3d& p) { return p.y(); }).y();
-        if (lowest > floor + kLiesOnFloor || is_carried(points, bodies.wearer, knees)) continue;
+        if (lowest > floor + kLiesOnFloor || is_carried(points, bodies.wearer.body(), knees)) continue;
         add_fault(report, {.kind = "on_floor",
                            .place = "'" + garment.panels.panel_names[part] +
                                     "' stands on the floor: it goes round no part of the body, and lies on none",
@@ -410,7 +418,7 @@ struct WearingCheck::Known {
     MeantOpenings meant{};
 
     bool has_torsos() const { return !worn_by.torso.empty() && !meant_for.torso.empty(); }
-    BodyPair bodies() const { return {.meant_for = meant_for, .worn_by = worn_by, .wearer = wearer.body()}; }
+    BodyPair bodies() const { return {.meant_for = meant_for, .worn_by = worn_by, .wearer = wearer}; }
 };
 
 WearingCheck::WearingCheck(const GarmentMesh& sewn, DesignedGarment designed, const MeasuredBody& wearer) {

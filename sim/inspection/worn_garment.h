@@ -9,6 +9,7 @@
 #include "sim/core/math.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/place/limbs.h"
+#include "sim/place/measured_body.h"
 
 namespace selvedge::sim {
 
@@ -33,7 +34,7 @@ WornGarment compare_drape(const Cloth& cloth, const GarmentMesh& sewn, WornGarme
 struct BodyPair {
     const BodyLimbs& meant_for;
     const BodyLimbs& worn_by;
-    const Body& wearer;
+    const MeasuredBody& wearer;
 };
 
 using PanelVertices = std::vector<std::vector<std::size_t>>;  // per panel, ascending

@@ -7,6 +7,7 @@
 #include <memory>
 #include <sstream>
 
+#include "sim/body/landmarks.h"
 #include "sim/dress/dressing.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/repair/load_body.h"
@@ -130,6 +131,38 @@ TEST(Anchor, says_what_it_assumes_of_a_body_without_a_head) {
     const AnchoredPattern moved = anchor(tube(0.5, 0.4, 0.9, 0.2), headless);
     ASSERT_EQ(moved.notes.size(), 1U);
     EXPECT_NE(moved.notes[0].find("no head: panels placed as on a whole one 1.6"), std::string::npos) << moved.notes[0];
+}
+
+// A bodice whose upper edges are labelled as GarmentCode's are.
+Pattern strapless(double top) {
+    Pattern pattern = tube(0.5, 0.2, top - 0.2, 0.2);
+    for (Panel& panel : pattern.panels) panel.edges[2].label = "strapless_top";
+    return pattern;
+}
+
+TEST(Anchor, raises_a_strapless_bodice_to_the_armpits_and_says_so_when_it_names_no_body) {
+    const Pattern pattern = strapless(1.1);
+    const AnchoredPattern raised = anchor(pattern, placed_for(pattern));
+    const double armpit = find_landmarks(placed_for(pattern)).armpit.value();
+    ASSERT_GT(armpit, 1.15);
+    for (const Panel& panel : raised.designed.panels) EXPECT_NEAR(panel.place(Vec2d(0, 0.2)).y(), armpit, 1e-6);
+    for (const Panel& panel : raised.pattern.panels) EXPECT_NEAR(panel.place(Vec2d(0, 0.2)).y(), armpit, 1e-6);
+    ASSERT_EQ(raised.notes.size(), 1U);
+    EXPECT_NE(raised.notes[0].find("panels without straps raised by up to"), std::string::npos) << raised.notes[0];
+}
+
+TEST(Anchor, leaves_a_strapless_bodice_where_it_is_when_it_is_high_enough_or_hangs_from_a_shoulder) {
+    const Pattern high = strapless(1.4);
+    Pattern on_shoulder = strapless(1.1);
+    on_shoulder.panels[1].edges[2].label = "right_collar";
+    Pattern with_body = strapless(1.1);
+    with_body.body = "mannequin:sex=female";
+    for (const Pattern& pattern : {high, on_shoulder, with_body}) {
+        const AnchoredPattern left = anchor(pattern, placed_for(pattern));
+        EXPECT_TRUE(left.notes.empty());
+        for (std::size_t p = 0; p < 2; ++p)
+            EXPECT_EQ(left.pattern.panels[p].translation, pattern.panels[p].translation);
+    }
 }
 
 TEST(Dressing, is_designed_for_its_body_after_an_equal_one_has_replaced_it) {

@@ -151,6 +151,22 @@ TEST(Wearing, finds_a_strapless_dress_whose_upper_edge_slipped_below_the_bust) {
     EXPECT_EQ(slipped.faults[0].place, "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest");
 }
 
+// It was placed under the widest level of the bust, but nearer to that than to the waist.
+TEST(Wearing, finds_a_strapless_dress_that_slipped_to_the_waist_when_it_was_placed_below_the_widest_bust) {
+    const std::vector<LimbJoint> torso = find_limbs(mannequin()).torso;
+    const double waist = torso[1].centre.y(), chest = torso[2].centre.y(), top = chest - 0.02;
+    const auto lower = [](double by) { return [by](const Vec3d& x) { return Vec3d(x - Vec3d(0, by, 0)); }; };
+    const Pattern wide = tube(0.6, 0.3, top - 0.3, 0.2), narrow = tube(0.36, 0.3, top - 0.3, 0.2);
+    EXPECT_EQ(list(report_on(wide, lower((chest - waist) / 2 - 0.03), mannequin())), "") << "it settled on the bust";
+    const DressReport slipped = report_on(wide, lower(top - waist), mannequin());
+    ASSERT_EQ(slipped.faults.size(), 1U) << list(slipped);
+    EXPECT_EQ(slipped.faults[0].kind, "does_not_fit") << "1.2 m long, more than the bust is round";
+    EXPECT_NE(slipped.faults[0].place.find("too large above the chest by"), std::string::npos) << list(slipped);
+    const DressReport pulled = report_on(narrow, lower(top - waist), mannequin());
+    ASSERT_FALSE(pulled.faults.empty());
+    EXPECT_EQ(pulled.faults.back().kind, "displaced") << "72 cm long, less than the bust is round";
+}
+
 TEST(Wearing, does_not_take_the_hem_of_a_shirt_for_a_waist) {
     const double hips = find_limbs(mannequin()).torso[0].centre.y();
     const auto longer = [&](const Vec3d& x) {  // by 8 cm at the hem, which was placed at the hips
