@@ -212,7 +212,9 @@ void DrapeRun::finish_frame(Simulation& simulation, const Collider& body) {
     result_.step_ms.resize(usual_steps);  // the statistics cover steps of usual length only
     constexpr double kWorthwhile = 0.1;   // of the excess: a frame that takes away less costs more than the projection
     const double before = std::exchange(excess_, total_excess(simulation.cloth()));
-    lessens_ = excess_ > 0 && before - excess_ > kWorthwhile * before;  // nothing left: another frame cannot lessen it
+    // Nothing left: another frame cannot lessen it. Nor can it what is stretched by a body that is too large.
+    const bool is_for_nothing = excess_ <= 0 || result_.given_up == GiveUp::TooSmall;
+    lessens_ = !is_for_nothing && before - excess_ > kWorthwhile * before;
     if (finishes() || result_.bad_vertex) return;
     project_out(simulation, body, schedule);
 }

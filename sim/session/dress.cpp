@@ -85,6 +85,20 @@ bool is_single(const Dressing& dressing) {
     return garments_of(dressing.pattern()).size() == 1;
 }
 
+// Runs the relaxation to its end, or until it took more work than a drape may: cloth that cannot close round the body
+// crumples in it already. A garment that is known to be too small has less: other garments of an outfit are waited for.
+void relax(Dressing& dressing, bool known_too_small, const Progress& progress) {
+    constexpr double kMostOfMisfit = 4e6;  // DrapeResult::work: half of what most garments take as a whole
+    while (dressing.stage() == DressingStage::Relax) {
+        dressing.advance();
+        if (dressing.stage() != DressingStage::Relax) return;
+        report(progress, "draping", dressing.fraction());
+        const bool takes_long = known_too_small && is_single(dressing) && dressing.result().work > kMostOfMisfit;
+        if (takes_long || dressing.takes_too_much_work())
+            dressing.give_up(known_too_small ? GiveUp::TooSmall : GiveUp::TooMuchWork);
+    }
+}
+
 // Runs the fall to its end, or until the garment slips down the body, was too small for it at two tests, or took
 // more work than a drape may. What is `known_too_small` is given up at once, for it would only crumple; an outfit hangs
 // first.
@@ -149,7 +163,7 @@ std::optional<TightLevel> relax_and_fall(Dressing& dressing, const std::optional
     } else if (is_one && dressing.stage() == DressingStage::Relax && wearing->slips(*dressing.cloth())) {
         dressing.give_up(GiveUp::SlipsDown);
     }
-    finish_stage(dressing, DressingStage::Relax, "draping", progress);
+    relax(dressing, too_small.has_value(), progress);
     fall_or_give_up(dressing, too_small.has_value(), wearing, progress);
     const Cloth& cloth = *dressing.cloth();
     const std::optional<GiveUp> given_up = dressing.result().given_up;

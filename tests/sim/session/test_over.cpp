@@ -97,6 +97,7 @@ TEST(Dress, gives_up_what_takes_too_much_work_and_tells_what_moves) {
     top.body = "mannequin:sex=female";
     const DressReport report = dress(top, mannequin(), {.max_level = 0, .most_work = 1}).report;
     EXPECT_EQ(report.stopped_because, "work limit");
+    EXPECT_LT(report.simulated_seconds, DrapeOptions{}.relax_time) << "the limit counts while it relaxes, too";
     EXPECT_FALSE(report.settled);
     const auto fault = std::ranges::find(report.faults, "not_settled", &DressFault::kind);
     ASSERT_NE(fault, report.faults.end()) << list_faults(report);
