@@ -11,6 +11,7 @@
 #include "sim/paper/page_labels.h"
 #include "sim/paper/pdf_drawing.h"
 #include "sim/paper/pdf_pictures.h"
+#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "tests/sim/paper/drawings.h"
 #include "tests/sim/paper/pdf_text.h"
