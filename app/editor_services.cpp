@@ -157,6 +157,13 @@ editor::ImportedDrawing import_drawing(const std::string& file, const sim::Impor
     editor::ImportedDrawing drawing;
     drawing.sewn = sim::count_text(garment.pattern.panels.size(), "panel") + ", " +
                    sim::count_text(garment.pattern.seams.size(), "seam");
+    if (!garment.pictures.empty())
+        drawing.sewn += "; " + sim::count_text(garment.pictures.size(), "scan") + " under the sheet, to be traced";
+    name_beside(garment.pictures, garment.pattern, file);
+    for (UnderlayFile& picture : garment.pictures) {
+        garment.notes.push_back("page " + std::to_string(picture.page) + " is written as " + picture.path.string());
+        drawing.pictures.push_back({picture.path.string(), std::move(picture.bytes)});
+    }
     if (!garment.possible.empty())
         drawing.sewn += "; " + sim::count_text(garment.possible.size(), "seam") + " less likely, not sewn";
     drawing.notes = std::move(garment.notes);

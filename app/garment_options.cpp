@@ -88,7 +88,10 @@ sim::Pattern load_dressable(const std::filesystem::path& file, const GarmentOpti
     const sim::DressCheck check{
         .has_fabrics = options.fabric.empty(), .makes_body_and_mesh = false, .edge_length = options.dress.edge_length};
     if (pattern.panels.empty())
-        throw sim::InputError(file.string(), "pattern.panels", "no panel that is worn: nothing to dress");
+        throw sim::InputError(file.string(), "pattern.panels",
+                              pattern.underlays.empty() ? "no panel that is worn: nothing to dress"
+                                                        : "no panel that is worn: nothing to dress before its photos "
+                                                          "are traced in the editor");
     for (const sim::Fault& fault : dress_faults(pattern, file.string(), check))
         throw sim::InputError(fault.file, fault.place, fault.problem);
     return pattern;

@@ -32,6 +32,15 @@ void print_list(const char* title, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) std::printf("  %s\n", sim::printable(line).c_str());
 }
 
+void check_pictures(const std::vector<UnderlayFile>& files, const std::vector<std::filesystem::path>& inputs) {
+    std::vector<std::filesystem::path> outputs;
+    for (const UnderlayFile& file : files) {
+        check_output(file.path);
+        outputs.push_back(file.path);
+    }
+    check_distinct(outputs, inputs);
+}
+
 int run(ImportArguments& arguments) {
     ImportOptions options = arguments.options;
     if (!arguments.unit.empty()) options.panels.metres_per_unit = sim::metres_of_unit(arguments.unit);
@@ -43,7 +52,9 @@ int run(ImportArguments& arguments) {
     check_output(arguments.output);
     check_distinct({arguments.output}, inputs);
     check_output(arguments.output, kGarmentExtensions);
-    const ImportedGarment garment = import_garment(arguments.files, options);
+    ImportedGarment garment = import_garment(arguments.files, options);
+    name_beside(garment.pictures, garment.pattern, arguments.output);
+    check_pictures(garment.pictures, inputs);
     print_list("Read:", garment.notes);
     print_list("Body:", garment.body);
     print_list("Panels:", garment.panels);
@@ -55,9 +66,15 @@ int run(ImportArguments& arguments) {
     if (possible.size() < garment.possible.size()) {
         std::printf("  and %zu less likely ones (--list-all)\n", garment.possible.size() - possible.size());
     }
+    WrittenUnderlays pictures(garment.pictures);
     sim::save_pattern({.pattern = garment.pattern, .json = {}}, arguments.output);
-    std::printf("wrote %s: %zu panels, %zu seams\n", sim::printable(arguments.output.string()).c_str(),
-                garment.pattern.panels.size(), garment.pattern.seams.size());
+    pictures.keep();
+    for (const UnderlayFile& file : garment.pictures)
+        std::printf("wrote %s: page %zu, %s, to be traced\n", sim::printable(file.path.string()).c_str(), file.page,
+                    file.size.c_str());
+    std::printf("wrote %s: %s, %s\n", sim::printable(arguments.output.string()).c_str(),
+                sim::count_text(garment.pattern.panels.size(), "panel").c_str(),
+                sim::count_text(garment.pattern.seams.size(), "seam").c_str());
     return 0;
 }
 
@@ -94,6 +111,9 @@ void add_import_command(Command& app, int& exit_code) {
         "names, each with a confidence and a reason; those above --confidence are sewn. Panels are placed by their "
         "names\n"
         "and seams. Correct both in the editor.\n"
+        "Pages of a PDF that hold only a scan are written as NAME_pageN.jpg beside the garment and lie under its "
+        "sheet,\n"
+        "at true size, to be traced in the editor.\n"
         "Exit code: 0 written; 2 wrong input.\n"
         "Examples:\n"
         "  selvedge import teagan.svg -o teagan.json && selvedge dress teagan.json --render teagan.png\n"

@@ -34,6 +34,7 @@ bool is_photo_file(const std::filesystem::path& file) {
 
 sim::Drawing read_drawings(const std::vector<std::filesystem::path>& files, std::vector<std::string>& notes) {
     sim::Drawing all;
+    std::vector<sim::DrawnPicture> pictures;
     for (const std::filesystem::path& file : files) {
         if (is_photo_file(file)) {
             const std::string ending = file.extension().string();
@@ -44,8 +45,13 @@ sim::Drawing read_drawings(const std::vector<std::filesystem::path>& files, std:
         }
         sim::Drawing one = sim::read_drawing(file);
         notes.push_back(file.string() + ": " + one.format + ", " + sim::count_text(one.parts.size(), "part"));
-        if (&file == &files.front()) {
-            all = std::move(one);
+        std::ranges::move(one.pictures, std::back_inserter(pictures));
+        one.pictures.clear();
+        if (all.parts.empty() || one.parts.empty()) {  // the first, or only scans
+            std::vector<std::string> told = std::move(all.notes);
+            std::ranges::move(one.notes, std::back_inserter(told));
+            if (all.parts.empty()) all = std::move(one);
+            all.notes = std::move(told);
             continue;
         }
         if (one.metres_per_unit != all.metres_per_unit)
@@ -60,6 +66,7 @@ sim::Drawing read_drawings(const std::vector<std::filesystem::path>& files, std:
         std::ranges::move(one.parts, std::back_inserter(all.parts));
         std::ranges::move(one.notes, std::back_inserter(all.notes));
     }
+    all.pictures = std::move(pictures);
     return all;
 }
 
@@ -211,6 +218,11 @@ ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, 
     out.pattern = std::move(made.pattern);
     out.hints = std::move(made.hints);
     out.sizes = std::move(made.sizes);
+    if (out.pattern.panels.empty()) {
+        out.pattern.body = body_of(drawing, options, out.body);
+        out.pictures = lay_pictures(out.pattern, drawing.pictures, files.front().string());
+        return out;
+    }
     std::vector<sim::SeamProposal> sewn, possible;
     if (out.pattern.seams.empty() && !made.is_placed) {
         for (sim::SeamProposal& proposal :
@@ -229,6 +241,7 @@ ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, 
     out.possible = describe_all(out.pattern, after_acceptance(possible, sewn));
     for (std::size_t p = 0; p < out.pattern.panels.size(); ++p)
         out.panels.push_back(describe_panel(out.pattern.panels[p], roles[p]));
+    out.pictures = lay_pictures(out.pattern, drawing.pictures, files.front().string());
     return out;
 }
 

@@ -238,19 +238,37 @@ void ask_for_size(AppState& state, const std::string& file, const std::vector<st
                                 std::move(answers)});
 }
 
+// Whether its place is taken by a file that holds something else.
+bool is_taken(const AppState& state, const PictureFile& picture) {
+    return state.services.exists(picture.file) &&
+           !(state.services.hash_of && state.services.hash_of(picture.file) == sim::sha256(picture.bytes));
+}
+
+// The document is shown when its pictures are there, so that it can be saved, and recovered after a crash.
+void show_import(AppState& state, const ImportedDrawing& imported, const std::string& file,
+                 const sim::ImportOptions& options) {
+    for (const PictureFile& picture : imported.pictures) state.services.save(picture.file, picture.bytes);
+    show_document(state, imported.garment, {.is_unsaved = true});
+    state.workspace.document->set_hints(imported.hints);
+    for (const std::string& note : imported.notes) state.workspace.messages.note(note);
+    state.workspace.messages.note("Imported '" + name_in_folder(file) + "': " + imported.sewn);
+    if (imported.sizes.size() > 1 && options.panels.size.empty()) ask_for_size(state, file, imported.sizes, options);
+}
+
 }  // namespace
 
 void import_file(AppState& state, const std::string& file, const sim::ImportOptions& options) {
     if (state.services.is_photo(file)) return lay_photo(state, file);
     after_asking(state, [file, options](AppState& current) {
         try_to(current, [&] {
-            ImportedDrawing imported = current.services.import_drawing(file, options);
-            const std::vector<std::string> sizes = std::move(imported.sizes);
-            show_document(current, std::move(imported.garment), {.is_unsaved = true});
-            current.workspace.document->set_hints(std::move(imported.hints));
-            for (const std::string& note : imported.notes) current.workspace.messages.note(note);
-            current.workspace.messages.note("Imported '" + name_in_folder(file) + "': " + imported.sewn);
-            if (sizes.size() > 1 && options.panels.size.empty()) ask_for_size(current, file, sizes, options);
+            const auto imported = std::make_shared<ImportedDrawing>(current.services.import_drawing(file, options));
+            const auto show = [=](AppState& shown) {
+                try_to(shown, [&] { show_import(shown, *imported, file, options); });
+            };
+            const auto taken = std::ranges::find_if(
+                imported->pictures, [&](const PictureFile& picture) { return is_taken(current, picture); });
+            if (taken == imported->pictures.end()) return show(current);
+            ask_to_replace(current, taken->file, show);
         });
     });
 }

@@ -61,13 +61,19 @@ struct ExportRequest {
     sim::Pattern pattern{};       // says what the garment's panels are made of
 };
 
+struct PictureFile {
+    std::string file;
+    std::string bytes;
+};
+
 // What became of a drawing of another program.
 struct ImportedDrawing {
     sim::PatternDocument garment = {};
-    std::string sewn = {};                // "8 seams were sewn, 3 more are possible"
-    std::vector<std::string> notes = {};  // what was guessed, repaired and left out, one line each
-    std::string hints = {};               // its texts about the whole garment
-    std::vector<std::string> sizes = {};  // that it has; the garment is of one of them (Pattern::size)
+    std::string sewn = {};                   // "8 seams were sewn, 3 more are possible"
+    std::vector<std::string> notes = {};     // what was guessed, repaired and left out, one line each
+    std::string hints = {};                  // its texts about the whole garment
+    std::vector<std::string> sizes = {};     // that it has; the garment is of one of them (Pattern::size)
+    std::vector<PictureFile> pictures = {};  // that its underlays name, to be written beside the drawing
 };
 
 struct UserSettings {

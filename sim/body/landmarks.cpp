@@ -11,7 +11,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr int kLevels = 200;
+constexpr int kLevels = kLandmarkLevels;
 
 // The sections at one height. The largest loop is the trunk, or the trunk with the arms, or a leg, or the head.
 struct Level {

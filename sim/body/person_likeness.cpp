@@ -153,6 +153,18 @@ std::optional<Vec2d> direction_of_feet(const PersonLikeness& found, const Body& 
 
 }  // namespace
 
+double cuts_of_likeness(const Body& body) {
+    const HeightRange height = height_range(body);
+    if (!(height.high > height.low)) return 0;
+    double spans = 0;
+    for (const auto& [a, b, c] : body.triangles) {
+        const auto [low, high] =
+            std::minmax({body.x[std::size_t(a)].y(), body.x[std::size_t(b)].y(), body.x[std::size_t(c)].y()});
+        spans += high - low;
+    }
+    return (kLandmarkLevels + kCheckedLevels) * spans / (height.high - height.low);
+}
+
 PersonLikeness person_likeness(const Body& body) {
     PersonLikeness found;
     if (body.triangles.empty()) return {.lacks = "it has no surface"};

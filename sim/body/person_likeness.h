@@ -23,4 +23,7 @@ struct PersonLikeness {
 // Of a surface in any unit, y up, turned consistently. It need not be closed: levels at which it is open show nothing.
 PersonLikeness person_likeness(const Body& body);
 
+// How many triangles it cuts for that by planes, about: what long triangles cost.
+double cuts_of_likeness(const Body& body);
+
 }  // namespace selvedge::sim

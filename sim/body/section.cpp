@@ -10,19 +10,20 @@ namespace selvedge::sim {
 
 namespace {
 
-// An edge of the surface by its two vertices, lower index first.
-struct CutEdge {
-    int low = 0;
-    int high = 0;
-    auto operator<=>(const CutEdge&) const = default;
-};
+// An edge of the surface by its two vertices, the lower index first and in the upper half: one number to compare.
+using CutEdge = std::uint64_t;
+
+CutEdge cut_edge(int one, int other) {
+    const auto [low, high] = std::minmax(one, other);
+    return static_cast<CutEdge>(low) << 32U | static_cast<std::uint32_t>(high);
+}
 
 // The part of the section inside one triangle, from its entry edge to its exit edge. On a closed oriented surface every
 // cut edge is the entry of exactly one triangle and the exit of exactly one, so segments are chained without comparing
 // points.
 struct CutSegment {
-    CutEdge entry;
-    CutEdge exit;
+    CutEdge entry = 0;
+    CutEdge exit = 0;
 };
 
 std::vector<double> distances(const Body& body, const Plane& plane) {
@@ -47,18 +48,18 @@ void cut_triangle(const std::array<int, 3>& triangle, const Distance& distance, 
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
         if (above[k] == above[next]) continue;
-        const auto [low, high] = std::minmax(triangle[k], triangle[next]);
-        (above[k] ? segment.entry : segment.exit) = {low, high};
+        (above[k] ? segment.entry : segment.exit) = cut_edge(triangle[k], triangle[next]);
     }
     segments.push_back(segment);
 }
 
 template <class Distance>
 Vec3d cut_point(const Body& body, const Distance& distance, CutEdge edge) {
-    const Vec3d& low = body.x[static_cast<std::size_t>(edge.low)];
-    const Vec3d& high = body.x[static_cast<std::size_t>(edge.high)];
-    const double from = distance(edge.low);
-    return low + from / (from - distance(edge.high)) * (high - low);
+    const int first = static_cast<int>(edge >> 32U), second = static_cast<int>(edge & 0xFFFFFFFFU);
+    const Vec3d& low = body.x[static_cast<std::size_t>(first)];
+    const Vec3d& high = body.x[static_cast<std::size_t>(second)];
+    const double from = distance(first);
+    return low + from / (from - distance(second)) * (high - low);
 }
 
 // Area and centroid as a fan of triangles from the first point; coordinates relative to that point avoid cancellation.
@@ -175,6 +176,7 @@ std::vector<SectionLoop> LevelSections::at(double y) const {
     const auto distance = [&](int vertex) { return body_.x[static_cast<std::size_t>(vertex)].y() - y; };
     const std::size_t slab = slab_of(y);
     std::vector<CutSegment> segments;
+    segments.reserve(first_[slab + 1] - first_[slab]);
     for (std::uint32_t i = first_[slab]; i < first_[slab + 1]; ++i)
         cut_triangle(body_.triangles[triangles_[i]], distance, segments);
     return chain(body_, plane, distance, std::move(segments));

@@ -4,6 +4,8 @@
 // pattern of it.
 //
 // Coordinates are those of the file, turned so that y points up; metres_per_unit converts them.
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -114,10 +116,22 @@ struct DrawingUnit {
     bool operator==(const DrawingUnit& other) const { return metres == other.metres; }
 };
 
+// A page that holds a picture and nothing to read: it is laid under the sheet (Underlay) and traced by hand.
+struct DrawnPicture {
+    std::size_t number = 0;      // of the page, from 1
+    Vec2d size = Vec2d::Zero();  // m, of the page
+    double pixel_size = 0;       // m
+    int width_px = 0, height_px = 0;
+    std::vector<std::uint8_t> rgb = {};  // row by row from the top left
+
+    bool operator==(const DrawnPicture&) const = default;
+};
+
 struct Drawing {
     std::string title;
     std::string format = {};  // "FreeSewing SVG", "DXF-AAMA R10", for reports
     std::vector<DrawnPart> parts = {};
+    std::vector<DrawnPicture> pictures = {};  // pages without parts; where there are some, there may be no parts
     std::vector<DrawnSeam> seams = {};
     std::optional<DrawnBody> body = {};          // of the parts' placements; none: the file states none
     std::optional<double> metres_per_unit = {};  // none: the file does not say

@@ -74,6 +74,7 @@ class PanelMaker {
             add_part(part);
         }
         if (out_.pattern.panels.empty()) {
+            if (!drawing_.pictures.empty()) return std::move(out_);
             throw InputError(
                 file_, "",
                 "no closed outline: " + (first_open_.empty() ? "nothing that could be a panel" : first_open_));
@@ -121,6 +122,7 @@ class PanelMaker {
     }
 
     void choose_scale() {
+        if (drawing_.parts.empty()) return;
         if (options_.metres_per_unit || drawing_.metres_per_unit) {
             scale_ = options_.metres_per_unit ? *options_.metres_per_unit : *drawing_.metres_per_unit;
             return;

@@ -28,8 +28,8 @@ struct PanelsOfDrawing {
     std::vector<std::string> ribbing = {};  // names of drawn panels that are cut from it (fold_ribbing)
 };
 
-// Throws InputError if no part has a closed outline, if the size is not in the file, or if an outline crosses itself;
-// `file` is the name in messages.
+// Throws InputError if no part has a closed outline and the drawing has no pictures, if the size is not in the file, or
+// if an outline crosses itself; `file` is the name in messages.
 PanelsOfDrawing make_panels(const Drawing& drawing, const std::string& file, const MakePanelsOptions& options = {});
 
 }  // namespace selvedge::sim

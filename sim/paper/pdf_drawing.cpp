@@ -11,6 +11,7 @@
 #include "sim/core/error.h"
 #include "sim/core/printable.h"
 #include "sim/paper/path_builder.h"
+#include "sim/paper/pdf_pictures.h"
 #include "sim/paper/pdf_tiles.h"
 #include "sim/paper/plain_parts.h"
 #include "sim/paper/size_names.h"
@@ -24,9 +25,12 @@ std::string page_name(std::size_t number) {
     return "page " + std::to_string(number);
 }
 
-// "pages 1, 3 and 4".
+// "pages 1, 3 and 4", "pages 2 to 12".
 std::string page_names(const std::vector<std::size_t>& numbers) {
     if (numbers.size() == 1) return page_name(numbers.front());
+    const std::size_t first = numbers.front(), last = numbers.back();
+    if (numbers.size() > 2 && last - first + 1 == numbers.size())
+        return "pages " + std::to_string(first) + " to " + std::to_string(last);
     constexpr std::size_t kMostNamed = 8;
     if (numbers.size() > kMostNamed) return std::to_string(numbers.size()) + " pages";
     std::string names = "pages ";
@@ -44,10 +48,21 @@ class PdfReader {
         drawing_.format = "PDF, " + count_text(pdf_.pages.size(), "page");
         drawing_.metres_per_unit = kMetresPerMm;
         tell_layers();
-        leave_out_scans();
+        for (const PdfPage& page : pdf_.pages) is_picture_.push_back(is_picture(page));
+        read_beside_pictures();
+        add_pictures();
+        return std::move(drawing_);
+    }
+
+ private:
+    std::string pages_text() const {
+        return pdf_.pages.size() == 1 ? std::string("page") : count_text(pdf_.pages.size(), "page");
+    }
+
+    void read_lines() {
         std::vector<TilePage> pages;
         for (std::size_t i = 0; i < pdf_.pages.size(); ++i) {
-            if (!is_scan_[i]) pages.push_back(tile_page(i));
+            if (!is_picture_[i]) pages.push_back(tile_page(i));
         }
         JoinedTiles joined = join_tiles(pages);
         std::ranges::move(joined.notes, std::back_inserter(drawing_.notes));
@@ -61,12 +76,6 @@ class PdfReader {
         if (drawing_.parts.empty())
             throw InputError(file_, "", "no closed outline on its " + pages_text() + ": nothing that could be a panel");
         tell_scale();
-        return std::move(drawing_);
-    }
-
- private:
-    std::string pages_text() const {
-        return pdf_.pages.size() == 1 ? std::string("page") : count_text(pdf_.pages.size(), "page");
     }
 
     // Outlines that end at the borders of pages are open where nothing tells how pages lie.
@@ -111,34 +120,93 @@ class PdfReader {
 
     // ---- Pages.
 
-    // A page with a picture over much of it, and no line as large as a part.
-    bool is_scan(const PdfPage& page) const {
-        constexpr double kMuch = 0.3, kLarge = 60;  // of the page's area; mm
+    // Of the page's area.
+    static double share_of_pictures(const PdfPage& page) {
         double pictures = 0;
         for (std::size_t i = 0; i + 1 < page.pictures.size(); i += 2)
             pictures += (page.pictures[i + 1] - page.pictures[i]).cwiseMax(0).prod();
-        if (pictures < kMuch * page.size.prod()) return false;
+        return pictures / page.size.prod();
+    }
+
+    // A frame of the page, or one of its sides.
+    static bool is_along_border(const std::vector<Vec2d>& points, const Vec2d& page) {
+        constexpr double kThin = 3, kNear = 0.15, kWide = 0.8;  // mm; of the page
+        Eigen::AlignedBox2d box;
+        for (const Vec2d& p : points) box.extend(p);
+        const auto is_on_box = [&](const Vec2d& p) {
+            return std::min((p - box.min()).minCoeff(), (box.max() - p).minCoeff()) < kThin;
+        };
+        if ((box.sizes().array() > kWide * page.array()).all()) return std::ranges::all_of(points, is_on_box);
+        for (const int axis : {0, 1}) {
+            const double near = kNear * page[axis];
+            if (box.sizes()[axis] < kThin && (box.max()[axis] < near || box.min()[axis] > page[axis] - near))
+                return true;
+        }
+        return false;
+    }
+
+    // A page with a picture over much of it, and no line as large as a part: a scan, or a photo among instructions.
+    static bool is_picture(const PdfPage& page) {
+        constexpr double kMuch = 0.3, kLarge = 60;  // of the page's area; mm
+        if (share_of_pictures(page) < kMuch) return false;
         return std::ranges::none_of(page.shapes, [&](const PdfShape& shape) {
             Eigen::AlignedBox2d box;
             for (const Vec2d& p : shape.points) box.extend(p);
-            const bool is_frame = box.sizes().x() > 0.8 * page.size.x() && box.sizes().y() > 0.8 * page.size.y();
-            return !is_frame && box.sizes().maxCoeff() > kLarge;
+            return !is_along_border(shape.points, page.size) && box.sizes().maxCoeff() > kLarge;
         });
     }
 
-    void leave_out_scans() {
-        std::vector<std::size_t> scans;
-        for (std::size_t i = 0; i < pdf_.pages.size(); ++i) {
-            is_scan_.push_back(is_scan(pdf_.pages[i]));
-            if (is_scan_.back()) scans.push_back(i + 1);
+    // Where pages are pictures, the others need not be a pattern.
+    void read_beside_pictures() {
+        const bool has_pictures = std::ranges::find(is_picture_, true) != is_picture_.end();
+        bool has_lines = false;
+        for (std::size_t i = 0; i < pdf_.pages.size(); ++i)
+            has_lines = has_lines || (!is_picture_[i] && !pdf_.pages[i].shapes.empty());
+        if (has_pictures && !has_lines) return;
+        try {
+            read_lines();
+        } catch (const InputError& error) {
+            if (!has_pictures) throw;
+            drawing_.parts.clear();
+            drawing_.notes.push_back("beside its scans: " + error.problem());
         }
-        if (scans.empty()) return;
-        const std::string problem = "only a scan, without lines that could be read";
-        const std::string remedy = "save the picture as PNG or JPEG and trace it in the editor";
-        const bool has_lines = std::ranges::any_of(
-            pdf_.pages, [&](const PdfPage& page) { return !is_scan(page) && !page.shapes.empty(); });
-        if (!has_lines) throw InputError(file_, page_names(scans), problem + ": " + remedy);
-        drawing_.notes.push_back(page_names(scans) + ": " + problem + ", left out: " + remedy);
+    }
+
+    // Beside pages that were read, a scan fills its page; other pictures are of a cover or of instructions.
+    void add_pictures() {
+        constexpr double kFilled = 0.7;  // of the page: a scan of A4 within margins of 15 mm has 0.77
+        std::vector<std::size_t> left, too_many;
+        for (std::size_t i = 0; i < pdf_.pages.size(); ++i) {
+            if (!is_picture_[i]) continue;
+            if (!drawing_.parts.empty() && share_of_pictures(pdf_.pages[i]) < kFilled) {
+                left.push_back(i + 1);
+            } else if (drawing_.pictures.size() == kMostUnderlays) {
+                too_many.push_back(i + 1);
+            } else {
+                drawing_.pictures.push_back({.number = i + 1, .size = kMetresPerMm * pdf_.pages[i].size});
+            }
+        }
+        if (!left.empty())
+            drawing_.notes.push_back(page_names(left) + ": a picture on a cover or among instructions, left out");
+        tell_pictures();
+        if (!too_many.empty())
+            drawing_.notes.push_back(page_names(too_many) + ": left out: at most " + std::to_string(kMostUnderlays) +
+                                     " scans of a file are laid under the sheet");
+    }
+
+    // Pages of one size on one line.
+    void tell_pictures() {
+        const std::vector<DrawnPicture>& pictures = drawing_.pictures;
+        for (std::size_t i = 0; i < pictures.size();) {
+            const Vec2d size = pictures[i].size;
+            std::vector<std::size_t> numbers;
+            for (; i < pictures.size() && (pictures[i].size - size).norm() < kMetresPerMm; ++i)
+                numbers.push_back(pictures[i].number);
+            std::array<char, 64> text{};
+            std::snprintf(text.data(), text.size(), ", %.1f x %.1f cm", 100 * size.x(), 100 * size.y());
+            drawing_.notes.push_back(page_names(numbers) + ": only a scan" + text.data() +
+                                     ": no panel is read of it; it lies under the sheet, to be traced in the editor");
+        }
     }
 
     TilePage tile_page(std::size_t index) const {
@@ -236,7 +304,7 @@ class PdfReader {
 
     const PdfFile& pdf_;
     const std::string& file_;
-    std::vector<bool> is_scan_;
+    std::vector<bool> is_picture_;
     bool has_test_square_ = false;
     Drawing drawing_;
 };
@@ -244,7 +312,9 @@ class PdfReader {
 }  // namespace
 
 Drawing read_pdf(std::string_view bytes, const std::string& file) {
-    return drawing_of_pdf(read_pdf_file(bytes, file), file);
+    Drawing drawing = drawing_of_pdf(read_pdf_file(bytes, file), file);
+    draw_pages(bytes, file, drawing.pictures);
+    return drawing;
 }
 
 Drawing drawing_of_pdf(const PdfFile& pdf, const std::string& file) {

@@ -230,6 +230,7 @@ class Nester {
         }
         if (best.places.empty())
             throw InputError("", "", count_text(items_.size(), "piece") + " are more than can be laid out together");
+        best.work = work_;
         return best;
     }
 

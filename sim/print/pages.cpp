@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 #include "sim/core/error.h"
 #include "sim/pattern/outline.h"
@@ -123,6 +124,8 @@ std::vector<Page> pages_of(const PaperSheet& sheet, const PageGrid& grid) {
 PagedSheet lay_out_pages(const Pattern& pattern, const std::vector<PaperPiece>& pieces, const PageSize& paper) {
     constexpr int kMostColumns = 8, kOrders = 3;
     PagedSheet best;
+    constexpr std::uint64_t kMostWork = NestOptions{}.most_work / 2;  // then the best so far is taken
+    std::uint64_t work = 0;                                           // of all layouts
     double widest = 0;
     for (const PaperPiece& piece : pieces) widest = std::max(widest, piece.box().sizes().x());
     for (const bool is_landscape : {false, true}) {
@@ -130,8 +133,10 @@ PagedSheet lay_out_pages(const Pattern& pattern, const std::vector<PaperPiece>& 
         const PageGrid one{.paper = size};
         const double pitch = one.printable().x() - one.overlap;
         const int least = std::max(1, static_cast<int>(std::ceil((widest - one.overlap) / pitch - 1e-9)));
-        for (int columns = least; columns <= std::max(least, kMostColumns); ++columns) {
-            PagedSheet paged{.sheet = paper_sheet(pattern, pieces, columns * pitch + one.overlap, kOrders)};
+        for (int columns = least; columns <= std::max(least, kMostColumns) && work < kMostWork; ++columns) {
+            PagedSheet paged{.sheet = paper_sheet(pattern, pieces, columns * pitch + one.overlap,
+                                                  {.orders = kOrders, .most_work = kMostWork})};
+            work += paged.sheet.work;
             paged.grid = grid_over(paged.sheet, size);
             paged.pages = pages_of(paged.sheet, paged.grid);
             if (best.pages.empty() || paged.pages.size() < best.pages.size()) best = std::move(paged);

@@ -190,7 +190,8 @@ class LayoutMaker {
 
     void arrange(PaperSheet& sheet, const std::vector<NestItem>& items) const {
         const double width = sheet.is_folded ? options_.width / 2 : options_.width;
-        const Nest nested = nest(items, {.width = width, .gap = options_.gap});
+        const Nest nested =
+            nest(items, {.width = width, .gap = options_.gap, .most_work = NestOptions{}.most_work / sheets_.size()});
         sheet.places = nested.places;
         sheet.size = {width, nested.length};
     }
@@ -239,7 +240,8 @@ std::vector<PaperStroke> strokes_of(const PaperSheet& sheet, const LayerChoice& 
     return strokes;
 }
 
-PaperSheet paper_sheet(const Pattern& pattern, const std::vector<PaperPiece>& pieces, double width, int orders) {
+PaperSheet paper_sheet(const Pattern& pattern, const std::vector<PaperPiece>& pieces, double width,
+                       const NestOptions& search) {
     constexpr double kGap = 0.01;  // m
     PaperSheet sheet{.title = pattern.name, .pieces = pieces};
     std::vector<NestItem> items;
@@ -248,10 +250,11 @@ PaperSheet paper_sheet(const Pattern& pattern, const std::vector<PaperPiece>& pi
         items.push_back({.name = panel.name, .outline = piece.cut});
         width = std::max(width, piece.box().sizes().x() + 1e-6);
     }
-    constexpr std::uint64_t kMostWork = 100'000'000;  // pages are laid out sixteen times
-    const Nest nested = nest(items, {.width = width, .gap = kGap, .orders = orders, .most_work = kMostWork});
+    const Nest nested =
+        nest(items, {.width = width, .gap = kGap, .orders = search.orders, .most_work = search.most_work});
     sheet.places = nested.places;
     sheet.size = {width, nested.length};
+    sheet.work = nested.work;
     return sheet;
 }
 

@@ -2,6 +2,7 @@
 // The pieces of a pattern laid out on one large sheet of paper, or on cloth as they are cut (a cutting layout), and
 // what is drawn of them there. Sheet coordinates: m, x to the right, y up, the lower left corner at the origin.
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct PaperSheet {
     std::vector<PaperPiece> pieces = {};
     std::vector<NestPlace> places = {};  // as the pieces
     Vec2d size = Vec2d::Zero();          // m
+    std::uint64_t work = 0;              // of the search for places (Nest)
 
     // Of a cutting layout only.
     std::string fabric = {};
@@ -41,8 +43,9 @@ std::vector<PaperStroke> strokes_of(const PaperPiece& piece, const LayerChoice& 
 // Of all pieces, placed.
 std::vector<PaperStroke> strokes_of(const PaperSheet& sheet, const LayerChoice& layers = kAllLayers);
 
-// All pieces on a sheet of paper as wide as `width`, m; wider if a piece is.
-PaperSheet paper_sheet(const Pattern& pattern, const std::vector<PaperPiece>& pieces, double width, int orders = 12);
+// All pieces on a sheet of paper as wide as `width`, m; wider if a piece is. Of `search`, orders and most_work count.
+PaperSheet paper_sheet(const Pattern& pattern, const std::vector<PaperPiece>& pieces, double width,
+                       const NestOptions& search = {});
 
 struct CuttingOptions {
     double width = 1.5;       // m, of the fabric

@@ -470,9 +470,18 @@ void require_few_pages(std::size_t pages) {
                          "; --one-page makes one for a plotter, a larger --paper makes fewer");
 }
 
+// To find a place for a piece's label and to draw it takes about a millisecond.
+void require_few_pieces(std::size_t pieces) {
+    constexpr std::size_t kMostDrawn = 2000;
+    if (pieces <= kMostDrawn) return;
+    throw InputError("", "",
+                     count_text(pieces, "piece") + ": at most " + std::to_string(kMostDrawn) + " are drawn in a PDF");
+}
+
 }  // namespace
 
 PrintedPdf print_pdf(const Pattern& pattern, const PrintOptions& options) {
+    require_few_pieces(pattern.panels.size());
     const std::vector<PaperPiece> pieces =
         paper_pieces(pattern, {.draws_mirror_images = options.draws_mirror_images, .are_halved = options.are_halved});
     if (options.is_one_page) return one_page(pattern, pieces, options);
@@ -493,6 +502,9 @@ PrintedPdf print_pdf(const Pattern& pattern, const PrintOptions& options) {
 }
 
 PrintedPdf print_layouts(const std::vector<PaperSheet>& layouts, const PageSize& paper, bool is_true_size) {
+    std::size_t pieces = 0;
+    for (const PaperSheet& layout : layouts) pieces += layout.pieces.size();
+    require_few_pieces(pieces);
     PdfCanvas canvas(layouts.empty() ? "" : layouts.front().title);
     for (const PaperSheet& layout : layouts) draw_layout(canvas, layout, paper.size, is_true_size);
     return {.bytes = canvas.finish(), .covers = 0, .pages = static_cast<int>(layouts.size())};

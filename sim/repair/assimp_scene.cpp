@@ -343,6 +343,24 @@ void drop_idle_bones(ImportedScene& scene, const std::vector<bool>& carries_mesh
     scene.bones = std::move(kept);
 }
 
+// Assimp cuts polygons into triangles in a time that grows with the square of their corners, of some shapes faster.
+// Empty: it will not take long.
+std::string problem_of_polygons(const aiScene& scene) {
+    constexpr unsigned kMostCorners = 1000;  // the ends of a fine cylinder have a hundred
+    constexpr double kMostSquares = 1e7;     // of corners, of all polygons
+    double squares = 0;
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        const aiMesh& mesh = *scene.mMeshes[m];
+        for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+            const unsigned corners = mesh.mFaces[f].mNumIndices;
+            if (corners > kMostCorners)
+                return "a polygon of " + std::to_string(corners) + " corners: at most " + std::to_string(kMostCorners);
+            if (corners > 4) squares += double(corners) * double(corners);
+        }
+    }
+    return squares > kMostSquares ? "its polygons have too many corners: save it in triangles" : "";
+}
+
 }  // namespace
 
 ImportAnswer read_with_assimp(const std::string& path, const std::string& extension, ImportKind kind,
@@ -350,7 +368,10 @@ ImportAnswer read_with_assimp(const std::string& path, const std::string& extens
     Assimp::Importer importer;
     keep_only_importer(importer, extension);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-    const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
+    const aiScene* scene = importer.ReadFile(path, 0);
+    if (!scene || !scene->mRootNode) return {importer.GetErrorString(), {}};
+    if (std::string problem = problem_of_polygons(*scene); !problem.empty()) return {std::move(problem), {}};
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
     if (!scene || !scene->mRootNode) return {importer.GetErrorString(), {}};
     if (scene->mNumAnimations > limits.clips)
         return {"it has more than " + std::to_string(limits.clips) + " animations", {}};

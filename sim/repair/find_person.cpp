@@ -263,7 +263,14 @@ class PersonFinder {
         return body;
     }
 
-    PersonLikeness likeness_of(const std::vector<std::size_t>& parts) const { return person_likeness(body_of(parts)); }
+    PersonLikeness likeness_of(const std::vector<std::size_t>& parts) {
+        const Body body = body_of(parts);
+        cuts_ += cuts_of_likeness(body);
+        if (cuts_ > question_.most_cuts)
+            throw InputError(question_.file, "",
+                             "its triangles are too long and too many to look for a person among them");
+        return person_likeness(body);
+    }
 
     // By area, the largest first.
     std::vector<std::size_t> largest_pieces(std::size_t most) const {
@@ -375,7 +382,7 @@ class PersonFinder {
     }
 
     // A person whose parts are pieces: all pieces but the widest, one after the other, until what is left is a person.
-    PersonSearch find_in_pieces(const Bounds& skeleton) const {
+    PersonSearch find_in_pieces(const Bounds& skeleton) {
         PersonSearch found;
         std::vector<std::size_t> parts;
         const bool are_bound = !skeleton.isEmpty() && most_are_bound();
@@ -501,6 +508,7 @@ class PersonFinder {
     std::vector<Vec3d> file_x_;  // of its vertices, in the file's axes
     double weld_distance_ = 0;
     std::vector<Piece> pieces_;
+    double cuts_ = 0;  // of triangles, so far
 };
 
 }  // namespace

@@ -41,12 +41,16 @@ struct PersonSearch {
 // Surface and bones are in the file's unit and axes. first_up: Y or Z, the axis that is tried first; the other is tried
 // if it may be. A skeleton with the joints of a person shows one whatever its surface is like, and what is bound to it
 // belongs to the person, as far as a person reaches. Throws InputError with `file` if several persons stand beside each
-// other.
+// other, or if the search takes too long.
 struct PersonQuestion {
     std::string file;
     UpAxis first_up = UpAxis::Y;
     bool may_be_other_up = true;
     std::vector<bool> is_bound{};  // per vertex: whether bones move it; empty: none
+
+    // Triangles that are cut by planes before the search ends: about two seconds. Those of a body of games or of a
+    // scan are short: 600,000 are cut at most.
+    double most_cuts = 2e7;
 };
 PersonSearch find_person(const Surface& surface, const std::vector<Bone>& bones, const PersonQuestion& question);
 

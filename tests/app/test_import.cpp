@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <sstream>
 
+#include "render/image/photo.h"
 #include "sim/core/file.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/app/selvedge_program.h"
 #include "tests/sim/paper/drawings.h"
+#include "tests/sim/paper/pdf_text.h"
 #include "tests/support/checkout.h"
 
 namespace selvedge::app {
@@ -239,6 +241,113 @@ TEST(ImportCommand, leaves_a_garment_of_a_newer_program_alone) {
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_NE(result.err.find("selvedge.format: not written over"), std::string::npos) << result.err;
     EXPECT_EQ(content_of(garment), newer);
+}
+
+// ---- Scans.
+
+// A page of A4 with a picture over all of it; a second page has an outline too.
+std::string scanned_pdf(bool has_lines) {
+    sim::PdfTextFile file{
+        .pages = {{.content = "q " + sim::pdf_number(210) + "0 0 " + sim::pdf_number(297) + "0 0 cm /I Do Q\n",
+                   .resources = "/XObject << /I 4 0 R >>"}},
+        .objects = {"<< /Type /XObject /Subtype /Image /Width 2 /Height 2 /ColorSpace /DeviceGray "
+                    "/BitsPerComponent 8 /Length 4 >>\nstream\nabcd\nendstream"}};
+    if (has_lines) file.pages.push_back({.content = sim::pdf_line({{20, 40}, {190, 50}, {170, 280}, {30, 270}})});
+    return file.bytes();
+}
+
+class ImportOfScans : public testing::Test {
+ protected:
+    ProgramResult import(bool has_lines) {
+        sim::write_file_atomically(pdf_, scanned_pdf(has_lines));
+        return run_selvedge("import '" + pdf_ + "' -o '" + garment_ + "'");
+    }
+    ProgramResult edit(const std::string& script) {
+        const std::string file = folder_ / "script.txt";
+        sim::write_file_atomically(file, script);
+        return run_selvedge("edit --script '" + file + "' --state '" + (folder_ / "state") + "'");
+    }
+    void expect_true_size(const sim::Underlay& underlay) {
+        const render::Photo photo = render::read_photo(underlay.file);
+        EXPECT_NEAR(underlay.pixel_size * photo.image.width_px, 0.210, 5e-4);
+        EXPECT_NEAR(underlay.pixel_size * photo.image.height_px, 0.297, 5e-4);
+    }
+
+    const ScratchFolder folder_;
+    const std::string pdf_ = folder_ / "scan.pdf", garment_ = folder_ / "skirt.json",
+                      picture_ = folder_ / "skirt_page1.jpg";
+};
+
+TEST_F(ImportOfScans, lays_them_under_the_sheet_at_true_size_and_dress_says_that_there_is_no_panel) {
+    const ProgramResult result = import(false);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("page 1: only a scan, 21.0 x 29.7 cm: no panel is read of it"), std::string::npos);
+    EXPECT_NE(result.out.find("skirt_page1.jpg: page 1, 21.0 x 29.7 cm, to be traced"), std::string::npos);
+    EXPECT_NE(result.out.find("skirt.json: 0 panels, 0 seams"), std::string::npos) << result.out;
+    EXPECT_NE(content_of(garment_).find("\"skirt_page1.jpg\""), std::string::npos) << "named from the garment's folder";
+    const sim::Pattern pattern = sim::load_pattern(garment_).pattern;
+    EXPECT_TRUE(pattern.panels.empty());
+    ASSERT_EQ(pattern.underlays.size(), 1U);
+    expect_true_size(pattern.underlays[0]);
+    EXPECT_EQ(run_selvedge("check '" + garment_ + "'").exit_code, 0);
+    const ProgramResult dressed = run_selvedge("dress '" + garment_ + "'");
+    EXPECT_EQ(dressed.exit_code, 2);
+    EXPECT_EQ(count_lines(dressed.err), 1);
+    EXPECT_NE(dressed.err.find("no panel that is worn: nothing to dress before its photos are traced"),
+              std::string::npos);
+    EXPECT_EQ(edit("open \"" + garment_ + "\"\nframes 3\n").exit_code, 0);
+}
+
+TEST_F(ImportOfScans, beside_lines_gives_panels_and_underlays_clear_of_them) {
+    ASSERT_EQ(import(true).exit_code, 0);
+    const sim::Pattern pattern = sim::load_pattern(garment_).pattern;
+    EXPECT_EQ(pattern.panels.size(), 1U);
+    ASSERT_EQ(pattern.underlays.size(), 1U);
+    expect_true_size(pattern.underlays[0]);
+    EXPECT_GT(pattern.underlays[0].position.x() - 0.105, 0.17) << "the panel is 17 cm wide";
+}
+
+TEST_F(ImportOfScans, again_writes_the_same_and_other_files_of_these_names_stay) {
+    ASSERT_EQ(import(false).exit_code, 0);
+    const std::string first = content_of(garment_);
+    EXPECT_EQ(import(false).exit_code, 0);
+    EXPECT_EQ(content_of(garment_), first);
+    sim::write_file_atomically(picture_, "my holidays");
+    sim::write_file_atomically(garment_, R"({"pattern": {"panels": {}}})");
+    const ProgramResult refused = import(false);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("skirt_page1.jpg: not replaced: a file of this name holds something else"),
+              std::string::npos)
+        << refused.err;
+    EXPECT_EQ(content_of(picture_), "my holidays");
+    EXPECT_EQ(content_of(garment_), R"({"pattern": {"panels": {}}})");
+}
+
+TEST_F(ImportOfScans, that_cannot_write_the_garment_leaves_no_picture) {
+    sim::write_file_atomically(garment_, R"({"pattern": {"panels": {}}, "selvedge": {"format": 99}})");
+    EXPECT_EQ(import(false).exit_code, 2);
+    EXPECT_FALSE(std::filesystem::exists(picture_));
+}
+
+TEST_F(ImportOfScans, together_with_a_drawing_makes_one_garment_of_both) {
+    const std::string drawn = folder_ / "shirt.json";
+    sim::write_file_atomically(drawn, half_shirt());
+    sim::write_file_atomically(pdf_, scanned_pdf(false));
+    ASSERT_EQ(run_selvedge("import '" + pdf_ + "' '" + drawn + "' '" + pdf_ + "' -o '" + garment_ + "'").exit_code, 0);
+    const sim::Pattern pattern = sim::load_pattern(garment_).pattern;
+    EXPECT_EQ(pattern.panels.size(), 2U);
+    ASSERT_EQ(pattern.underlays.size(), 2U);
+    EXPECT_TRUE(pattern.underlays[1].file.ends_with("skirt_page1_2.jpg"));
+}
+
+TEST_F(ImportOfScans, in_the_editor_writes_them_beside_the_drawing) {
+    sim::write_file_atomically(pdf_, scanned_pdf(false));
+    const ProgramResult result = edit("import \"" + pdf_ + "\"\nframes 3\nsave \"" + garment_ + "\"\n");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const sim::Pattern pattern = sim::load_pattern(garment_).pattern;
+    ASSERT_EQ(pattern.underlays.size(), 1U);
+    EXPECT_TRUE(pattern.underlays[0].file.ends_with("scan_page1.jpg"));
+    expect_true_size(pattern.underlays[0]);
 }
 
 }  // namespace

@@ -30,11 +30,13 @@ class PaperOfEditor : public testing::Test {
         Services services = services_without_files();
         services.import_drawing = [this](const std::string& file, const sim::ImportOptions& options) {
             imports_.push_back({file, options});
-            ImportedDrawing drawing{.garment = garment_, .sewn = "2 panels", .sizes = sizes_};
+            ImportedDrawing drawing{.garment = garment_, .sewn = "2 panels", .sizes = sizes_, .pictures = pictures_};
             if (!sizes_.empty())
                 drawing.garment.pattern.size = options.panels.size.empty() ? "38" : options.panels.size;
             return drawing;
         };
+        services.exists = [](const std::string& file) { return file == "taken.jpg"; };
+        services.save = [this](const std::string& file, const std::string&) { written_.push_back(file); };
         services.print = [this](const sim::Pattern&, const std::string& file, const sim::PrintSettings& settings) {
             printed_ = file;
             settings_ = settings;
@@ -50,7 +52,8 @@ class PaperOfEditor : public testing::Test {
         sim::ImportOptions options;
     };
     std::vector<Import> imports_;
-    std::vector<std::string> sizes_;
+    std::vector<std::string> sizes_, written_;
+    std::vector<PictureFile> pictures_;
     std::string printed_;
     sim::PrintSettings settings_;
     sim::PatternDocument garment_;
@@ -91,6 +94,26 @@ TEST_F(PaperOfEditor, with_several_sizes_asks_which_one) {
     EXPECT_TRUE(state().questions.empty());
     import_file(state(), "nest.dxf", {.panels = {.size = "36"}});
     state().questions.clear();  // about what was not saved
+}
+
+TEST_F(PaperOfEditor, with_scans_writes_their_pictures_and_asks_before_it_replaces_a_file) {
+    pictures_ = {{"free.jpg", "a"}};
+    import_file(state(), "scan.pdf");
+    EXPECT_EQ(written_, std::vector<std::string>{"free.jpg"});
+    EXPECT_EQ(imports_.size(), 1U);
+    state().workspace.document->mark_saved();
+    pictures_ = {{"free.jpg", "a"}, {"taken.jpg", "b"}};
+    const int opened = state().documents_opened;
+    import_file(state(), "scan.pdf");
+    ASSERT_EQ(state().questions.size(), 1U);
+    EXPECT_NE(state().questions[0].text.find("taken.jpg"), std::string::npos);
+    EXPECT_EQ(written_.size(), 1U) << "nothing before the answer";
+    EXPECT_EQ(state().documents_opened, opened);
+    const auto replace = state().questions[0].answers.at(0).run;
+    state().questions.clear();
+    replace(state());
+    EXPECT_EQ(written_, (std::vector<std::string>{"free.jpg", "free.jpg", "taken.jpg"}));
+    EXPECT_EQ(state().documents_opened, opened + 1);
 }
 
 TEST_F(PaperOfEditor, is_printed_with_the_options_of_the_browser) {

@@ -10,6 +10,8 @@
 #include "sim/paper/make_panels.h"
 #include "sim/paper/page_labels.h"
 #include "sim/paper/pdf_drawing.h"
+#include "sim/paper/pdf_pictures.h"
+#include "sim/pattern/edge_shape.h"
 #include "sim/pattern/outline.h"
 #include "tests/sim/paper/drawings.h"
 #include "tests/sim/paper/pdf_text.h"
@@ -244,28 +246,135 @@ TEST(PdfDrawing, names_a_pair_without_the_side_of_the_one_that_is_drawn) {
     EXPECT_EQ(made.pattern.panels[1].mirror_of, "sleeve");
 }
 
-// ---- What is refused.
+// ---- Pages to be traced.
 
-const char* const kScan =
-    "<< /Type /XObject /Subtype /Image /Width 2 /Height 2 /ColorSpace /DeviceGray /BitsPerComponent 8 /Length 4 >>\n"
-    "stream\nabcd\nendstream";
-
-PdfTextPage scan_page() {
-    return {
-        .content = "q " + pdf_number(200) + "0 0 " + pdf_number(280) + pdf_number(5) + pdf_number(5) + "cm /I Do Q\n",
-        .resources = "/XObject << /I 4 0 R >>"};
+// White with a black rectangle from the fifth to the 16th of 20 columns and the third to the 24th of 28 rows.
+PdfTextFile file_with_scan() {
+    std::string pixels(std::size_t{20} * 28, '\xFF');
+    for (std::size_t y = 2; y < 24; ++y)
+        std::fill_n(pixels.begin() + static_cast<std::ptrdiff_t>(20 * y + 4), 12, '\0');
+    return {.pages = {},
+            .objects = {"<< /Type /XObject /Subtype /Image /Width 20 /Height 28 /ColorSpace /DeviceGray "
+                        "/BitsPerComponent 8 /Length 560 >>\nstream\n" +
+                        pixels + "\nendstream"}};
 }
 
-TEST(PdfDrawing, of_scans_alone_is_refused_and_scans_beside_lines_are_told) {
-    PdfTextFile file{.pages = {scan_page()}, .objects = {kScan}};
-    EXPECT_EQ(problem_of(file.bytes(), read_text),
-              "pattern.pdf: page 1: only a scan, without lines that could be read: save the picture as PNG or JPEG and "
-              "trace it in the editor");
-    file.pages.push_back({.content = pdf_line({{20, 40}, {190, 50}, {170, 280}, {30, 270}})});
+// A page of A4 with that picture, of 200 x 280 mm, 5 mm from its lower left corner: the rectangle is 120 x 220 mm.
+PdfTextPage scan_page(const std::string& more = "", double width = 200) {
+    return {.content = "q " + pdf_number(width) + "0 0 " + pdf_number(280) + pdf_number(5) + pdf_number(5) +
+                       "cm /I Do Q\n" + more,
+            .resources = "/XObject << /I 4 0 R >>"};
+}
+
+const char* const kOutline = "56.7 113.4 m 538.6 141.7 l 481.9 793.7 l 85 765.4 l s\n";
+
+// Of what is dark in a picture, m, from its upper left corner.
+Eigen::AlignedBox2d dark_box(const DrawnPicture& picture) {
+    Eigen::AlignedBox2d box;
+    for (int y = 0; y < picture.height_px; ++y) {
+        for (int x = 0; x < picture.width_px; ++x) {
+            if (picture.rgb[3 * static_cast<std::size_t>(y * picture.width_px + x)] >= 128) continue;
+            box.extend(picture.pixel_size * Vec2d(x, y)).extend(picture.pixel_size * Vec2d(x + 1, y + 1));
+        }
+    }
+    return box;
+}
+
+void expect_dark(const DrawnPicture& picture, const Vec2d& from, const Vec2d& to) {
+    const Eigen::AlignedBox2d box = dark_box(picture);
+    EXPECT_LT((1000 * box.min() - from).cwiseAbs().maxCoeff(), 0.5) << 1000 * box.min().transpose();
+    EXPECT_LT((1000 * box.max() - to).cwiseAbs().maxCoeff(), 0.5) << 1000 * box.max().transpose();
+}
+
+std::vector<std::size_t> numbers_of_pictures(const Drawing& drawing) {
+    std::vector<std::size_t> numbers;
+    for (const DrawnPicture& picture : drawing.pictures) numbers.push_back(picture.number);
+    return numbers;
+}
+
+TEST(PdfScans, alone_come_as_pictures_of_true_size_and_make_no_panel) {
+    PdfTextFile file = file_with_scan();
+    file.pages = {scan_page(), scan_page()};
+    const Drawing drawing = read_text(file.bytes());
+    EXPECT_TRUE(drawing.parts.empty());
+    ASSERT_EQ(drawing.pictures.size(), 2U);
+    EXPECT_LT((drawing.pictures[1].size - Vec2d(0.210, 0.297)).norm(), 1e-6);
+    expect_dark(drawing.pictures[1], {45, 32}, {165, 252});
+    EXPECT_TRUE(has_note(drawing.notes, "pages 1 and 2: only a scan, 21.0 x 29.7 cm"));
+    const PanelsOfDrawing made = make_panels(drawing, "pattern.pdf");
+    EXPECT_TRUE(made.pattern.panels.empty());
+    EXPECT_EQ(made.notes, drawing.notes);
+}
+
+TEST(PdfScans, on_turned_pages_and_in_a_unit_of_their_own_have_true_size) {
+    PdfTextFile file = file_with_scan();
+    file.pages = {scan_page()};
+    file.pages[0].entries = "/Rotate 90 /UserUnit 2";
+    const Drawing drawing = read_text(file.bytes());
+    ASSERT_EQ(drawing.pictures.size(), 1U);
+    EXPECT_LT((drawing.pictures[0].size - Vec2d(0.594, 0.420)).norm(), 1e-6);
+    expect_dark(drawing.pictures[0], {90, 90}, {530, 330});
+}
+
+TEST(PdfScans, beside_lines_are_pictures_and_photos_on_covers_are_left_out) {
+    PdfTextFile file = file_with_scan();
+    file.pages = {scan_page(), scan_page("", 80), {.content = kOutline}};
     const Drawing drawing = read_text(file.bytes());
     EXPECT_EQ(drawing.parts.size(), 1U);
+    EXPECT_EQ(numbers_of_pictures(drawing), std::vector<std::size_t>{1});
     EXPECT_TRUE(has_note(drawing.notes, "page 1: only a scan"));
+    EXPECT_TRUE(has_note(drawing.notes, "page 2: a picture on a cover or among instructions, left out"));
+    EXPECT_EQ(make_panels(drawing, "pattern.pdf").pattern.panels.size(), 1U);
 }
+
+TEST(PdfScans, within_frames_and_beside_pages_of_other_lines_are_pictures) {
+    PdfTextFile file = file_with_scan();
+    const std::string sides = pdf_line({{10, 10}, {200, 10}}, false) + pdf_line({{10, 10}, {10, 287}}, false);
+    file.pages = {scan_page(sides),
+                  scan_page(pdf_rectangle(5, 5, 200, 287)),
+                  {.content = pdf_line({{20, 40}, {190, 50}, {170, 280}}, false)}};
+    const Drawing drawing = read_text(file.bytes());
+    EXPECT_EQ(numbers_of_pictures(drawing), (std::vector<std::size_t>{1, 2}));
+    EXPECT_TRUE(has_note(drawing.notes, "beside its scans: ")) << testing::PrintToString(drawing.notes);
+}
+
+TEST(PdfScans, with_a_large_line_on_them_are_read_as_lines) {
+    PdfTextFile file = file_with_scan();
+    file.pages = {scan_page(kOutline)};
+    const Drawing drawing = read_text(file.bytes());
+    EXPECT_EQ(drawing.parts.size(), 1U);
+    EXPECT_TRUE(drawing.pictures.empty());
+}
+
+TEST(PdfScans, of_more_pages_than_underlays_are_cut_off_and_told) {
+    PdfFile pdf;
+    pdf.pages.resize(70, {.size = {10, 10}, .pictures = {{0, 0}, {10, 10}}});
+    const Drawing drawing = drawing_of_pdf(pdf, "pattern.pdf");
+    EXPECT_EQ(drawing.pictures.size(), kMostUnderlays);
+    EXPECT_TRUE(has_note(drawing.notes, "pages 65 to 70: left out: at most 64 scans"));
+}
+
+TEST(PdfPictures, of_large_or_many_pages_have_larger_pixels_and_true_size) {
+    PdfTextFile file = file_with_scan();
+    file.pages = {scan_page(), scan_page()};
+    std::vector<DrawnPicture> pages{{.number = 1, .size = {0.210, 0.297}}, {.number = 2, .size = {0.210, 0.297}}};
+    draw_pages(file.bytes(), "pattern.pdf", pages, {.pixels = 3e6});
+    std::size_t pixels = 0;
+    for (const DrawnPicture& page : pages) pixels += page.rgb.size() / 3;
+    EXPECT_NEAR(static_cast<double>(pixels), 3e6, 1e4);
+    expect_dark(pages[1], {45, 32}, {165, 252});
+    draw_pages(file.bytes(), "pattern.pdf", pages, {.side_px = 600});
+    EXPECT_LE(pages[0].height_px, 600);
+    expect_dark(pages[0], {45, 32}, {165, 252});
+}
+
+TEST(PdfPictures, damaged_anywhere_give_pictures_or_one_line) {
+    PdfTextFile file = file_with_scan();
+    file.pages = {scan_page("BT /F1 20 Tf 90 90 Td (SKIRT) Tj ET\n")};
+    EXPECT_GT(read_mutants(file.bytes(), 60, read_text), 5);
+}
+
+// ---- What is refused.
 
 TEST(PdfDrawing, that_cannot_be_read_is_refused_on_one_line_that_says_why) {
     const std::string sound = pdf_of(pdf_line({{20, 40}, {190, 50}, {170, 280}, {30, 270}}));

@@ -67,7 +67,10 @@ TEST(Nesting, many_alike_pieces_are_laid_and_too_many_different_ones_refused) {
     for (std::size_t i = 0; i < items.size(); ++i) {
         for (Vec2d& p : items[i].outline) p *= 1 + 1e-3 * double(i);
     }
-    EXPECT_EQ(nest(items, {.most_work = 1'000'000}).places.size(), 100U);
+    const Nest stopped = nest(items, {.most_work = 1'000'000});
+    EXPECT_EQ(stopped.places.size(), 100U);
+    EXPECT_GT(stopped.work, 1'000'000U) << "the search ended there";
+    EXPECT_LT(stopped.work, 1'001'000U);
     try {
         nest(items, {.most_work = 1000});
         ADD_FAILURE() << "accepted";

@@ -320,5 +320,24 @@ TEST(PrintPdf, one_page_and_layouts_are_of_true_size) {
     EXPECT_NE(plan.bytes.find("/MediaBox [ 0 0 595.27"), std::string::npos);
 }
 
+TEST(PrintPdf, of_more_pieces_than_it_has_room_for_is_refused_before_they_are_laid_out) {
+    Pattern pattern = load_pattern(source_folder() + "/patterns/two_squares.json").pattern;
+    pattern.panels.resize(2001, pattern.panels[0]);
+    const auto problem = [](const auto& print) {
+        try {
+            print();
+        } catch (const InputError& error) {
+            return error.problem();
+        }
+        return std::string("none");
+    };
+    EXPECT_EQ(problem([&] { print_pdf(pattern, {.paper = parse_page_size("a4"), .is_one_page = true}); }),
+              "2001 pieces: at most 2000 are drawn in a PDF");
+    PaperSheet layout;
+    layout.pieces.resize(2001);
+    EXPECT_EQ(problem([&] { print_layouts({layout}, parse_page_size("a4"), true); }),
+              "2001 pieces: at most 2000 are drawn in a PDF");
+}
+
 }  // namespace
 }  // namespace selvedge::sim

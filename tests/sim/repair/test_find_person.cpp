@@ -238,6 +238,35 @@ TEST_F(FindPerson, refuses_what_is_no_person_and_says_what_it_lacks) {
               "it holds 2 persons: leave one of them in the file");
 }
 
+// A strip that goes up and down between floor and crown, of as many triangles as the woman has.
+TEST_F(FindPerson, ends_the_search_among_more_long_triangles_than_a_body_has) {
+    Surface strip;
+    for (int i = 0; i < int(woman().triangles.size()) + 2; ++i) {
+        strip.x.emplace_back(1e-4 * i, i % 2 == 0 ? 0 : stature(), 0.1 * std::sin(0.01 * i));
+        if (i > 1) strip.triangles.push_back({i - 2, i % 2 == 0 ? i - 1 : i, i % 2 == 0 ? i : i - 1});
+    }
+    const auto problem_within = [](const Surface& surface, double most_cuts) {
+        try {
+            find_person(surface, {}, {.file = "body.obj", .most_cuts = most_cuts});
+        } catch (const InputError& error) {
+            return error.problem();
+        }
+        return std::string("none");
+    };
+    const double cuts = cuts_of_likeness(woman());
+    EXPECT_LT(cuts, 1e5);
+    EXPECT_EQ(problem_within({.x = woman().x, .triangles = woman().triangles, .origin = {}}, 10 * cuts), "none");
+    EXPECT_EQ(problem_within(strip, 10 * cuts),
+              "its triangles are too long and too many to look for a person among them");
+    EXPECT_EQ(problem_within(strip, 1e9), "none") << "what is no person is not refused here";
+}
+
+TEST_F(FindPerson, counts_the_planes_that_cut_triangles) {
+    EXPECT_EQ(cuts_of_likeness({}), 0);
+    const Body box = shapes::box({-0.2, 0, -0.1}, {0.2, 1.7, 0.1}, 1);
+    EXPECT_NEAR(cuts_of_likeness(box), 260 * 8, 1) << "of its twelve triangles eight reach from the floor to the top";
+}
+
 TEST_F(FindPerson, takes_a_dress_form_without_head_or_legs) {
     const Body headless = shapes::cut(woman(), 0.8601 * stature(), shapes::Side::Below);
     EXPECT_EQ(load(headless).triangles.size(), headless.triangles.size());

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <random>
@@ -79,6 +80,32 @@ TEST(GuardedImport, says_of_a_reader_that_wants_memory_that_this_may_pass) {
     EXPECT_THROW(
         guarded_import(folder / "body.obj", ImportKind::Surface, {.child = {.memory_bytes = std::size_t(16) << 20}}),
         PassingError);
+}
+
+TEST(GuardedImport, of_polygons_that_take_long_to_cut_into_triangles_is_refused) {
+    const TemporaryFolder folder;
+    const auto problem_of = [&](int corners, int polygons) {
+        {
+            std::ofstream file(folder / "body.obj");
+            for (int i = 0; i < corners; ++i) {
+                const double angle = 2 * M_PI * i / corners;
+                file << "v " << std::cos(angle) << ' ' << std::sin(angle) << " 0\n";
+            }
+            for (int k = 0; k < polygons; ++k) {
+                file << 'f';
+                for (int i = 1; i <= corners; ++i) file << ' ' << i;
+                file << '\n';
+            }
+        }
+        try {
+            return std::to_string(guarded_import(folder / "body.obj").meshes.at(0).triangles.size()) + " triangles";
+        } catch (const InputError& error) {
+            return error.problem();
+        }
+    };
+    EXPECT_EQ(problem_of(300, 2), "596 triangles");
+    EXPECT_EQ(problem_of(1001, 1), "cannot be read: a polygon of 1001 corners: at most 1000");
+    EXPECT_EQ(problem_of(1000, 11), "cannot be read: its polygons have too many corners: save it in triangles");
 }
 
 TEST(GuardedImport, says_of_a_reader_that_takes_too_long_that_this_may_pass) {
