@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -52,7 +53,8 @@ int nearest_axis(const Vec3d& direction, int other) {
     return best;
 }
 
-// The turn by right angles that brings the person's left to x and its head upward.
+// The turn that brings the person's left to x and its head upward: by right angles, for the joints of a person are not
+// quite symmetrical, unless it faces obliquely.
 Rotation turn_to_ours(const Rest& rest) {
     Vec3d left = Vec3d::Zero(), up = Vec3d::Zero();
     for (const Joint joint : kLeftJoints)
@@ -67,7 +69,11 @@ Rotation turn_to_ours(const Rest& rest) {
     turn(0, x) = left[x] < 0 ? -1 : 1;
     turn(1, y) = up[y] < 0 ? -1 : 1;
     turn.row(2) = turn.row(0).cross(turn.row(1));
-    return Rotation(turn);
+    constexpr double kOblique = 20 * std::numbers::pi / 180;  // rad
+    const Vec3d turned = turn * left;
+    const double yaw = std::atan2(turned.z(), turned.x());
+    return std::abs(yaw) > kOblique ? Rotation(Eigen::AngleAxisd(yaw, Vec3d::UnitY())) * Rotation(turn)
+                                    : Rotation(turn);
 }
 
 Rest rest_of(const Body& body) {
@@ -116,6 +122,56 @@ std::array<Rotation, kJointCount> alignment(const Rest& source, const Rest& targ
         if (from.norm() > 0 && to.norm() > 0) turns[i] = Rotation::FromTwoVectors(from, to);
     }
     return turns;
+}
+
+// How the pelvis lies by its joints, in our axes: its left from one thigh to the other, its up along the trunk.
+struct PelvisAxes {
+    const JointBones& joints;
+    Rotation to_ours;
+
+    bool are_known() const {
+        return joints.has(Joint::Hips) && joints.has(Joint::LeftUpperLeg) && joints.has(Joint::RightUpperLeg) &&
+               top() != Joint::Hips;
+    }
+    Vec3d left(const std::vector<Eigen::Affine3d>& frames) const {
+        return at(frames, Joint::LeftUpperLeg) - at(frames, Joint::RightUpperLeg);
+    }
+    Rotation turn(const std::vector<Eigen::Affine3d>& frames) const {
+        const Vec3d x = left(frames).normalized();
+        const Vec3d z = x.cross(at(frames, top()) - at(frames, Joint::Hips)).normalized();
+        Eigen::Matrix3d axes;
+        axes << x, z.cross(x), z;
+        return Rotation(axes).normalized();
+    }
+
+ private:
+    Joint top() const {
+        return joints.has(Joint::Chest) ? Joint::Chest : joints.has(Joint::Neck) ? Joint::Neck : Joint::Hips;
+    }
+    Vec3d at(const std::vector<Eigen::Affine3d>& frames, Joint joint) const {
+        return to_ours * frames[std::size_t(joints[joint])].translation();
+    }
+};
+
+// Whether bones between the hips and the thighs turn, as those called "LHipJoint" may: then the pelvis is not turned as
+// the bone of the hips is.
+bool has_turning_hip_joints(const Rest& source, const Clip& clip) {
+    constexpr double kRigid =
+        10 * std::numbers::pi / 180;  // rad: of rounded keys and of hips that are stretched a little
+    constexpr int kLooks = 30;
+    const PelvisAxes pelvis{source.joints, source.to_ours};
+    if (!pelvis.are_known()) return false;
+    const auto in_hips = [&](const std::vector<Eigen::Affine3d>& frames) -> Vec3d {
+        return frames[std::size_t(source.joints[Joint::Hips])].linear().inverse() *
+               (source.to_ours.inverse() * pelvis.left(frames));
+    };
+    const Vec3d at_rest = in_hips(source.frames);
+    for (int i = 0; i <= kLooks; ++i) {
+        const Pose pose = sample(source.body, clip, clip.seconds * i / kLooks);
+        const Vec3d now = in_hips(bone_frames(source.body, pose));
+        if (std::atan2(at_rest.cross(now).norm(), at_rest.dot(now)) > kRigid) return true;
+    }
+    return false;
 }
 
 // A bone of the target between two of the trunk that are driven: it takes its share of the turn from one to the other.
@@ -229,6 +285,8 @@ class Retargeter {
           between_(bones_between(source_, target_)),
           namesakes_(namesakes(source_, target_)),
           ratio_(leg_ratio(source_, target_)),
+          pelvis_{source_.joints, source_.to_ours},
+          has_turning_hip_joints_(has_turning_hip_joints(source_, clip)),
           source_soles_(source, source_.joints, source_.to_ours),
           target_soles_(target, target_.joints, target_.to_ours) {
         tracks_.resize(target.bones.size());
@@ -247,9 +305,9 @@ class Retargeter {
 
     void add_key(double t) {
         const Pose pose = sample(source_.body, clip_, t);
-        turn_bones(t, bone_rotations(source_.body, pose));
-        if (!moves_hips()) return;
         const std::vector<Eigen::Affine3d> frames = bone_frames(source_.body, pose);
+        turn_bones(t, bone_rotations(source_.body, pose), frames);
+        if (!moves_hips()) return;
         hips_.push_back(way_of(Joint::Hips, frames));
         if (has_soles()) foot_heights_.push_back(source_soles_.height(frames));
     }
@@ -276,7 +334,7 @@ class Retargeter {
 
     Vec3d to_target(const Vec3d& way) const { return target_.to_ours.inverse() * (ratio_ * way); }
 
-    void turn_bones(double t, const std::vector<Rotation>& source) {
+    void turn_bones(double t, const std::vector<Rotation>& source, const std::vector<Eigen::Affine3d>& frames) {
         // In the world, in our axes.
         const auto turn_of = [&](int bone, Joint aligned) {
             return source_.to_ours * source[std::size_t(bone)] * source_.rotations[std::size_t(bone)].inverse() *
@@ -284,6 +342,8 @@ class Retargeter {
         };
         std::array<Rotation, kJointCount> turns;
         for (const Joint joint : driven_) turns[std::size_t(joint)] = turn_of(source_.joints[joint], joint);
+        if (has_turning_hip_joints_)
+            turns[std::size_t(Joint::Hips)] = pelvis_.turn(frames) * pelvis_.turn(source_.frames).inverse();
         std::vector<Rotation> goal(target_.body.bones.size());
         const auto set_goal = [&](int bone, const Rotation& turn) {
             goal[std::size_t(bone)] =
@@ -360,6 +420,8 @@ class Retargeter {
     std::vector<Between> between_;
     std::vector<Namesake> namesakes_;
     double ratio_;
+    PelvisAxes pelvis_;  // of the source
+    bool has_turning_hip_joints_;
     Soles source_soles_, target_soles_;
     std::vector<Joint> driven_;
     std::vector<bool> is_driven_;       // by bone of the target
