@@ -13,6 +13,7 @@
 #include "sim/body/joint_names.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/file_extension.h"
 #include "sim/core/json.h"
 #include "sim/motion/clear_arms.h"
 #include "sim/motion/clip_jumps.h"
@@ -263,7 +264,7 @@ std::pair<Body, Clip> source_of(const std::string& text) {
                              ", or name a .json, .bvh, .fbx, .gltf or .glb file");
     BodyClips motion = load_motion(path);
     Clip found = find_clip(motion.clips, clip, path);
-    stand_up(motion.body, found);
+    stand_up(motion.body, found, {.is_y_up = lower_extension(path) != ".bvh"});
     mend_jumps(motion.body, found);
     return {std::move(motion.body), std::move(found)};
 }
