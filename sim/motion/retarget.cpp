@@ -69,11 +69,14 @@ Rotation turn_to_ours(const Rest& rest) {
     turn(0, x) = left[x] < 0 ? -1 : 1;
     turn(1, y) = up[y] < 0 ? -1 : 1;
     turn.row(2) = turn.row(0).cross(turn.row(1));
+    Vec3d across =
+        Vec3d::Zero();  // of the trunk: hands and feet of a rest pose that was taken from a walk do not count
+    for (const Joint joint : {Joint::LeftUpperArm, Joint::LeftUpperLeg})
+        if (rest.has(joint) && rest.has(mirrored(joint))) across += turn * (rest.at(joint) - rest.at(mirrored(joint)));
     constexpr double kOblique = 20 * std::numbers::pi / 180;  // rad
-    const Vec3d turned = turn * left;
-    const double yaw = std::atan2(turned.z(), turned.x());
-    return std::abs(yaw) > kOblique ? Rotation(Eigen::AngleAxisd(yaw, Vec3d::UnitY())) * Rotation(turn)
-                                    : Rotation(turn);
+    const double yaw = std::atan2(across.z(), across.x());
+    if (std::abs(yaw) < kOblique) return Rotation(turn);
+    return Rotation(Eigen::AngleAxisd(yaw, Vec3d::UnitY())) * Rotation(turn);
 }
 
 Rest rest_of(const Body& body) {
@@ -124,42 +127,53 @@ std::array<Rotation, kJointCount> alignment(const Rest& source, const Rest& targ
     return turns;
 }
 
-// How the pelvis lies by its joints, in our axes: its left from one thigh to the other, its up along the trunk.
-struct PelvisAxes {
+// How a part of the trunk lies by its joints, in our axes: its left from one side to the other, its up to the next
+// joint.
+struct TrunkAxes {
     const JointBones& joints;
     Rotation to_ours;
+    Joint bottom, top;
+    Joint side;  // the left one
 
     bool are_known() const {
-        return joints.has(Joint::Hips) && joints.has(Joint::LeftUpperLeg) && joints.has(Joint::RightUpperLeg) &&
-               top() != Joint::Hips;
+        return joints.has(bottom) && joints.has(top) && joints.has(side) && joints.has(mirrored(side));
     }
-    Vec3d left(const std::vector<Eigen::Affine3d>& frames) const {
-        return at(frames, Joint::LeftUpperLeg) - at(frames, Joint::RightUpperLeg);
-    }
-    Rotation turn(const std::vector<Eigen::Affine3d>& frames) const {
+    Vec3d left(const std::vector<Eigen::Affine3d>& frames) const { return way(frames, mirrored(side), side); }
+    Rotation axes(const std::vector<Eigen::Affine3d>& frames) const {
         const Vec3d x = left(frames).normalized();
-        const Vec3d z = x.cross(at(frames, top()) - at(frames, Joint::Hips)).normalized();
-        Eigen::Matrix3d axes;
-        axes << x, z.cross(x), z;
-        return Rotation(axes).normalized();
+        const Vec3d z = x.cross(way(frames, bottom, top)).normalized();
+        Eigen::Matrix3d all;
+        all << x, z.cross(x), z;
+        return Rotation(all).normalized();
     }
 
  private:
-    Joint top() const {
-        return joints.has(Joint::Chest) ? Joint::Chest : joints.has(Joint::Neck) ? Joint::Neck : Joint::Hips;
-    }
-    Vec3d at(const std::vector<Eigen::Affine3d>& frames, Joint joint) const {
-        return to_ours * frames[std::size_t(joints[joint])].translation();
+    Vec3d way(const std::vector<Eigen::Affine3d>& frames, Joint from, Joint to) const {
+        return to_ours *
+               (frames[std::size_t(joints[to])].translation() - frames[std::size_t(joints[from])].translation());
     }
 };
 
-// Whether bones between the hips and the thighs turn, as those called "LHipJoint" may: then the pelvis is not turned as
-// the bone of the hips is.
+TrunkAxes pelvis_of(const Rest& rest) {
+    return {rest.joints, rest.to_ours, Joint::Hips, rest.has(Joint::Chest) ? Joint::Chest : Joint::Neck,
+            Joint::LeftUpperLeg};
+}
+
+// Some skeletons have their neck in the chest.
+TrunkAxes chest_of(const Rest& rest) {
+    constexpr double kApart = 0.1;  // of the way from hips to chest
+    const bool has_neck = rest.has(Joint::Chest) && rest.has(Joint::Neck) &&
+                          (rest.at(Joint::Neck) - rest.at(Joint::Chest)).norm() >
+                              kApart * (rest.at(Joint::Chest) - rest.at(Joint::Hips)).norm();
+    return {rest.joints, rest.to_ours, Joint::Chest, has_neck ? Joint::Neck : Joint::Head, Joint::LeftUpperArm};
+}
+
+// Whether bones between the hips and the thighs turn, as those called "LHipJoint" may: then the trunk is not turned as
+// its bones are, but as its joints lie.
 bool has_turning_hip_joints(const Rest& source, const Clip& clip) {
-    constexpr double kRigid =
-        10 * std::numbers::pi / 180;  // rad: of rounded keys and of hips that are stretched a little
+    constexpr double kRigid = 10 * std::numbers::pi / 180;  // rad: of rounded keys and of hips that stretch a little
     constexpr int kLooks = 30;
-    const PelvisAxes pelvis{source.joints, source.to_ours};
+    const TrunkAxes pelvis = pelvis_of(source);
     if (!pelvis.are_known()) return false;
     const auto in_hips = [&](const std::vector<Eigen::Affine3d>& frames) -> Vec3d {
         return frames[std::size_t(source.joints[Joint::Hips])].linear().inverse() *
@@ -285,7 +299,6 @@ class Retargeter {
           between_(bones_between(source_, target_)),
           namesakes_(namesakes(source_, target_)),
           ratio_(leg_ratio(source_, target_)),
-          pelvis_{source_.joints, source_.to_ours},
           has_turning_hip_joints_(has_turning_hip_joints(source_, clip)),
           source_soles_(source, source_.joints, source_.to_ours),
           target_soles_(target, target_.joints, target_.to_ours) {
@@ -342,8 +355,7 @@ class Retargeter {
         };
         std::array<Rotation, kJointCount> turns;
         for (const Joint joint : driven_) turns[std::size_t(joint)] = turn_of(source_.joints[joint], joint);
-        if (has_turning_hip_joints_)
-            turns[std::size_t(Joint::Hips)] = pelvis_.turn(frames) * pelvis_.turn(source_.frames).inverse();
+        if (has_turning_hip_joints_) turn_trunk_by_joints(frames, turns);
         std::vector<Rotation> goal(target_.body.bones.size());
         const auto set_goal = [&](int bone, const Rotation& turn) {
             goal[std::size_t(bone)] =
@@ -364,6 +376,16 @@ class Retargeter {
             tracks_[i].rotation.times.push_back(t);
             tracks_[i].rotation.values.push_back((above.inverse() * goal[i]).normalized());
         }
+    }
+
+    void turn_trunk_by_joints(const std::vector<Eigen::Affine3d>& frames,
+                              std::array<Rotation, kJointCount>& turns) const {
+        const auto set = [&](const TrunkAxes& part, Joint joint) {
+            if (part.are_known()) turns[std::size_t(joint)] = part.axes(frames) * part.axes(source_.frames).inverse();
+        };
+        set(pelvis_of(source_), Joint::Hips);
+        set(chest_of(source_), Joint::Chest);
+        turns[std::size_t(Joint::Spine)] = turns[std::size_t(Joint::Hips)].slerp(0.5, turns[std::size_t(Joint::Chest)]);
     }
 
     Eigen::Affine3d hips_parent() const {
@@ -420,7 +442,6 @@ class Retargeter {
     std::vector<Between> between_;
     std::vector<Namesake> namesakes_;
     double ratio_;
-    PelvisAxes pelvis_;  // of the source
     bool has_turning_hip_joints_;
     Soles source_soles_, target_soles_;
     std::vector<Joint> driven_;

@@ -111,6 +111,22 @@ TEST(Retarget, of_a_rest_pose_that_faces_obliquely_faces_the_front) {
     EXPECT_LT(direction(body, pose, "right_upper_arm", "right_hand").x(), -0.97);
 }
 
+TEST(Retarget, of_a_rest_pose_in_the_middle_of_a_step_keeps_its_heading) {
+    Body figure = t_pose_figure();
+    for (Bone& bone : figure.bones) {  // 70 cm from foot to foot
+        const double side = bone.name.starts_with("Left") ? 1 : bone.name.starts_with("Right") ? -1 : 0;
+        if (bone.name.ends_with("Foot") || bone.name.ends_with("ToeBase")) bone.joint.y() += 35 * side;
+        if (bone.name.ends_with("ForeArm")) bone.joint = {18 * side, 0, 70};
+        if (bone.name.ends_with("Hand")) bone.joint = {18 * side, 0, 50};
+    }
+    set_rest_from_joints(figure.bones);
+    const Clip clip{.name = "rest", .seconds = 1};
+    const Body& body = test::mannequin();
+    const Pose pose = sample(body, retarget(figure, clip, body), 0.5);
+    EXPECT_GT(direction(body, pose, "right_upper_leg", "left_upper_leg").x(), 0.99);
+    EXPECT_NEAR(direction(body, pose, "left_lower_leg", "left_foot").x(), 0, 0.1);
+}
+
 TEST(Retarget, to_its_own_skeleton_gives_the_clip_itself) {
     const Body& body = test::mannequin();
     const Clip clip = lively_clip(body);
