@@ -309,7 +309,7 @@ void note_opened_arms(double angle, Clip& clip) {
 
 Clip fitted(const Body& source, const Clip& clip, const Body& body) {
     Clip result = retarget(source, clip, body);
-    result.notes = clip.notes;
+    result.notes.insert(result.notes.begin(), clip.notes.begin(), clip.notes.end());
     note_still_joints(find_joints(source.bones), find_joints(body.bones), result);
     if (!are_of_one_file(source, body)) note_opened_arms(clear_arms(body, result), result);
     return result;

@@ -328,6 +328,11 @@ class Retargeter {
     Clip finish(const std::vector<double>& times, const RetargetOptions& options) {
         if (moves_hips()) move_hips(times, options);
         Clip result{.name = clip_.name, .seconds = clip_.seconds, .is_loop = clip_.is_loop};
+        if (has_turning_hip_joints_)
+            result.notes.emplace_back(
+                "joints between hips and thighs of the motion's skeleton turn against its hips: its trunk lies as its "
+                "joints "
+                "do, and its head may face elsewhere");
         for (std::size_t i = 0; i < tracks_.size(); ++i) {
             if (!is_driven_[i]) continue;
             tracks_[i].bone = int(i);

@@ -94,9 +94,11 @@ TEST(Retarget, turns_the_pelvis_as_its_thighs_lie_where_joints_between_turn_too)
         if (figure.bones[i].name.ends_with("Holder"))
             clip.tracks.push_back({.bone = int(i), .rotation = {{0.0}, {about({0, 0, 1}, -1.4)}}});
     const Body& body = test::mannequin();
-    const Pose pose = sample(body, retarget(figure, clip, body), 0.5);
+    const Clip played = retarget(figure, clip, body);
+    const Pose pose = sample(body, played, 0.5);
     EXPECT_GT(direction(body, pose, "right_upper_leg", "left_upper_leg").x(), 0.99);
     EXPECT_LT(direction(body, pose, "left_upper_leg", "left_foot").y(), -0.98);
+    EXPECT_EQ(played.notes.size(), 1U);
 }
 
 TEST(Retarget, of_a_rest_pose_that_faces_obliquely_faces_the_front) {
