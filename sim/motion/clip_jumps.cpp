@@ -144,8 +144,8 @@ double middle_of(std::vector<double> values) {
 // Of each track whether its bone takes part in the jump: it goes or turns to its parent farther than in the frames
 // around.
 std::vector<bool> jumping_tracks(const Body& skeleton, const Clip& clip, const ClipJump& jump) {
-    constexpr double kTimes = 3, kLeastTurn = 0.03, kLeastWay = 1e-3;  // rad; of the bone's place to its parent
-    constexpr int kFrames = 4;                                         // before and after
+    constexpr double kTimes = 3, kLeastTurn = 0.03, kLeastShift = 1e-3;  // rad; of the bone's place to its parent
+    constexpr int kFrames = 4;                                           // before and after
     const double frame = jump.to - jump.from;
     std::vector<Pose> poses;
     for (int k = -kFrames; k <= kFrames + 1; ++k) poses.push_back(sample(skeleton, clip, jump.from + k * frame));
@@ -163,7 +163,7 @@ std::vector<bool> jumping_tracks(const Body& skeleton, const Clip& clip, const C
         }
         const double place = poses[kFrames].bones[bone].translation.norm();
         jumping.push_back((at_jump.turn > kLeastTurn && at_jump.turn > kTimes * middle_of(turns)) ||
-                          (at_jump.way > kLeastWay * place && at_jump.way > kTimes * middle_of(ways)));
+                          (at_jump.way > kLeastShift * place && at_jump.way > kTimes * middle_of(ways)));
     }
     return jumping;
 }
