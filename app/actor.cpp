@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/body/joint_names.h"
 #include "sim/core/error.h"
 #include "sim/motion/clear_arms.h"
 #include "sim/motion/grounding.h"
@@ -22,18 +21,6 @@ sim::Clip find_other_motion(const std::string& name, const sim::MadeBody& own) {
         if (names.empty() || !error.file().empty()) throw;
         throw sim::InputError("", error.place(), error.problem() + "; the body's own are " + names);
     }
-}
-
-// Notes which limbs a motion from elsewhere leaves as they are.
-void note_still_limbs(const sim::Body& body, const sim::Clip& clip, std::vector<std::string>& notes) {
-    const sim::JointBones joints = sim::find_joints(body.bones);
-    std::string still;
-    for (const sim::Joint joint :
-         {sim::Joint::LeftUpperArm, sim::Joint::RightUpperArm, sim::Joint::LeftUpperLeg, sim::Joint::RightUpperLeg}) {
-        if (!joints.has(joint) || std::ranges::count(clip.tracks, joints[joint], &sim::Track::bone) > 0) continue;
-        still += (still.empty() ? "" : ", ") + std::string(sim::joint_name(joint));
-    }
-    if (!still.empty()) notes.push_back("the motion's skeleton has no joint that is known as " + still + ": not moved");
 }
 
 // Whether a motion of the body's own file is meant.
@@ -57,12 +44,9 @@ sim::Clip choose_motion(const MotionChoice& motion, const sim::MadeBody& own, co
     const std::string& name = motion.name;
     if (name.empty() && own.clips.empty())
         throw sim::InputError("", "--motion", "is missing: the body's file has no motion of its own");
-    if (!is_own(motion, own)) {
-        sim::Clip clip = find_other_motion(name, own);
-        note_still_limbs(*own.body, clip, notes);
-        return clip;
-    }
+    if (!is_own(motion, own)) return find_other_motion(name, own);
     sim::Clip clip = sim::find_clip(own.clips, name, source);
+    if (name.empty() && own.clips.size() > 1) notes.push_back(sim::choice_text(own.clips, clip.name));
     if (clip.name.empty()) clip.name = own.body->name;
     if (motion.opens_arms) sim::clear_arms(*own.body, clip);
     sim::stand_on_floor(*own.body, clip);

@@ -162,7 +162,8 @@ int run(AnimateArguments arguments) {
         sim::write_file_atomically(
             arguments.report_file,
             to_json(animation, actor.clip.name,
-                    report_inputs(arguments.garment, arguments.body, *arguments.picture.pattern, actor.motion_file)));
+                    report_inputs(arguments.garment, arguments.body, *arguments.picture.pattern, actor.motion_file),
+                    actor.notes));
     bar.finish();
     if (!arguments.garment.is_quiet) print_summary(arguments, animation, actor);
     print_faults(animation.dress_report());

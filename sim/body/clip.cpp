@@ -150,11 +150,27 @@ std::string list_of(const std::vector<Clip>& clips) {
     return clips.size() > kMost ? list + " ..." : list;
 }
 
+template <class Value>
+bool is_moving(const Keys<Value>& keys) {
+    constexpr double kRounding = 1e-6;  // of a pose that is written at each frame
+    return std::ranges::any_of(keys.values,
+                               [&](const Value& value) { return !value.isApprox(keys.values.front(), kRounding); });
+}
+
+bool is_moving(const Clip& clip) {
+    return std::ranges::any_of(clip.tracks, [](const Track& track) {
+        return is_moving(track.rotation) || is_moving(track.translation) || is_moving(track.scale);
+    });
+}
+
 }  // namespace
 
 const Clip& find_clip(const std::vector<Clip>& clips, const std::string& name, const std::string& file) {
     if (clips.empty()) throw InputError(file, "", "it holds no animation");
-    if (name.empty()) return clips.front();
+    if (name.empty()) {
+        const auto moving = std::ranges::find_if(clips, [](const Clip& clip) { return is_moving(clip); });
+        return moving == clips.end() ? clips.front() : *moving;
+    }
     for (const Clip& clip : clips)
         if (clip.name == name) return clip;
     for (const Clip& clip : clips)
@@ -163,6 +179,16 @@ const Clip& find_clip(const std::vector<Clip>& clips, const std::string& name, c
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
     if (error == std::errc() && end == name.data() + name.size() && index < clips.size()) return clips[index];
     throw InputError(file, "clip '" + name + "'", "not there; the clips are " + list_of(clips));
+}
+
+std::string choice_text(const std::vector<Clip>& clips, const std::string& played) {
+    constexpr std::size_t kMost = 10;
+    std::string others;
+    std::size_t count = 0;
+    for (const Clip& clip : clips)
+        if (clip.name != played && ++count <= kMost) others += (others.empty() ? "'" : ", '") + clip.name + "'";
+    if (count > kMost) others += " ...";
+    return "the file has " + std::to_string(clips.size()) + " motions: '" + played + "' is played, and not " + others;
 }
 
 std::pair<std::string, std::string> split_clip_name(const std::string& text) {

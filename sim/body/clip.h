@@ -53,9 +53,13 @@ struct ClipLimits {
 void check_clip(const Clip& clip, const std::vector<Bone>& bones, const std::string& file,
                 const ClipLimits& limits = {});
 
-// The clip that is called `name` or, if none is, the one with that number (from 0); the first if the name is empty. A
-// clip called "Armature|walk" is also called "walk". Throws InputError that lists the clips.
+// The clip that is called `name` or, if none is, the one with that number (from 0). If the name is empty, the first
+// that moves, for files begin with clips of one pose, or else the first. A clip called "Armature|walk" is also called
+// "walk". Throws InputError that lists the clips.
 const Clip& find_clip(const std::vector<Clip>& clips, const std::string& name, const std::string& file);
+
+// "the file has 3 motions: 'idle' is played, and not 'walk', 'run'", of one that nobody chose.
+std::string choice_text(const std::vector<Clip>& clips, const std::string& played);
 
 // "walk.bvh#2" as a path and the name of a clip, which is empty when there is none.
 std::pair<std::string, std::string> split_clip_name(const std::string& text);

@@ -5,17 +5,20 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <numbers>
+#include <optional>
 
 #include "sim/body/joint_names.h"
 
 namespace selvedge::sim {
 namespace {
 
-// m/s, of the fastest joint between two frames. Hands and feet reach 10 m/s in a punch (Whiting, Gregor, Finerman
+// m/s, of a joint between two frames. Hands and feet reach 10 m/s in a punch (Whiting, Gregor, Finerman
 // 1988: 9 m/s) and more in a kick, but their neighbouring frames are fast too. At 10 Hz a jump looks slower; beside a
 // pose that is held at an end of the clip, a lower speed is none of a person.
 constexpr double kJumpSpeed = 10, kJumpSpeedAtEnd = 4;
-constexpr double kTimesNeighbours = 5;  // as fast as the median of the intervals around
+constexpr double kNoPerson = 25;  // m/s: the wrist of who pitches a ball at 40 m/s; faster ones jump whatever is around
+constexpr double kTimesNeighbours = 5;  // as fast as the same joint is in the median of the intervals around
 constexpr double kAround = 0.1;         // s, before and after
 constexpr std::size_t kLeastAround = 2;
 constexpr double kLeastWay = 0.05;      // m
@@ -36,12 +39,18 @@ std::vector<double> frame_times(const Clip& clip) {
     return times;
 }
 
-// The bones that are looked at: the joints of a person, or all where none is known.
-std::vector<std::size_t> watched_bones(const Body& skeleton, const JointBones& joints) {
-    std::vector<std::size_t> watched;
-    for (const int bone : joints.bone)
-        if (bone >= 0) watched.push_back(static_cast<std::size_t>(bone));
-    for (std::size_t i = 0; watched.empty() && i < skeleton.bones.size(); ++i) watched.push_back(i);
+// A bone that is looked at.
+struct WatchedBone {
+    std::size_t bone = 0;
+    std::optional<Joint> joint;  // none: the skeleton is not known by its names
+};
+
+// The joints of a person, or all bones where none is known.
+std::vector<WatchedBone> watched_bones(const Body& skeleton, const JointBones& joints) {
+    std::vector<WatchedBone> watched;
+    for (std::size_t i = 0; i < kJointCount; ++i)
+        if (joints.bone[i] >= 0) watched.push_back({static_cast<std::size_t>(joints.bone[i]), Joint(i)});
+    for (std::size_t i = 0; watched.empty() && i < skeleton.bones.size(); ++i) watched.push_back({i, std::nullopt});
     return watched;
 }
 
@@ -70,22 +79,27 @@ double metres_per_unit(const Body& skeleton, const JointBones& joints) {
     return trunk > 0 ? kTrunk / trunk : 0;
 }
 
-// Between each time and the next one, m.
-std::vector<double> ways_between(const Body& skeleton, const Clip& clip, const std::vector<double>& times) {
-    const JointBones joints = find_joints(skeleton.bones);
-    const double metres = metres_per_unit(skeleton, joints);
-    const std::vector<std::size_t> watched = watched_bones(skeleton, joints);
-    std::vector<double> ways;
+// What a bone does between each time and the next one.
+struct Steps {
+    std::vector<double> ways;   // of its joint, m
+    std::vector<double> turns;  // rad
+};
+
+std::vector<Steps> steps_between(const Body& skeleton, const Clip& clip, const std::vector<WatchedBone>& watched,
+                                 const std::vector<double>& times) {
+    const double metres = metres_per_unit(skeleton, find_joints(skeleton.bones));
+    std::vector<Steps> steps(watched.size());
     std::vector<Eigen::Affine3d> before;
     for (const double t : times) {
         std::vector<Eigen::Affine3d> frames = bone_frames(skeleton, sample(skeleton, clip, t));
-        double way = 0;
-        for (const std::size_t bone : watched)
-            if (!before.empty()) way = std::max(way, (frames[bone].translation() - before[bone].translation()).norm());
-        if (!before.empty()) ways.push_back(metres * way);
+        for (std::size_t i = 0; i < watched.size() && !before.empty(); ++i) {
+            const Eigen::Affine3d &now = frames[watched[i].bone], &then = before[watched[i].bone];
+            steps[i].ways.push_back(metres * (now.translation() - then.translation()).norm());
+            steps[i].turns.push_back(rotation_of(now).angularDistance(rotation_of(then)));
+        }
         before = std::move(frames);
     }
-    return ways;
+    return steps;
 }
 
 double median_around(const std::vector<double>& speeds, const std::vector<double>& times, std::size_t k) {
@@ -108,6 +122,50 @@ bool is_beside_held_pose(const std::vector<double>& speeds, const std::vector<do
     const auto at = speeds.begin() + std::ptrdiff_t(k);
     return (times[k] - times.front() <= kEndSeconds && std::all_of(speeds.begin(), at, is_still)) ||
            (times.back() - times[k + 1] <= kEndSeconds && std::all_of(at + 1, speeds.end(), is_still));
+}
+
+// How far a bone turns and how far it goes between two times, to its parent.
+struct LocalStep {
+    double turn = 0;  // rad
+    double way = 0;   // in the skeleton's unit
+};
+
+LocalStep local_step(const Pose& a, const Pose& b, std::size_t bone) {
+    return {.turn = a.bones[bone].rotation.angularDistance(b.bones[bone].rotation),
+            .way = (a.bones[bone].translation - b.bones[bone].translation).norm()};
+}
+
+double middle_of(std::vector<double> values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+// Of each track whether its bone takes part in the jump: it goes or turns to its parent farther than in the frames
+// around.
+std::vector<bool> jumping_tracks(const Body& skeleton, const Clip& clip, const ClipJump& jump) {
+    constexpr double kTimes = 3, kLeastTurn = 0.03, kLeastShift = 1e-3;  // rad; of the bone's place to its parent
+    constexpr int kFrames = 4;                                           // before and after
+    const double frame = jump.to - jump.from;
+    std::vector<Pose> poses;
+    for (int k = -kFrames; k <= kFrames + 1; ++k) poses.push_back(sample(skeleton, clip, jump.from + k * frame));
+    std::vector<bool> jumping;
+    for (const Track& track : clip.tracks) {
+        const auto bone = static_cast<std::size_t>(track.bone);
+        std::vector<double> turns, ways;
+        LocalStep at_jump;
+        for (std::size_t k = 0; k + 1 < poses.size(); ++k) {
+            const LocalStep step = local_step(poses[k], poses[k + 1], bone);
+            if (k == kFrames) at_jump = step;
+            if (k == kFrames) continue;
+            turns.push_back(step.turn);
+            ways.push_back(step.way);
+        }
+        const double place = poses[kFrames].bones[bone].translation.norm();
+        jumping.push_back((at_jump.turn > kLeastTurn && at_jump.turn > kTimes * middle_of(turns)) ||
+                          (at_jump.way > kLeastShift * place && at_jump.way > kTimes * middle_of(ways)));
+    }
+    return jumping;
 }
 
 // The track with the pose before going over into it between two times.
@@ -139,29 +197,75 @@ Track blended(const Body& skeleton, const Clip& clip, const Track& track, const 
     return result;
 }
 
+constexpr double kReach = 0.19;  // m, of a hand beyond its wrist, which its turns move
+
 // Returns the seconds that it takes.
-double blend_over(const Body& skeleton, const ClipJump& jump, Clip& clip) {
-    const double seconds = std::min(std::max(kLeastBlend, jump.way / kBlendSpeed), clip.seconds - jump.from);
+double blend_over(const Body& skeleton, const ClipJump& jump, bool all_bones, Clip& clip) {
+    const double way = std::max(jump.way, kReach * 2 * std::sin(jump.turn / 2));
+    const double seconds = std::min(std::max(kLeastBlend, way / kBlendSpeed), clip.seconds - jump.from);
     const Pose before = sample(skeleton, clip, jump.from);
+    const std::vector<bool> jumping = jumping_tracks(skeleton, clip, jump);
     std::vector<Track> tracks;
-    for (const Track& track : clip.tracks)
-        tracks.push_back(blended(skeleton, clip, track, before, jump.from, jump.from + seconds));
+    for (std::size_t i = 0; i < clip.tracks.size(); ++i)
+        tracks.push_back(all_bones || jumping[i]
+                             ? blended(skeleton, clip, clip.tracks[i], before, jump.from, jump.from + seconds)
+                             : clip.tracks[i]);
     clip.tracks = std::move(tracks);
     return seconds;
 }
 
 std::string jump_text(const ClipJump& jump) {
+    constexpr double kDegrees = 180 / std::numbers::pi;
     std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "jumps by %.2f m", jump.way);
+    if (jump.way > 0)
+        std::snprintf(text.data(), text.size(), "the motion jumps by %.2f m", jump.way);
+    else
+        std::snprintf(text.data(), text.size(), "a joint turns by %.0f degrees in a frame", kDegrees * jump.turn);
     return text.data();
 }
 
-void note_blends(const std::vector<ClipJump>& jumps, double seconds, Clip& clip) {
-    if (jumps.empty()) return;
-    std::string note = "the motion " + jump_text(jumps.front()) + " at " + moment_text(jumps.front().to);
-    if (jumps.size() > 1) note += " and at " + std::to_string(jumps.size() - 1) + " more places";
-    clip.notes.push_back(note + ": blended over " + moment_text(seconds));
+std::string places_text(const ClipJump& first, std::size_t count) {
+    std::string text = jump_text(first) + " at " + moment_text(first.to);
+    if (count > 1) text += " and at " + std::to_string(count - 1) + " more places";
+    return text;
 }
+
+// Blends over jumps between two times. Blends of jumps that are near each other change what the next one jumps to: they
+// are looked for again, and then whole poses blended.
+void blend_jumps(const Body& skeleton, std::vector<ClipJump> jumps, double from, double to, Clip& clip) {
+    constexpr int kMostPasses = 4;
+    if (jumps.empty()) return;
+    const ClipJump first = jumps.front();
+    const std::size_t count = jumps.size();
+    double seconds = 0;
+    for (int pass = 0; pass < kMostPasses && !jumps.empty(); ++pass) {
+        for (const ClipJump& jump : jumps) seconds = std::max(seconds, blend_over(skeleton, jump, pass > 0, clip));
+        jumps = find_jumps(skeleton, clip);
+        std::erase_if(jumps, [&](const ClipJump& jump) { return jump.to <= from || jump.from >= to; });
+    }
+    clip.notes.push_back(places_text(first, count) + ": blended over " + moment_text(seconds));
+    if (!jumps.empty()) clip.notes.push_back("still " + places_text(jumps.front(), jumps.size()));
+}
+
+// What jumps between two times: whether joints of both sides or of the middle do, and how far.
+struct JumpingJoints {
+    ClipJump jump;
+    bool has_left = false, has_right = false, has_middle = false;
+
+    void add_way(const std::optional<Joint>& joint, double way) {
+        jump.way = std::max(jump.way, way);
+        has_middle = has_middle || !joint || mirrored(*joint) == *joint;
+        has_left = has_left || (joint && mirrored(*joint) > *joint);
+        has_right = has_right || (joint && mirrored(*joint) < *joint);
+    }
+    void add_turn(double turn) { jump.turn = std::max(jump.turn, turn); }
+    bool is_any() const { return jump.way > 0 || jump.turn > 0; }
+    ClipJump result() const {
+        ClipJump all = jump;
+        all.is_whole = has_middle || (has_left && has_right);
+        return all;
+    }
+};
 
 }  // namespace
 
@@ -169,14 +273,34 @@ std::vector<ClipJump> find_jumps(const Body& skeleton, const Clip& clip) {
     std::vector<ClipJump> jumps;
     if (clip.is_loop) return jumps;
     const std::vector<double> times = frame_times(clip);
-    const std::vector<double> ways = ways_between(skeleton, clip, times);
-    std::vector<double> speeds;
-    for (std::size_t k = 0; k < ways.size(); ++k) speeds.push_back(ways[k] / (times[k + 1] - times[k]));
-    for (std::size_t k = 0; k < speeds.size(); ++k) {
-        const double least = is_beside_held_pose(speeds, times, k) ? kJumpSpeedAtEnd : kJumpSpeed;
-        if (speeds[k] > least && ways[k] > kLeastWay && times[k + 1] - times[k] < kLongestFrame && speeds.size() > 1 &&
-            speeds[k] > kTimesNeighbours * median_around(speeds, times, k))
-            jumps.push_back({times[k], times[k + 1], ways[k]});
+    if (times.size() < 3) return jumps;
+    const std::vector<WatchedBone> watched = watched_bones(skeleton, find_joints(skeleton.bones));
+    const std::vector<Steps> steps = steps_between(skeleton, clip, watched, times);
+    const std::size_t intervals = times.size() - 1;
+    // m/s: of the joints, and of what they turn at a hand's length
+    std::vector<std::vector<double>> speeds(watched.size()), turning(watched.size());
+    std::vector<double> fastest(intervals, 0.0);
+    for (std::size_t k = 0; k < intervals; ++k) {
+        const double seconds = times[k + 1] - times[k];
+        for (std::size_t i = 0; i < watched.size(); ++i) {
+            speeds[i].push_back(steps[i].ways[k] / seconds);
+            turning[i].push_back(kReach * 2 * std::sin(steps[i].turns[k] / 2) / seconds);
+            fastest[k] = std::max(fastest[k], speeds[i][k]);
+        }
+    }
+    for (std::size_t k = 0; k < intervals; ++k) {
+        if (times[k + 1] - times[k] >= kLongestFrame) continue;
+        const double least = is_beside_held_pose(fastest, times, k) ? kJumpSpeedAtEnd : kJumpSpeed;
+        const auto is_jump = [&](const std::vector<double>& of_bone, double way) {
+            return of_bone[k] > least && way > kLeastWay &&
+                   (of_bone[k] > kNoPerson || of_bone[k] > kTimesNeighbours * median_around(of_bone, times, k));
+        };
+        JumpingJoints jumping{.jump = {.from = times[k], .to = times[k + 1]}};
+        for (std::size_t i = 0; i < watched.size(); ++i) {
+            if (is_jump(speeds[i], steps[i].ways[k])) jumping.add_way(watched[i].joint, steps[i].ways[k]);
+            if (is_jump(turning[i], kReach * 2 * std::sin(steps[i].turns[k] / 2))) jumping.add_turn(steps[i].turns[k]);
+        }
+        if (jumping.is_any()) jumps.push_back(jumping.result());
     }
     return jumps;
 }
@@ -185,22 +309,22 @@ void mend_jumps(const Body& skeleton, Clip& clip) {
     std::vector<ClipJump> within;
     double from = 0, to = clip.seconds;
     for (const ClipJump& jump : find_jumps(skeleton, clip)) {
-        if (jump.to <= kEndSeconds && clip.seconds - jump.to > kEndSeconds) {
+        if (!jump.is_whole) {
+            within.push_back(jump);
+        } else if (jump.to <= kEndSeconds && clip.seconds - jump.to > kEndSeconds) {
             from = jump.to;
-            clip.notes.push_back("the motion " + jump_text(jump) + " from a pose at its start: its first " +
-                                 moment_text(jump.to) + " are left out");
+            clip.notes.push_back(jump_text(jump) + " from a pose at its start: its first " + moment_text(jump.to) +
+                                 " are left out");
         } else if (clip.seconds - jump.from <= kEndSeconds && jump.from > kEndSeconds) {
             if (to == clip.seconds)
-                clip.notes.push_back("the motion " + jump_text(jump) + " to a pose at its end: its last " +
+                clip.notes.push_back(jump_text(jump) + " to a pose at its end: its last " +
                                      moment_text(clip.seconds - jump.from) + " are left out");
             to = std::min(to, jump.from);
         } else {
             within.push_back(jump);
         }
     }
-    double seconds = 0;
-    for (const ClipJump& jump : within) seconds = std::max(seconds, blend_over(skeleton, jump, clip));
-    note_blends(within, seconds, clip);
+    blend_jumps(skeleton, std::move(within), from, to, clip);
     if (from > 0 || to < clip.seconds) clip = part_of(clip, from, to);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <numbers>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "sim/body/joint_names.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/file_extension.h"
 #include "sim/core/json.h"
 #include "sim/motion/clear_arms.h"
 #include "sim/motion/clip_jumps.h"
@@ -263,7 +265,8 @@ std::pair<Body, Clip> source_of(const std::string& text) {
                              ", or name a .json, .bvh, .fbx, .gltf or .glb file");
     BodyClips motion = load_motion(path);
     Clip found = find_clip(motion.clips, clip, path);
-    stand_up(motion.body, found);
+    if (clip.empty() && motion.clips.size() > 1) found.notes.push_back(choice_text(motion.clips, found.name));
+    stand_up(motion.body, found, {.is_y_up = lower_extension(path) != ".bvh"});
     mend_jumps(motion.body, found);
     return {std::move(motion.body), std::move(found)};
 }
@@ -273,10 +276,42 @@ bool are_of_one_file(const Body& source, const Body& body) {
     return !source.file.empty() && source.file == body.file;
 }
 
+bool has_leg(const JointBones& joints) {
+    return (joints.has(Joint::LeftUpperLeg) && joints.has(Joint::LeftLowerLeg) && joints.has(Joint::LeftFoot)) ||
+           (joints.has(Joint::RightUpperLeg) && joints.has(Joint::RightLowerLeg) && joints.has(Joint::RightFoot));
+}
+
+// Notes what a motion from elsewhere leaves as it is.
+void note_still_joints(const JointBones& source, const JointBones& body, Clip& clip) {
+    std::string still;
+    for (const Joint upper : {Joint::LeftUpperArm, Joint::RightUpperArm, Joint::LeftUpperLeg, Joint::RightUpperLeg}) {
+        const Joint lower = Joint(int(upper) + 1);
+        for (const Joint joint : {upper, lower}) {
+            if (source.has(joint) || !body.has(joint)) continue;
+            still += (still.empty() ? "" : ", ") + std::string(joint_name(joint));
+            break;  // what hangs on it is still too
+        }
+    }
+    if (!still.empty())
+        clip.notes.push_back("the motion's skeleton has no joint that is known as " + still + ": not moved");
+    if (body.has(Joint::Hips) && (!source.has(Joint::Hips) || !has_leg(source)))
+        clip.notes.push_back("the motion's skeleton has no hips with a whole leg: the body stays in its place");
+}
+
+void note_opened_arms(double angle, Clip& clip) {
+    constexpr double kNotable = 15;  // degrees; a wider trunk than the recorded person's opens hanging arms by 10
+    const double degrees = angle * 180 / std::numbers::pi;
+    if (degrees < kNotable) return;
+    std::array<char, 96> text{};
+    std::snprintf(text.data(), text.size(), "arms opened by %.0f degrees, which would be in trunk or thighs", degrees);
+    clip.notes.emplace_back(text.data());
+}
+
 Clip fitted(const Body& source, const Clip& clip, const Body& body) {
     Clip result = retarget(source, clip, body);
-    result.notes = clip.notes;
-    if (!are_of_one_file(source, body)) clear_arms(body, result);
+    result.notes.insert(result.notes.begin(), clip.notes.begin(), clip.notes.end());
+    note_still_joints(find_joints(source.bones), find_joints(body.bones), result);
+    if (!are_of_one_file(source, body)) note_opened_arms(clear_arms(body, result), result);
     return result;
 }
 

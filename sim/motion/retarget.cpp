@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -52,7 +53,8 @@ int nearest_axis(const Vec3d& direction, int other) {
     return best;
 }
 
-// The turn by right angles that brings the person's left to x and its head upward.
+// The turn that brings the person's left to x and its head upward: by right angles, for the joints of a person are not
+// quite symmetrical, unless it faces obliquely.
 Rotation turn_to_ours(const Rest& rest) {
     Vec3d left = Vec3d::Zero(), up = Vec3d::Zero();
     for (const Joint joint : kLeftJoints)
@@ -67,7 +69,14 @@ Rotation turn_to_ours(const Rest& rest) {
     turn(0, x) = left[x] < 0 ? -1 : 1;
     turn(1, y) = up[y] < 0 ? -1 : 1;
     turn.row(2) = turn.row(0).cross(turn.row(1));
-    return Rotation(turn);
+    Vec3d across =
+        Vec3d::Zero();  // of the trunk: hands and feet of a rest pose that was taken from a walk do not count
+    for (const Joint joint : {Joint::LeftUpperArm, Joint::LeftUpperLeg})
+        if (rest.has(joint) && rest.has(mirrored(joint))) across += turn * (rest.at(joint) - rest.at(mirrored(joint)));
+    constexpr double kOblique = 20 * std::numbers::pi / 180;  // rad
+    const double yaw = std::atan2(across.z(), across.x());
+    if (std::abs(yaw) < kOblique) return Rotation(turn);
+    return Rotation(Eigen::AngleAxisd(yaw, Vec3d::UnitY())) * Rotation(turn);
 }
 
 Rest rest_of(const Body& body) {
@@ -116,6 +125,67 @@ std::array<Rotation, kJointCount> alignment(const Rest& source, const Rest& targ
         if (from.norm() > 0 && to.norm() > 0) turns[i] = Rotation::FromTwoVectors(from, to);
     }
     return turns;
+}
+
+// How a part of the trunk lies by its joints, in our axes: its left from one side to the other, its up to the next
+// joint.
+struct TrunkAxes {
+    const JointBones& joints;
+    Rotation to_ours;
+    Joint bottom, top;
+    Joint side;  // the left one
+
+    bool are_known() const {
+        return joints.has(bottom) && joints.has(top) && joints.has(side) && joints.has(mirrored(side));
+    }
+    Vec3d left(const std::vector<Eigen::Affine3d>& frames) const { return way(frames, mirrored(side), side); }
+    Rotation axes(const std::vector<Eigen::Affine3d>& frames) const {
+        const Vec3d x = left(frames).normalized();
+        const Vec3d z = x.cross(way(frames, bottom, top)).normalized();
+        Eigen::Matrix3d all;
+        all << x, z.cross(x), z;
+        return Rotation(all).normalized();
+    }
+
+ private:
+    Vec3d way(const std::vector<Eigen::Affine3d>& frames, Joint from, Joint to) const {
+        return to_ours *
+               (frames[std::size_t(joints[to])].translation() - frames[std::size_t(joints[from])].translation());
+    }
+};
+
+TrunkAxes pelvis_of(const Rest& rest) {
+    return {rest.joints, rest.to_ours, Joint::Hips, rest.has(Joint::Chest) ? Joint::Chest : Joint::Neck,
+            Joint::LeftUpperLeg};
+}
+
+// Some skeletons have their neck in the chest.
+TrunkAxes chest_of(const Rest& rest) {
+    constexpr double kApart = 0.1;  // of the way from hips to chest
+    const bool has_neck = rest.has(Joint::Chest) && rest.has(Joint::Neck) &&
+                          (rest.at(Joint::Neck) - rest.at(Joint::Chest)).norm() >
+                              kApart * (rest.at(Joint::Chest) - rest.at(Joint::Hips)).norm();
+    return {rest.joints, rest.to_ours, Joint::Chest, has_neck ? Joint::Neck : Joint::Head, Joint::LeftUpperArm};
+}
+
+// Whether bones between the hips and the thighs turn, as those called "LHipJoint" may: then the trunk is not turned as
+// its bones are, but as its joints lie.
+bool has_turning_hip_joints(const Rest& source, const Clip& clip) {
+    constexpr double kRigid = 10 * std::numbers::pi / 180;  // rad: of rounded keys and of hips that stretch a little
+    constexpr int kLooks = 30;
+    const TrunkAxes pelvis = pelvis_of(source);
+    if (!pelvis.are_known()) return false;
+    const auto in_hips = [&](const std::vector<Eigen::Affine3d>& frames) -> Vec3d {
+        return frames[std::size_t(source.joints[Joint::Hips])].linear().inverse() *
+               (source.to_ours.inverse() * pelvis.left(frames));
+    };
+    const Vec3d at_rest = in_hips(source.frames);
+    for (int i = 0; i <= kLooks; ++i) {
+        const Pose pose = sample(source.body, clip, clip.seconds * i / kLooks);
+        const Vec3d now = in_hips(bone_frames(source.body, pose));
+        if (std::atan2(at_rest.cross(now).norm(), at_rest.dot(now)) > kRigid) return true;
+    }
+    return false;
 }
 
 // A bone of the target between two of the trunk that are driven: it takes its share of the turn from one to the other.
@@ -229,6 +299,7 @@ class Retargeter {
           between_(bones_between(source_, target_)),
           namesakes_(namesakes(source_, target_)),
           ratio_(leg_ratio(source_, target_)),
+          has_turning_hip_joints_(has_turning_hip_joints(source_, clip)),
           source_soles_(source, source_.joints, source_.to_ours),
           target_soles_(target, target_.joints, target_.to_ours) {
         tracks_.resize(target.bones.size());
@@ -247,9 +318,9 @@ class Retargeter {
 
     void add_key(double t) {
         const Pose pose = sample(source_.body, clip_, t);
-        turn_bones(t, bone_rotations(source_.body, pose));
-        if (!moves_hips()) return;
         const std::vector<Eigen::Affine3d> frames = bone_frames(source_.body, pose);
+        turn_bones(t, bone_rotations(source_.body, pose), frames);
+        if (!moves_hips()) return;
         hips_.push_back(way_of(Joint::Hips, frames));
         if (has_soles()) foot_heights_.push_back(source_soles_.height(frames));
     }
@@ -257,6 +328,11 @@ class Retargeter {
     Clip finish(const std::vector<double>& times, const RetargetOptions& options) {
         if (moves_hips()) move_hips(times, options);
         Clip result{.name = clip_.name, .seconds = clip_.seconds, .is_loop = clip_.is_loop};
+        if (has_turning_hip_joints_)
+            result.notes.emplace_back(
+                "joints between hips and thighs of the motion's skeleton turn against its hips: its trunk lies as its "
+                "joints "
+                "do, and its head may face elsewhere");
         for (std::size_t i = 0; i < tracks_.size(); ++i) {
             if (!is_driven_[i]) continue;
             tracks_[i].bone = int(i);
@@ -276,7 +352,7 @@ class Retargeter {
 
     Vec3d to_target(const Vec3d& way) const { return target_.to_ours.inverse() * (ratio_ * way); }
 
-    void turn_bones(double t, const std::vector<Rotation>& source) {
+    void turn_bones(double t, const std::vector<Rotation>& source, const std::vector<Eigen::Affine3d>& frames) {
         // In the world, in our axes.
         const auto turn_of = [&](int bone, Joint aligned) {
             return source_.to_ours * source[std::size_t(bone)] * source_.rotations[std::size_t(bone)].inverse() *
@@ -284,6 +360,7 @@ class Retargeter {
         };
         std::array<Rotation, kJointCount> turns;
         for (const Joint joint : driven_) turns[std::size_t(joint)] = turn_of(source_.joints[joint], joint);
+        if (has_turning_hip_joints_) turn_trunk_by_joints(frames, turns);
         std::vector<Rotation> goal(target_.body.bones.size());
         const auto set_goal = [&](int bone, const Rotation& turn) {
             goal[std::size_t(bone)] =
@@ -304,6 +381,16 @@ class Retargeter {
             tracks_[i].rotation.times.push_back(t);
             tracks_[i].rotation.values.push_back((above.inverse() * goal[i]).normalized());
         }
+    }
+
+    void turn_trunk_by_joints(const std::vector<Eigen::Affine3d>& frames,
+                              std::array<Rotation, kJointCount>& turns) const {
+        const auto set = [&](const TrunkAxes& part, Joint joint) {
+            if (part.are_known()) turns[std::size_t(joint)] = part.axes(frames) * part.axes(source_.frames).inverse();
+        };
+        set(pelvis_of(source_), Joint::Hips);
+        set(chest_of(source_), Joint::Chest);
+        turns[std::size_t(Joint::Spine)] = turns[std::size_t(Joint::Hips)].slerp(0.5, turns[std::size_t(Joint::Chest)]);
     }
 
     Eigen::Affine3d hips_parent() const {
@@ -360,6 +447,7 @@ class Retargeter {
     std::vector<Between> between_;
     std::vector<Namesake> namesakes_;
     double ratio_;
+    bool has_turning_hip_joints_;
     Soles source_soles_, target_soles_;
     std::vector<Joint> driven_;
     std::vector<bool> is_driven_;       // by bone of the target

@@ -20,7 +20,8 @@ struct RetargetOptions {
 // to its parent, but those of the trunk share the turn from hips to chest. Joints that the target does not have fold
 // into those that hang on them. Other bones, as of fingers, turn with those of the same name. Scales are not
 // transferred. Throws InputError if a skeleton has no joint of a person that is known by name, or if the result would
-// have more keys than `limits` allows.
+// have more keys than `limits` allows. Clip::notes of the result tells what is guessed; those of the clip are not
+// taken.
 Clip retarget(const Body& source, const Clip& clip, const Body& target, const RetargetOptions& options = {},
               const ClipLimits& limits = {});
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -78,6 +80,28 @@ class Uprightness {
     bool stands(const Frames& frames, const Vec3d& up) const {
         return trunk(frames).dot(up) > kUprightTrunk && leg_straightness(frames, up) > kHangingLeg;
     }
+    // Not of someone who sits, kneels or crawls.
+    bool stands_straight(const Frames& frames, const Vec3d& up) const {
+        return std::min(trunk(frames).dot(up), leg_straightness(frames, up)) > kUprightTrunk;
+    }
+    // Along an axis, the place of the joint that is the farthest down, in the skeleton's unit.
+    double lowest(const Frames& frames, const Vec3d& up) const {
+        double least = std::numeric_limits<double>::infinity();
+        for (const int bone : joints_.bone)
+            if (bone >= 0) least = std::min(least, frames[static_cast<std::size_t>(bone)].translation().dot(up));
+        return least;
+    }
+    double leg_length(const Frames& frames) const {
+        double most = 0;
+        for (const Leg& leg : kLegs) {
+            double length = 0;
+            for (const auto& [high, low] : {std::array{leg.thigh, leg.shin}, std::array{leg.shin, leg.foot}})
+                if (joints_.has(high) && joints_.has(low)) length += (at(frames, high) - at(frames, low)).norm();
+            most = std::max(most, length);
+        }
+        return most;
+    }
+    const JointBones& joints() const { return joints_; }
 
     // Whether the legs point up beside a trunk that is upright.
     bool is_folded(const Frames& frames, const Vec3d& up) const {
@@ -127,6 +151,38 @@ class Uprightness {
 
     JointBones joints_;
     Joint top_ = Joint::Hips;
+};
+
+// Whether the motion of someone who stands along `up` in it, if its file has other axes than its rest pose, which
+// stands along `rest_up`, is such a one: and not of someone who crawls, lies or falls. Who stands has straight legs at
+// times, and feet that stay on one floor.
+class AxesEvidence {
+ public:
+    AxesEvidence(const Uprightness& stance, const std::vector<Frames>& moments) : stance_(stance), moments_(moments) {}
+
+    bool speaks_for(const Vec3d& up, const Vec3d& rest_up) const {
+        constexpr double kOften = 0.25;   // share of the moments in which who walks has straight legs
+        constexpr double kClearly = 0.5;  // times as even
+        constexpr double kEven = 0.1;     // leg lengths: what rolling feet and bent toes do
+        const auto straight =
+            std::ranges::count_if(moments_, [&](const Frames& frames) { return stance_.stands_straight(frames, up); });
+        const double floor = unevenness(up), rest_floor = unevenness(rest_up);
+        if (floor > kEven * stance_.leg_length(moments_.front()) && rest_floor < kClearly * floor) return false;
+        return double(straight) > kOften * double(moments_.size()) || floor < rest_floor;
+    }
+
+ private:
+    // By how much the lowest joint rises and falls, but for a tenth of the time above and below.
+    double unevenness(const Vec3d& up) const {
+        std::vector<double> lowest;
+        for (const Frames& frames : moments_) lowest.push_back(stance_.lowest(frames, up));
+        std::ranges::sort(lowest);
+        const std::size_t tenth = lowest.size() / 10;
+        return lowest[lowest.size() - 1 - tenth] - lowest[tenth];
+    }
+
+    const Uprightness& stance_;
+    const std::vector<Frames>& moments_;
 };
 
 // The axis nearest to a direction; its sign counts.
@@ -198,54 +254,136 @@ void set_rest(const Pose& pose, const Eigen::Quaterniond& turn, Body& skeleton) 
     for (std::size_t i = 0; i < skeleton.bones.size(); ++i) skeleton.bones[i].joint = frames[i].translation();
 }
 
+// Turns a bone in the skeleton's frame, but not what hangs on these joints.
+void turn_in_place(const Body& skeleton, int bone, const Eigen::Quaterniond& turn, const JointBones& joints,
+                   std::initializer_list<Joint> kept, Pose& pose) {
+    const Frames before = bone_frames(skeleton, pose);
+    const auto above = [&](int child, const Frames& frames) {
+        const int parent = skeleton.bones[static_cast<std::size_t>(child)].parent;
+        return rotation_of(parent < 0 ? skeleton.frame : frames[static_cast<std::size_t>(parent)]);
+    };
+    const auto set = [&](int child, const Eigen::Quaterniond& goal, const Frames& frames) {
+        pose.bones[static_cast<std::size_t>(child)].rotation = (above(child, frames).inverse() * goal).normalized();
+    };
+    set(bone, turn * rotation_of(before[static_cast<std::size_t>(bone)]), before);
+    for (const Joint joint : kept) {
+        if (!joints.has(joint)) continue;
+        const Frames after = bone_frames(skeleton, pose);
+        set(joints[joint], rotation_of(before[static_cast<std::size_t>(joints[joint])]), after);
+    }
+}
+
+// The turn that brings the ways `left` and `up`, which need not be at right angles, to those of the person.
+Eigen::Quaterniond turn_between(const Vec3d& left, const Vec3d& up, const Vec3d& person_left, const Vec3d& person_up) {
+    return turn_to_front(person_up, person_left).inverse() * turn_to_front(up.normalized(), left);
+}
+
+// Straightens the trunk of someone who leans, bends or turns the shoulders: from hips to chest and from chest to neck
+// it is along `up`, with hips and shoulders to the left. Head, arms and legs keep their directions: who leans looks
+// ahead. Returns the largest turn, rad.
+double straighten_trunk(const Body& skeleton, const JointBones& joints, const Vec3d& up, const Vec3d& left,
+                        Pose& pose) {
+    double largest = 0;
+    const auto straighten = [&](Joint joint, Joint next, Joint side, std::initializer_list<Joint> kept) {
+        if (!joints.has(joint) || !joints.has(next)) return;
+        const Frames frames = bone_frames(skeleton, pose);
+        const auto at = [&](Joint which) -> Vec3d {
+            return frames[static_cast<std::size_t>(joints[which])].translation();
+        };
+        const Vec3d way = at(next) - at(joint);
+        if (!(way.norm() > 0)) return;
+        Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(way, up);
+        if (joints.has(side) && joints.has(mirrored(side)))
+            turn = turn_between(at(side) - at(mirrored(side)), way, left, up);
+        turn_in_place(skeleton, joints[joint], turn, joints, kept, pose);
+        largest = std::max(largest, turn.angularDistance(Eigen::Quaterniond::Identity()));
+    };
+    const Joint above_hips = joints.has(Joint::Chest)  ? Joint::Chest
+                             : joints.has(Joint::Neck) ? Joint::Neck
+                                                       : Joint::Head;
+    const Joint above_chest = joints.has(Joint::Neck) ? Joint::Neck : Joint::Head;
+    straighten(Joint::Hips, above_hips, Joint::LeftUpperLeg, {Joint::LeftUpperLeg, Joint::RightUpperLeg});
+    straighten(Joint::Chest, above_chest, Joint::LeftUpperArm,
+               {Joint::LeftUpperArm, Joint::RightUpperArm, Joint::Neck, Joint::Head});
+    return largest;
+}
+
+std::vector<Frames> frames_at(const Body& skeleton, const Clip& clip, const std::vector<double>& times) {
+    std::vector<Frames> moments;
+    for (const double t : times) moments.push_back(bone_frames(skeleton, sample(skeleton, clip, t)));
+    return moments;
+}
+
+struct UpAxes {
+    Vec3d rest;  // along which the trunk of the rest pose is
+    bool rest_stands = false;
+    Vec3d motion;  // upright in it
+};
+
+UpAxes find_up_axes(const Uprightness& stance, const Frames& rest, const std::vector<Frames>& moments,
+                    const StandUpOptions& options) {
+    UpAxes axes{.rest = nearest_axis(stance.trunk(rest)), .motion = Vec3d::UnitY()};
+    axes.rest_stands = stance.stands(rest, axes.rest);
+    if (axes.rest_stands) axes.motion = axes.rest;
+    if (axes.rest_stands && options.is_y_up && axes.rest == Vec3d(Vec3d::UnitY())) return axes;
+    Vec3d mean = Vec3d::Zero();
+    for (const Frames& frames : moments) mean += stance.up(frames) / (2 * double(moments.size()));
+    const Vec3d mean_up = nearest_axis(mean);
+    if (mean_up != axes.motion && mean.dot(mean_up) > kClearlyUpright &&
+        AxesEvidence(stance, moments).speaks_for(mean_up, axes.motion))
+        axes.motion = mean_up;
+    return axes;
+}
+
+// The moment that stands straightest; none if no one stands.
+std::optional<std::size_t> straightest_moment(const Uprightness& stance, const std::vector<Frames>& moments,
+                                              const Vec3d& up) {
+    std::optional<std::size_t> best;
+    double straightest = 0;
+    for (std::size_t k = 0; k < moments.size(); ++k) {
+        const double straight = stance.straightness(moments[k], up);
+        if ((best && straight <= straightest) || !stance.stands(moments[k], up)) continue;
+        straightest = straight;
+        best = k;
+    }
+    return best;
+}
+
 }  // namespace
 
-void stand_up(Body& skeleton, Clip& clip) {
+void stand_up(Body& skeleton, Clip& clip, const StandUpOptions& options) {
     const Uprightness stance(find_joints(skeleton.bones));
     if (!stance.is_known()) return;
-    const Frames rest = bone_frames(skeleton, rest_pose(skeleton));
-    const Vec3d rest_up = nearest_axis(stance.trunk(rest));
-    const bool rest_stands = stance.stands(rest, rest_up);
-
     constexpr double kBetweenLooks = 1.0 / 30;  // s
     const std::vector<double> times = looks_at(clip, kBetweenLooks);
-    Vec3d mean = Vec3d::Zero();
-    for (const double t : times) mean += stance.up(bone_frames(skeleton, sample(skeleton, clip, t))) / 2;
-    mean /= double(times.size());
-    const Vec3d mean_up = nearest_axis(mean);
-    const bool motion_stands = mean.dot(mean_up) > kClearlyUpright;
-    const Vec3d up = motion_stands ? mean_up : rest_stands ? rest_up : Vec3d(Vec3d::UnitY());
+    const std::vector<Frames> moments = frames_at(skeleton, clip, times);
+    const UpAxes up = find_up_axes(stance, bone_frames(skeleton, rest_pose(skeleton)), moments, options);
     const auto refuse = [&](const char* problem) {
         throw InputError(skeleton.file.empty() ? skeleton.name : skeleton.file, "clip '" + clip.name + "'", problem);
     };
-    const auto folded = std::ranges::count_if(
-        times, [&](double t) { return stance.is_folded(bone_frames(skeleton, sample(skeleton, clip, t)), up); });
-    if (std::size_t(folded) > times.size() / 2) refuse("its legs point upward beside a trunk that is upright");
-    if (rest_stands && up == rest_up) return;
+    const auto folded =
+        std::ranges::count_if(moments, [&](const Frames& frames) { return stance.is_folded(frames, up.motion); });
+    if (std::size_t(folded) > moments.size() / 2) refuse("its legs point upward beside a trunk that is upright");
+    if (up.rest_stands && up.motion == up.rest) return;
 
     Pose reference = rest_pose(skeleton);
-    if (rest_stands) {
-        clip.notes.push_back("the rest pose of the motion's skeleton stands along " + axis_text(rest_up) +
-                             ", the motion along " + axis_text(up) + ": turned upright");
+    if (up.rest_stands) {
+        clip.notes.push_back("the rest pose of the motion's skeleton stands along " + axis_text(up.rest) +
+                             ", the motion along " + axis_text(up.motion) + ": turned upright");
     } else {
-        double straightest = -2, when = 0;  // below any mean of cosines
-        for (const double t : times) {
-            const Frames frames = bone_frames(skeleton, sample(skeleton, clip, t));
-            const double straight = stance.straightness(frames, up);
-            if (straight <= straightest || !stance.stands(frames, up)) continue;
-            straightest = straight;
-            when = t;
-        }
-        reference = sample(skeleton, clip, when);
-        if (straightest < -1) refuse("neither its rest pose nor any moment of it stands: head above hips above feet");
+        const std::optional<std::size_t> best = straightest_moment(stance, moments, up.motion);
+        if (!best) refuse("neither its rest pose nor any moment of it stands: head above hips above feet");
+        reference = sample(skeleton, clip, times[*best]);
+        const double turn =
+            straighten_trunk(skeleton, stance.joints(), up.motion, stance.left(moments[*best]), reference);
+        constexpr double kNotable = 0.1;  // rad
         clip.notes.push_back("the rest pose of the motion's skeleton does not stand: taken from the motion, at " +
-                             moment_text(when));
+                             moment_text(times[*best]) + (turn > kNotable ? ", with its trunk straightened" : ""));
     }
-    const Frames frames = bone_frames(skeleton, reference);
-    const Vec3d reference_up = rest_stands ? rest_up : up;
+    const Vec3d left = stance.left(bone_frames(skeleton, reference));
     hold_rest(skeleton, clip);
-    turn_roots(skeleton, turn_to_y(up), clip);
-    set_rest(reference, turn_to_front(reference_up, stance.left(frames)), skeleton);
+    turn_roots(skeleton, turn_to_y(up.motion), clip);
+    set_rest(reference, turn_to_front(up.rest_stands ? up.rest : up.motion, left), skeleton);
 }
 
 }  // namespace selvedge::sim

@@ -9,11 +9,17 @@
 
 namespace selvedge::sim {
 
+struct StandUpOptions {
+    bool is_y_up =
+        false;  // the format says so, as glTF and FBX: who stands along y at rest and lies in the motion, lies
+};
+
 // Where needed, turns the motion by right angles, so that the person is upright along y for most of the time, and
-// replaces a rest pose that does not stand by the moment of the clip that stands straightest, facing the front. The
-// clip moves the skeleton as before, but for that turn. What was done is added to Clip::notes. Throws
+// replaces a rest pose that does not stand by the moment of the clip that stands straightest, with its trunk
+// straightened, facing the front. Someone who crawls or lies is not turned, as far as legs and floor tell. The clip
+// moves the skeleton as before, but for that turn. What was done is added to Clip::notes. Throws
 // InputError(Body::file, ...) if the person stands neither at rest nor at any moment. Does nothing to a skeleton whose
 // hips, trunk and legs are not known by name.
-void stand_up(Body& skeleton, Clip& clip);
+void stand_up(Body& skeleton, Clip& clip, const StandUpOptions& options = {});
 
 }  // namespace selvedge::sim

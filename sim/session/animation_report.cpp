@@ -18,11 +18,13 @@ Outcome outcome_of(const Animation& animation) {
     return outcome_with(animation.motion_faults(), animation);
 }
 
-std::string to_json(const Animation& animation, const std::string& motion, const std::vector<ReportInput>& inputs) {
+std::string to_json(const Animation& animation, const std::string& motion, const std::vector<ReportInput>& inputs,
+                    const std::vector<std::string>& notes) {
     const MotionQuality& quality = animation.quality();
     const std::vector<std::string> found = animation.motion_faults();
     DressReport report = animation.dress_report();
     report.inputs = inputs;
+    report.notes.insert(report.notes.begin(), notes.begin(), notes.end());
     Json json = json_of(report);
     json[report_key::kOutcome] = name_of(outcome_with(found, animation));
     Json& moved = json[report_key::kAnimation] = Json::object();

@@ -33,7 +33,9 @@ inline constexpr std::string_view kMsPerFrameP95 = "ms_per_frame_p95";
 Outcome outcome_of(const Animation& animation);
 
 // The report of the dressing, with what the motion was and its quality under `animation`, and the times of its frames
-// under `timing`. Equal input gives equal text, except for `timing`. motion: the name of the clip.
-std::string to_json(const Animation& animation, const std::string& motion, const std::vector<ReportInput>& inputs);
+// under `timing`. Equal input gives equal text, except for `timing`. motion: the name of the clip. notes: of the body
+// and the motion as they came in, which precede those of the drape.
+std::string to_json(const Animation& animation, const std::string& motion, const std::vector<ReportInput>& inputs,
+                    const std::vector<std::string>& notes = {});
 
 }  // namespace selvedge::sim

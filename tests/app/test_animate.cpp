@@ -1,5 +1,6 @@
 // selvedge animate, as a black box: films, caches and reports, an early stop, and wrong input.
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <csignal>
 #include <filesystem>
@@ -121,6 +122,9 @@ TEST(AnimateCommand, notes_the_limbs_that_a_motion_has_no_joints_for) {
               std::string::npos)
         << run.out << run.err;
     const sim::Json report = sim::read_json(folder / "nod.json");
+    EXPECT_TRUE(std::ranges::any_of(report.find("notes")->elements(), [](const sim::Json& note) {
+        return note.string().starts_with("the motion's skeleton has no joint");
+    }));
     const sim::Json& input = report.find("inputs")->elements().at(2);  // after the garment and the body
     EXPECT_EQ(input.find("role")->string(), "motion");
     EXPECT_EQ(input.find("file")->string(), folder / "nod.bvh");

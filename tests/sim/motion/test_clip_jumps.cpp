@@ -110,6 +110,47 @@ TEST(ClipJumps, of_one_frame_that_is_wrong_are_found_too) {
         << clip.notes[0];
 }
 
+// What the clip does with the right leg at that time: the way from thigh to foot.
+Vec3d right_leg_at(const Clip& clip, double t) {
+    const Body& body = test::mannequin();
+    const Pose pose = sample(body, clip, t);
+    return (joint_at(body, pose, Joint::RightFoot) - joint_at(body, pose, Joint::RightUpperLeg)).normalized();
+}
+
+TEST(ClipJumps, of_a_knee_are_found_while_the_arms_are_fast_and_leave_the_other_limbs_alone) {
+    constexpr std::size_t kRightLeg = kLeftLeg + 8;
+    std::vector<FigureFrame> frames = swaying(2, 60, {0, 90, 0});
+    for (std::size_t k = 0; k < frames.size(); ++k)  // 8 m/s at the hand, at all times
+        frames[k].turns[kLeftArm].z() = -40 + 50 * std::sin(20 * double(k) / 60);
+    const Clip wanted = motion_of(frames, 60);
+    frames[10].turns[kRightLeg].x() = -60;  // 0.8 m at the foot, and back
+    frames[60].turns[kRightLeg].x() = -60;
+    const Clip clip = motion_of(frames, 60);
+    ASSERT_EQ(clip.notes.size(), 1U);
+    EXPECT_NE(clip.notes[0].find(" at 0.17 s and at 3 more places: blended over 0.3"), std::string::npos)
+        << clip.notes[0];
+    EXPECT_NEAR(clip.seconds, 2, 1e-3) << "no start is left out for one limb";
+    const Body& body = test::mannequin();
+    for (const double t : {0.1, 0.16, 0.2, 1.0, 1.1, 1.5}) {
+        EXPECT_LT(right_leg_at(clip, t).y(), -0.98) << t;
+        EXPECT_LT((joint_at(body, sample(body, clip, t), Joint::LeftHand) -
+                   joint_at(body, sample(body, wanted, t), Joint::LeftHand))
+                      .norm(),
+                  0.01)
+            << t;
+    }
+}
+
+TEST(ClipJumps, by_which_a_joint_only_turns_are_blended) {
+    constexpr std::size_t kLeftForeArm = kLeftArm + 1;
+    std::vector<FigureFrame> frames = swaying(2, 60, {0, 90, 0});
+    for (std::size_t k = 15; k < frames.size(); ++k) frames[k].turns[kLeftForeArm].x() += 170;  // about its own axis
+    const Clip clip = motion_of(frames, 60);
+    ASSERT_EQ(clip.notes.size(), 1U);
+    EXPECT_EQ(clip.notes[0], "a joint turns by 170 degrees in a frame at 0.25 s: blended over 0.30 s");
+    EXPECT_NEAR(clip.seconds, 2, 1e-3);
+}
+
 // A kick of 15 m/s at the foot.
 TEST(ClipJumps, are_none_in_a_fast_motion) {
     for (const double rate : {25.0, 30.0, 60.0, 120.0}) {

@@ -11,6 +11,7 @@
 #include "sim/core/error.h"
 #include "sim/motion/grounding.h"
 #include "sim/motion/motion_file.h"
+#include "tests/sim/motion/bvh_figure.h"
 #include "tests/sim/motion/support.h"
 #include "tests/support/mannequin.h"
 #include "tests/support/temporary_folder.h"
@@ -187,6 +188,46 @@ TEST(MotionFile, angles_follow_a_smooth_course_without_overshoot) {
         before = angle;
     }
     EXPECT_NEAR(before, M_PI / 2, 1e-9);
+}
+
+TEST(MotionFile, notes_how_far_it_opens_arms_and_what_it_does_not_move) {
+    const TemporaryFolder folder;
+    std::vector<FigureJoint> joints = figure_in_t_pose();
+    const auto notes_of = [&](double arms) {
+        std::vector<FigureFrame> frames(10, standing_frame(joints, {0, 90, 0}));
+        for (FigureFrame& frame : frames)
+            for (std::size_t i = 0; i < joints.size(); ++i)
+                if (joints[i].name == "LeftArm" || joints[i].name == "RightArm")
+                    frame.turns[i].z() = joints[i].name == "LeftArm" ? -arms : arms;
+        return find_motion(write_bvh(folder / "m.bvh", joints, frames, 30).string(), test::mannequin()).notes;
+    };
+    EXPECT_TRUE(notes_of(45).empty());
+    const std::vector<std::string> crossed = notes_of(100);  // hands in the thighs
+    ASSERT_EQ(crossed.size(), 1U);
+    EXPECT_TRUE(crossed[0].starts_with("arms opened by ")) << crossed[0];
+    EXPECT_TRUE(crossed[0].ends_with(" degrees, which would be in trunk or thighs")) << crossed[0];
+    for (FigureJoint& joint : joints) {
+        if (joint.name == "LeftForeArm") joint.name = "Bone_7";
+        if (joint.name == "LeftUpLeg" || joint.name == "RightFoot") joint.name += "_unknown_name";
+    }
+    const std::vector<std::string> unknown = notes_of(45);
+    ASSERT_EQ(unknown.size(), 2U);
+    EXPECT_EQ(unknown[0],
+              "the motion's skeleton has no joint that is known as left_lower_arm, left_lower_leg: not moved");
+    EXPECT_EQ(unknown[1], "the motion's skeleton has no hips with a whole leg: the body stays in its place");
+}
+
+TEST(MotionFile, of_several_motions_that_nobody_chose_is_the_first_that_moves) {
+    const auto clip = [](const std::string& name, double y) {
+        return Clip{.name = name,
+                    .seconds = 1,
+                    .tracks = {{.bone = 0, .translation = {{0, 1}, {Vec3d(0, 1, 0), Vec3d(0, y, 0)}}}}};
+    };
+    const std::vector<Clip> clips{clip("T-pose", 1), clip("walk", 2), clip("run", 3)};
+    EXPECT_EQ(find_clip(clips, "", "m.glb").name, "walk");
+    EXPECT_EQ(find_clip(clips, "0", "m.glb").name, "T-pose");
+    EXPECT_EQ(find_clip({clips[0]}, "", "m.glb").name, "T-pose");
+    EXPECT_EQ(choice_text(clips, "walk"), "the file has 3 motions: 'walk' is played, and not 'T-pose', 'run'");
 }
 
 TEST(MotionFile, with_a_fault_is_refused_by_its_place) {

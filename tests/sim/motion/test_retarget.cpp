@@ -71,6 +71,64 @@ Body t_pose_figure() {
     return body;
 }
 
+// Bones called "LHipJoint" and "RHipJoint" turn against the hips by as much as these turn.
+TEST(Retarget, turns_the_pelvis_as_its_thighs_lie_where_joints_between_turn_too) {
+    Body figure = t_pose_figure();
+    const std::vector<Bone> bones = figure.bones;
+    figure.bones.clear();
+    std::vector<int> index(bones.size());
+    for (std::size_t i = 0; i < bones.size(); ++i) {
+        Bone bone = bones[i];
+        if (bone.parent >= 0) bone.parent = index[std::size_t(bone.parent)];
+        if (bone.name == "LeftUpLeg" || bone.name == "RightUpLeg" || bone.name == "Spine") {
+            figure.bones.push_back({.name = bone.name + "Holder", .parent = bone.parent, .joint = bones[0].joint});
+            bone.parent = int(figure.bones.size()) - 1;
+        }
+        index[i] = int(figure.bones.size());
+        figure.bones.push_back(bone);
+    }
+    set_rest_from_joints(figure.bones);
+    Clip clip{.name = "turned hips", .seconds = 1};
+    clip.tracks.push_back({.bone = 0, .rotation = {{0.0}, {about({0, 0, 1}, 1.4)}}});
+    for (std::size_t i = 0; i < figure.bones.size(); ++i)
+        if (figure.bones[i].name.ends_with("Holder"))
+            clip.tracks.push_back({.bone = int(i), .rotation = {{0.0}, {about({0, 0, 1}, -1.4)}}});
+    const Body& body = test::mannequin();
+    const Clip played = retarget(figure, clip, body);
+    const Pose pose = sample(body, played, 0.5);
+    EXPECT_GT(direction(body, pose, "right_upper_leg", "left_upper_leg").x(), 0.99);
+    EXPECT_LT(direction(body, pose, "left_upper_leg", "left_foot").y(), -0.98);
+    EXPECT_EQ(played.notes.size(), 1U);
+}
+
+TEST(Retarget, of_a_rest_pose_that_faces_obliquely_faces_the_front) {
+    Body figure = t_pose_figure();
+    for (Bone& bone : figure.bones) bone.joint = about({0, 0, 1}, 0.7) * bone.joint;
+    set_rest_from_joints(figure.bones);
+    const Clip clip{.name = "rest", .seconds = 1};
+    const Body& body = test::mannequin();
+    const Pose pose = sample(body, retarget(figure, clip, body), 0.5);
+    EXPECT_GT(direction(body, pose, "right_upper_arm", "left_upper_arm").x(), 0.99);
+    EXPECT_GT(direction(body, pose, "left_upper_arm", "left_hand").x(), 0.97);
+    EXPECT_LT(direction(body, pose, "right_upper_arm", "right_hand").x(), -0.97);
+}
+
+TEST(Retarget, of_a_rest_pose_in_the_middle_of_a_step_keeps_its_heading) {
+    Body figure = t_pose_figure();
+    for (Bone& bone : figure.bones) {  // 70 cm from foot to foot
+        const double side = bone.name.starts_with("Left") ? 1 : bone.name.starts_with("Right") ? -1 : 0;
+        if (bone.name.ends_with("Foot") || bone.name.ends_with("ToeBase")) bone.joint.y() += 35 * side;
+        if (bone.name.ends_with("ForeArm")) bone.joint = {18 * side, 0, 70};
+        if (bone.name.ends_with("Hand")) bone.joint = {18 * side, 0, 50};
+    }
+    set_rest_from_joints(figure.bones);
+    const Clip clip{.name = "rest", .seconds = 1};
+    const Body& body = test::mannequin();
+    const Pose pose = sample(body, retarget(figure, clip, body), 0.5);
+    EXPECT_GT(direction(body, pose, "right_upper_leg", "left_upper_leg").x(), 0.99);
+    EXPECT_NEAR(direction(body, pose, "left_lower_leg", "left_foot").x(), 0, 0.1);
+}
+
 TEST(Retarget, to_its_own_skeleton_gives_the_clip_itself) {
     const Body& body = test::mannequin();
     const Clip clip = lively_clip(body);

@@ -2,9 +2,12 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "sim/core/error.h"
 #include "sim/motion/motion_file.h"
+#include "sim/motion/standing_rest.h"
+#include "sim/repair/load_body.h"
 #include "tests/sim/motion/bvh_figure.h"
 #include "tests/sim/motion/support.h"
 #include "tests/support/mannequin.h"
@@ -113,6 +116,64 @@ TEST(StandingRest, is_the_same_in_any_unit_and_at_any_rate) {
             }
         }
     }
+}
+
+// On hands and knees along z: a trunk that is level, thighs that are upright, shins on the floor.
+std::vector<FigureFrame> crawling(const std::vector<FigureJoint>& joints) {
+    std::vector<FigureFrame> frames;
+    for (int k = 0; k <= 60; ++k) {
+        const double swing = 20 * std::sin(k / 6.0);
+        frames.push_back(standing_frame(joints, {0, 45, 2.0 * k}));
+        std::vector<Vec3d>& turns = frames.back().turns;
+        turns[0] = {90, 0, 0};
+        for (const auto& [side, sign] : {std::pair{"Left", 1.0}, std::pair{"Right", -1.0}}) {
+            turns[index_of(joints, side + std::string("UpLeg"))] = {-90 + sign * swing, 0, 0};
+            turns[index_of(joints, side + std::string("Leg"))] = {90 - sign * swing, 0, 0};
+        }
+    }
+    return frames;
+}
+
+TEST(StandingRest, of_someone_who_crawls_is_not_taken_for_one_of_other_axes) {
+    const TemporaryFolder folder;
+    const std::vector<FigureJoint> joints = figure_in_t_pose();
+    const auto path = write_bvh(folder / "crawls.bvh", joints, crawling(joints), 30);
+    const Clip clip = find_motion(path.string(), test::mannequin());
+    for (const std::string& note : clip.notes) EXPECT_EQ(note.find("turned upright"), std::string::npos) << note;
+    for (const double share : {0.0, 0.5, 1.0}) {
+        const Pose pose = sample(test::mannequin(), clip, share * clip.seconds);
+        EXPECT_GT(way(test::mannequin(), pose, Joint::Hips, Joint::Neck).z(), 0.95) << share;
+        EXPECT_LT(way(test::mannequin(), pose, Joint::LeftUpperLeg, Joint::LeftLowerLeg).y(), -0.9) << share;
+    }
+}
+
+TEST(StandingRest, of_someone_who_lies_straight_is_trusted_in_formats_that_have_y_up) {
+    const TemporaryFolder folder;
+    const std::vector<FigureJoint> joints = figure_in_t_pose();
+    std::vector<FigureFrame> frames(31, standing_frame(joints, {0, 10, 0}));
+    for (FigureFrame& frame : frames) frame.turns[0] = {-90, 0, 0};
+    const auto path = write_bvh(folder / "lies.bvh", joints, frames, 30);
+    BodyClips trusted = load_motion(path), guessed = load_motion(path);
+    stand_up(trusted.body, trusted.clips[0], {.is_y_up = true});
+    EXPECT_TRUE(trusted.clips[0].notes.empty()) << trusted.clips[0].notes[0];
+    stand_up(guessed.body, guessed.clips[0]);
+    EXPECT_EQ(guessed.clips[0].notes.size(), 1U) << "a format without axes: who stands straight along z is upright";
+}
+
+TEST(StandingRest, taken_from_someone_who_leans_has_an_upright_trunk) {
+    const TemporaryFolder folder;
+    const std::vector<FigureJoint> joints = figure_along_x();
+    std::vector<FigureFrame> frames = arm_raised(joints, index_of(joints, "UpperArm_L"), {0, 0, 20}, 30, {0, 0, 0});
+    for (FigureFrame& frame : frames) frame.turns[index_of(joints, "Spine")] = {0, -40, 0};  // leans forward throughout
+    const auto path = write_bvh(folder / "leans.bvh", joints, frames, 30);
+    const Clip clip = find_motion(path.string(), test::mannequin());
+    ASSERT_FALSE(clip.notes.empty());
+    EXPECT_TRUE(clip.notes[0].ends_with(", with its trunk straightened")) << clip.notes[0];
+    const Vec3d trunk = way(test::mannequin(), sample(test::mannequin(), clip, 0.5), Joint::Hips, Joint::Neck);
+    EXPECT_NEAR(std::atan2(trunk.z(), trunk.y()) * 180 / std::numbers::pi, 28, 5)
+        << "15 cm upright, and 35 cm that lean by 40 degrees";
+    EXPECT_LT(way(test::mannequin(), sample(test::mannequin(), clip, 0.5), Joint::LeftUpperLeg, Joint::LeftFoot).y(),
+              -0.98);
 }
 
 std::string problem_of(const std::filesystem::path& path) {
