@@ -147,7 +147,7 @@ std::string describe(const TrunkEdge& lowered, const GarmentMesh& mesh) {
 }
 
 // An edge that slipped: "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest". If it is at
-// least 1 cm longer than the body is round where that should hold it, it says so: "too large above the chest by 14 cm: ...".
+// least 1 cm longer than the girth that should hold it, it says so: "too large above the chest by 14 cm: ...".
 DressFault fault_of_slip(const TrunkEdge& lowered, const GarmentMesh& mesh, double girth) {
     const std::string lies = describe(lowered, mesh) + ", below the " + lowered.holder();
     constexpr double kLeast = 0.01;  // m, by which an edge is too large
@@ -231,7 +231,9 @@ std::vector<TrunkEdge> trunk_edges(const WornGarment& garment, const MeantOpenin
         const TrunkEdge lowered{.edge = &openings[i],
                                 .placed = placed,
                                 .draped = centre_of(openings[i], garment.closed_draped).y(),
-                                .held_at = placed > chest ? chest : placed > under_bust ? under_bust : hips,
+                                .held_at = placed > chest        ? chest
+                                           : placed > under_bust ? under_bust
+                                                                 : hips,
                                 .is_of_chest = placed > under_bust};
         if (placed < lowered.held_at) continue;
         const auto [of_part, is_first] = edge_of.try_emplace(meant.parts[i], edges.size());

@@ -156,6 +156,25 @@ TEST(DrapeRun, gives_up_before_it_relaxes_what_fits_nowhere) {
     EXPECT_LE(run.result().simulated_seconds, 3 * DrapeOptions{}.finish_time + 0.1);
 }
 
+// Frames of finer sub-steps after a long strip that is stretched to three times its length was given up.
+int frames_to_finish(GiveUp why) {
+    Simulation simulation(
+        make_cloth(sim::make_square({.columns = 200, .rows = 2, .width = 4, .depth = 0.04, .height = 1.5}),
+                   {find_fabric("cotton_shirting")}, {.max_level = 0}));
+    for (Vec4f& x : simulation.cloth().x) x.x() *= 3;
+    simulation.cloth().x_prev = simulation.cloth().x;
+    DrapeRun run(simulation, {});
+    run.give_up(simulation, why);
+    int frames = 1;
+    while (run.advance(simulation, exact_ball())) ++frames;
+    return frames;
+}
+
+TEST(DrapeRun, takes_one_finer_frame_of_what_is_too_small_and_more_of_what_slips) {
+    EXPECT_GT(frames_to_finish(GiveUp::SlipsDown), 1);
+    EXPECT_EQ(frames_to_finish(GiveUp::TooSmall), 1);
+}
+
 // A ball with bumps of 4 mm, each as wide as a triangle of the cloth.
 Body ball_with_bumps() {
     Body body = shapes::sphere(Vec3d(0, 1, 0), 0.15, 80);
