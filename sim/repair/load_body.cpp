@@ -208,10 +208,10 @@ void keep_triangles(ImportedScene& scene, const std::vector<bool>& is_kept) {
 }
 
 // Where the person is, for repair(), in metres. Of a person of several pieces each may be open where another one goes
-// on, however wide.
+// on, however wide, and so may what bones move: a head under its hair, a trunk under its clothes.
 RepairOptions repair_options(const LoadBodyOptions& options, const PersonSearch& person, const FileFrame& frame) {
     RepairOptions repair = options.repair;
-    const bool is_in_pieces = !person.on_the_person || (person.has_skeleton && !person.likeness.is_whole());
+    const bool is_in_pieces = !person.on_the_person || person.has_skeleton;
     if (person.likeness.is_person() && is_in_pieces) repair.largest_hole = std::numeric_limits<double>::infinity();
     if (person.on_the_person) repair.main_at = frame(*person.on_the_person);
     constexpr double kAboveNeck = 0.3;  // of the way from the neck to the crown: below it, a hole is the neck's

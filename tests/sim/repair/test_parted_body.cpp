@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/place/body_girths.h"
@@ -136,6 +137,28 @@ TEST_F(PartedBody, may_have_parts_that_are_open_where_others_go_on) {
     const Body body = load(parts);
     EXPECT_TRUE(is_one_surface(body));
     EXPECT_NEAR(height_range(body).high, height_range(uncut()).high, 0.002);
+}
+
+// Its front is missing from the chest up.
+Body open_in_front(const Body& whole) {
+    Body open = whole;
+    const double chest = 0.75 * height_range(whole).high;
+    std::erase_if(open.triangles, [&](const auto& triangle) {
+        return std::ranges::all_of(triangle, [&](auto v) {
+            const Vec3d& p = whole.x[static_cast<std::size_t>(v)];
+            return p.y() > chest && p.z() > 0.02;
+        });
+    });
+    return open;
+}
+
+TEST_F(PartedBody, may_have_a_wide_hole_when_bones_move_it_and_is_refused_without_them) {
+    Body open = open_in_front(uncut());
+    EXPECT_TRUE(shapes::is_closed(load(open)));
+    EXPECT_EQ(report_.repair.capped_holes, 1);
+    open.bones.clear();
+    open.skin = {};
+    EXPECT_THROW(load(open), InputError);
 }
 
 }  // namespace
