@@ -157,13 +157,9 @@ editor::ImportedDrawing import_drawing(const std::string& file, const sim::Impor
     editor::ImportedDrawing drawing;
     drawing.sewn = sim::count_text(garment.pattern.panels.size(), "panel") + ", " +
                    sim::count_text(garment.pattern.seams.size(), "seam");
-    if (!garment.pictures.empty())
-        drawing.sewn += "; " + sim::count_text(garment.pictures.size(), "scan") + " under the sheet, to be traced";
     name_beside(garment.pictures, garment.pattern, file);
-    for (UnderlayFile& picture : garment.pictures) {
-        garment.notes.push_back("page " + std::to_string(picture.page) + " is written as " + picture.path.string());
+    for (UnderlayFile& picture : garment.pictures)
         drawing.pictures.push_back({picture.path.string(), std::move(picture.bytes)});
-    }
     if (!garment.possible.empty())
         drawing.sewn += "; " + sim::count_text(garment.possible.size(), "seam") + " less likely, not sewn";
     drawing.notes = std::move(garment.notes);
@@ -232,6 +228,10 @@ editor::Services make_editor_services(const EditorServicesOptions& options) {
     options.state ? add_state(services, *options.state) : add_no_state(services);
     services.load = [](const std::string& file) { return sim::load_pattern(file); };
     services.save = [](const std::string& file, const std::string& text) { sim::write_file_atomically(file, text); };
+    services.remove = [](const std::string& file) {
+        std::error_code error;
+        fs::remove(file, error);
+    };
     services.is_drawing = is_drawing;
     services.import_drawing = import_drawing;
     services.is_photo = is_photo;

@@ -15,6 +15,7 @@
 #include "sim/core/printable.h"
 #include "sim/paper/drawing_file.h"
 #include "sim/paper/folded_ribbing.h"
+#include "sim/paper/pdf_pictures.h"
 #include "sim/pattern/edge_shape.h"
 #include "sim/pattern/field_moves.h"
 #include "sim/pattern/outline.h"
@@ -24,7 +25,6 @@
 namespace selvedge::app {
 namespace {
 
-// The drawings of several files as one: parts whose names are taken get a number when they become panels.
 bool is_photo_file(const std::filesystem::path& file) {
     std::array<char, 8> head{};
     std::ifstream stream(file, std::ios::binary);
@@ -32,7 +32,26 @@ bool is_photo_file(const std::filesystem::path& file) {
     return render::is_photo({head.data(), static_cast<std::size_t>(stream.gcount())});
 }
 
-sim::Drawing read_drawings(const std::vector<std::filesystem::path>& files, std::vector<std::string>& notes) {
+// Moves the pictures of one drawing to those of all, as many as can lie under a sheet. They have the unit that the user
+// states for its parts.
+void take_pictures(sim::Drawing& one, const std::string& file, const std::optional<double>& metres_per_unit,
+                   std::vector<sim::DrawnPicture>& pictures) {
+    if (metres_per_unit && one.metres_per_unit && !one.parts.empty())
+        scale_pictures(one.pictures, *metres_per_unit / *one.metres_per_unit);
+    const std::size_t room = sim::kMostUnderlays - pictures.size();
+    if (one.pictures.size() > room) {
+        one.notes.push_back(file + ": " + sim::count_text(one.pictures.size() - room, "scan") + ", from page " +
+                            std::to_string(one.pictures[room].number) + " on, left out: at most " +
+                            std::to_string(sim::kMostUnderlays) + " are laid under the sheet");
+        one.pictures.resize(room);
+    }
+    std::ranges::move(one.pictures, std::back_inserter(pictures));
+    one.pictures.clear();
+}
+
+// The drawings of several files as one: parts whose names are taken get a number when they become panels.
+sim::Drawing read_drawings(const std::vector<std::filesystem::path>& files, const ImportOptions& options,
+                           std::vector<std::string>& notes) {
     sim::Drawing all;
     std::vector<sim::DrawnPicture> pictures;
     for (const std::filesystem::path& file : files) {
@@ -45,8 +64,7 @@ sim::Drawing read_drawings(const std::vector<std::filesystem::path>& files, std:
         }
         sim::Drawing one = sim::read_drawing(file);
         notes.push_back(file.string() + ": " + one.format + ", " + sim::count_text(one.parts.size(), "part"));
-        std::ranges::move(one.pictures, std::back_inserter(pictures));
-        one.pictures.clear();
+        take_pictures(one, file.string(), options.panels.metres_per_unit, pictures);
         if (all.parts.empty() || one.parts.empty()) {  // the first, or only scans
             std::vector<std::string> told = std::move(all.notes);
             std::ranges::move(one.notes, std::back_inserter(told));
@@ -212,7 +230,7 @@ bool is_mannequin(const std::string& body, std::vector<std::string>& notes) {
 
 ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, const ImportOptions& options) {
     ImportedGarment out;
-    const sim::Drawing drawing = read_drawings(files, out.notes);
+    const sim::Drawing drawing = read_drawings(files, options, out.notes);
     sim::PanelsOfDrawing made = make_panels(drawing, files.front().string(), options.panels);
     std::ranges::move(made.notes, std::back_inserter(out.notes));
     out.pattern = std::move(made.pattern);
@@ -220,7 +238,7 @@ ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, 
     out.sizes = std::move(made.sizes);
     if (out.pattern.panels.empty()) {
         out.pattern.body = body_of(drawing, options, out.body);
-        out.pictures = lay_pictures(out.pattern, drawing.pictures, files.front().string());
+        out.pictures = lay_pictures(out.pattern, drawing.pictures);
         return out;
     }
     std::vector<sim::SeamProposal> sewn, possible;
@@ -241,7 +259,7 @@ ImportedGarment import_garment(const std::vector<std::filesystem::path>& files, 
     out.possible = describe_all(out.pattern, after_acceptance(possible, sewn));
     for (std::size_t p = 0; p < out.pattern.panels.size(); ++p)
         out.panels.push_back(describe_panel(out.pattern.panels[p], roles[p]));
-    out.pictures = lay_pictures(out.pattern, drawing.pictures, files.front().string());
+    out.pictures = lay_pictures(out.pattern, drawing.pictures);
     return out;
 }
 

@@ -51,14 +51,19 @@ bool holds(const std::filesystem::path& path, const std::string& bytes) {
     }
 }
 
+// Throws InputError if a file is there that holds something else: the user did not name it, so it is not replaced.
+void refuse_other_content(const std::vector<UnderlayFile>& files) {
+    for (const UnderlayFile& file : files) {
+        if (sim::file_exists(file.path) && !holds(file.path, file.bytes))
+            throw sim::InputError(file.path.string(), "",
+                                  "not replaced: a file of this name holds something else than page " +
+                                      std::to_string(file.page) + "; move it, or give the garment another name");
+    }
+}
+
 }  // namespace
 
-std::vector<UnderlayFile> lay_pictures(sim::Pattern& pattern, const std::vector<sim::DrawnPicture>& pictures,
-                                       const std::string& file) {
-    if (pictures.size() > sim::kMostUnderlays)
-        throw sim::InputError(file, "",
-                              std::to_string(pictures.size()) + " scanned pages: at most " +
-                                  std::to_string(sim::kMostUnderlays) + " can lie under the sheet");
+std::vector<UnderlayFile> lay_pictures(sim::Pattern& pattern, const std::vector<sim::DrawnPicture>& pictures) {
     constexpr double kBetween = 0.02;  // m
     const auto in_row = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(pictures.size()))));
     const Vec2d start = free_corner(pattern);
@@ -88,15 +93,6 @@ void name_beside(std::vector<UnderlayFile>& files, sim::Pattern& pattern, const 
         for (int number = 2; !taken.insert(free).second; ++number) free = name + "_" + std::to_string(number);
         files[i].path = sim::folder_of(beside) / (free + ".jpg");
         pattern.underlays[i].file = sim::canonical_path(files[i].path).string();
-    }
-}
-
-void refuse_other_content(const std::vector<UnderlayFile>& files) {
-    for (const UnderlayFile& file : files) {
-        if (sim::file_exists(file.path) && !holds(file.path, file.bytes))
-            throw sim::InputError(file.path.string(), "",
-                                  "not replaced: a file of this name holds something else than page " +
-                                      std::to_string(file.page) + "; move it, or give the garment another name");
     }
 }
 

@@ -18,18 +18,14 @@ struct UnderlayFile {
     std::filesystem::path path = {};
 };
 
-// Lays the pictures side by side, in rows, right of the panels. Their files have no names yet. Throws InputError for
-// more than kMostUnderlays.
-std::vector<UnderlayFile> lay_pictures(sim::Pattern& pattern, const std::vector<sim::DrawnPicture>& pictures,
-                                       const std::string& file);
+// Lays the pictures side by side, in rows, right of the panels. Their files have no names yet.
+std::vector<UnderlayFile> lay_pictures(sim::Pattern& pattern, const std::vector<sim::DrawnPicture>& pictures);
 
 // Names the files after a file beside which they lie: "skirt_page3.jpg" beside "skirt.json".
 void name_beside(std::vector<UnderlayFile>& files, sim::Pattern& pattern, const std::filesystem::path& beside);
 
-// Throws InputError if a file is there that holds something else: the user did not name it, so it is not replaced.
-void refuse_other_content(const std::vector<UnderlayFile>& files);
-
-// Writes the files. If it fails, or is undone, none is left that was not there before.
+// Writes the files. If it fails, or is undone, none is left that was not there before. Throws InputError if a file is
+// there that holds something else.
 class WrittenUnderlays {
  public:
     explicit WrittenUnderlays(const std::vector<UnderlayFile>& files);

@@ -1,8 +1,6 @@
 #include "editor/ui/files.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <exception>
 #include <map>
 #include <optional>
@@ -14,13 +12,13 @@
 #include "editor/geometry/outline_edit.h"
 #include "editor/inspectors/material_inspector.h"
 #include "editor/tools/tool_host.h"
-#include "editor/tools/underlay_tool.h"
 #include "editor/ui/app_state.h"
 #include "editor/ui/export_thickness.h"
 #include "editor/ui/fabric_files.h"
 #include "editor/ui/paper_options.h"
 #include "editor/ui/widgets.h"
 #include "sim/core/error.h"
+#include "sim/core/printable.h"
 #include "sim/core/sha256.h"
 #include "sim/pattern/named_file.h"
 
@@ -185,9 +183,16 @@ std::string with_ending(const std::string& file, const std::string& ending) {
     return file.ends_with(ending) ? file : file + ending;
 }
 
+void ask_to_replace(AppState& state, const std::vector<std::string>& files, std::function<void(AppState&)> write) {
+    std::string names;
+    for (const std::string& file : files) names += (names.empty() ? "'" : ", '") + file + "'";
+    const std::string text = files.size() == 1 ? "There is a file " + names + " already."
+                                               : std::to_string(files.size()) + " files are there already: " + names;
+    state.questions.push_front({text, {{"Replace", std::move(write)}, {"Cancel", [](AppState&) {}}}});
+}
+
 void ask_to_replace(AppState& state, const std::string& file, std::function<void(AppState&)> write) {
-    state.questions.push_front(
-        {"There is a file '" + file + "' already.", {{"Replace", std::move(write)}, {"Cancel", [](AppState&) {}}}});
+    ask_to_replace(state, std::vector<std::string>{file}, std::move(write));
 }
 
 std::string document_name(const AppState& state) {
@@ -238,20 +243,59 @@ void ask_for_size(AppState& state, const std::string& file, const std::vector<st
                                 std::move(answers)});
 }
 
-// Whether its place is taken by a file that holds something else.
-bool is_taken(const AppState& state, const PictureFile& picture) {
-    return state.services.exists(picture.file) &&
-           !(state.services.hash_of && state.services.hash_of(picture.file) == sim::sha256(picture.bytes));
+bool holds(const AppState& state, const PictureFile& picture) {
+    return state.services.hash_of && state.services.hash_of(picture.file) == sim::sha256(picture.bytes);
 }
 
-// The document is shown when its pictures are there, so that it can be saved, and recovered after a crash.
-void show_import(AppState& state, const ImportedDrawing& imported, const std::string& file,
+// Whose places are taken by files that hold something else.
+std::vector<std::string> taken_files(const AppState& state, const std::vector<PictureFile>& pictures) {
+    std::vector<std::string> files;
+    for (const PictureFile& picture : pictures) {
+        if (state.services.exists(picture.file) && !holds(state, picture)) files.push_back(picture.file);
+    }
+    return files;
+}
+
+// If it fails, no file is left that was not there before.
+void write_pictures(AppState& state, const std::vector<PictureFile>& pictures) {
+    std::vector<std::string> added;
+    try {
+        for (const PictureFile& picture : pictures) {
+            const bool is_there = state.services.exists(picture.file);
+            if (is_there && holds(state, picture)) continue;
+            state.services.save(picture.file, picture.bytes);
+            if (!is_there) added.push_back(picture.file);
+        }
+    } catch (...) {
+        for (const std::string& file : added) state.services.remove(file);
+        throw;
+    }
+}
+
+// The document is shown when its pictures are there, so that it can be saved, and recovered after a crash. Panels are
+// shown without pictures that cannot be written.
+void show_import(AppState& state, ImportedDrawing& imported, const std::string& file,
                  const sim::ImportOptions& options) {
-    for (const PictureFile& picture : imported.pictures) state.services.save(picture.file, picture.bytes);
+    std::string failure;
+    try {
+        write_pictures(state, imported.pictures);
+    } catch (const std::exception& error) {  // InputError, or what the system refuses
+        if (imported.garment.pattern.panels.empty()) throw;
+        failure = error.what();
+        imported.pictures.clear();
+        imported.garment.pattern.underlays.clear();
+    }
     show_document(state, imported.garment, {.is_unsaved = true});
     state.workspace.document->set_hints(imported.hints);
-    for (const std::string& note : imported.notes) state.workspace.messages.note(note);
-    state.workspace.messages.note("Imported '" + name_in_folder(file) + "': " + imported.sewn);
+    Messages& messages = state.workspace.messages;
+    for (const std::string& note : imported.notes) messages.note(note);
+    for (const PictureFile& picture : imported.pictures) messages.note("Wrote " + picture.file);
+    const std::string scans = imported.pictures.empty() ? ""
+                                                        : "; " + sim::count_text(imported.pictures.size(), "scan") +
+                                                              " under the sheet, to be traced";
+    messages.note("Imported '" + name_in_folder(file) + "': " + imported.sewn + scans);
+    if (!failure.empty())
+        messages.warn("The scans of '" + name_in_folder(file) + "' do not lie under the sheet: " + failure);
     if (imported.sizes.size() > 1 && options.panels.size.empty()) ask_for_size(state, file, imported.sizes, options);
 }
 
@@ -265,57 +309,10 @@ void import_file(AppState& state, const std::string& file, const sim::ImportOpti
             const auto show = [=](AppState& shown) {
                 try_to(shown, [&] { show_import(shown, *imported, file, options); });
             };
-            const auto taken = std::ranges::find_if(
-                imported->pictures, [&](const PictureFile& picture) { return is_taken(current, picture); });
-            if (taken == imported->pictures.end()) return show(current);
-            ask_to_replace(current, taken->file, show);
+            const std::vector<std::string> taken = taken_files(current, imported->pictures);
+            if (taken.empty()) return show(current);
+            ask_to_replace(current, taken, show);
         });
-    });
-}
-
-namespace {
-
-constexpr double kGuessedPhotoSide = 1;  // m, longer side of a photo that does not state its resolution
-
-// Right of all panels and photos, with its upper edge at theirs.
-Vec2d free_photo_place(const AppState& state, const Vec2d& size) {
-    const SheetBox taken = extended(state.tools.geometry().box(), state.workspace.document->pattern().underlays,
-                                    [&](const std::string& file) { return state.underlays.size_px(file); });
-    constexpr double kGap = 0.05;  // m
-    if (taken.isEmpty()) return Vec2d::Zero();
-    return {taken.max().x() + kGap + size.x() / 2, taken.max().y() - size.y() / 2};
-}
-
-std::string size_text(const Vec2d& size) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.1f x %.1f cm", 100 * size.x(), 100 * size.y());
-    return text.data();
-}
-
-}  // namespace
-
-void lay_photo(AppState& state, const std::string& file) {
-    Document& document = *state.workspace.document;
-    document.commit();
-    try_to(state, [&] {
-        render::Photo photo = state.services.read_photo(file);
-        const bool has_size = photo.pixel_size.has_value();
-        const Vec2d px(photo.image.width_px, photo.image.height_px);
-        sim::Underlay underlay{.file = state.services.full_path(file),
-                               .pixel_size = photo.pixel_size.value_or(kGuessedPhotoSide / px.maxCoeff())};
-        underlay.position = free_photo_place(state, underlay.pixel_size * px);
-        SetUnderlays command{.underlays = document.pattern().underlays, .what = "Lay photo under the sheet"};
-        command.underlays.push_back(underlay);
-        if (!state.workspace.run(command)) return;
-        state.underlays.hold(underlay.file, std::move(photo));
-        state.shows_start_page = false;
-        state.wants_whole_sheet = true;
-        state.tools.choose(tool_host_context(state.workspace), underlay_tool());
-        const std::string size = size_text(underlay.pixel_size * px);
-        state.workspace.messages.note("'" + name_in_folder(file) + "' is " +
-                                      (has_size ? size + ", as its file says"
-                                                : size + " for now: its file states no size. Click two points "
-                                                         "and type their distance"));
     });
 }
 

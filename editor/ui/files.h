@@ -58,6 +58,7 @@ void browse_to_save_pose(AppState& state);
 // What saving has in common. try_to runs a function that may throw InputError, which is then shown; it returns false.
 bool try_to(AppState& state, const std::function<void()>& function);
 void ask_to_replace(AppState& state, const std::string& file, std::function<void(AppState&)> write);
+void ask_to_replace(AppState& state, const std::vector<std::string>& files, std::function<void(AppState&)> write);
 std::string with_ending(const std::string& file, const std::string& ending);
 
 // Offers to recover the journals that earlier runs left.

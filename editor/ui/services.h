@@ -93,6 +93,7 @@ struct Services {
     std::function<std::string(const sim::Pattern& pattern, const std::string& file, const sim::PrintSettings& settings)>
         print;
     std::function<void(const std::string& file, const std::string& text)> save;  // atomic
+    std::function<void(const std::string& file)> remove;                         // if it can be
     std::function<FolderListing(const std::string& folder)> list_folder;         // empty: the working directory
     std::function<bool(const std::string& file)> exists;
     // The SHA-256 of what the file holds; none: there is no such file, or it cannot be read. Unset: it is not known.

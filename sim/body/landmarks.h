@@ -7,9 +7,9 @@
 
 namespace selvedge::sim {
 
-// Heights in m; nullopt where the surface does not show the landmark.
 inline constexpr int kLandmarkLevels = 200;  // at which find_landmarks() cuts a body
 
+// Heights in m; nullopt where the surface does not show the landmark.
 struct LandmarkHeights {
     std::optional<double> crotch;  // below it, two legs
     std::optional<double> waist;   // where the trunk is narrowest, if it is wider below and above

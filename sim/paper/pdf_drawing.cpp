@@ -41,7 +41,8 @@ std::string page_names(const std::vector<std::size_t>& numbers) {
 
 class PdfReader {
  public:
-    PdfReader(const PdfFile& pdf, const std::string& file) : pdf_(pdf), file_(file) {}
+    PdfReader(const PdfFile& pdf, const std::string& file, const PageDrawing& draw)
+        : pdf_(pdf), file_(file), draw_(draw) {}
 
     Drawing read() {
         drawing_.title = pdf_.title;
@@ -71,7 +72,10 @@ class PdfReader {
         if (joined.joined.empty() && joined.single.size() == 1)
             joined.plain.page = Eigen::AlignedBox2d(Vec2d(Vec2d::Zero()), pages[joined.single.front()].size);
         tell_left(pages, joined.left);
-        if (joined.plain.shapes.empty()) throw InputError(file_, "", "no line on its " + pages_text() + ": no pattern");
+        if (joined.plain.shapes.empty()) {
+            if (has_pictures()) return drawing_.notes.push_back("beside its scans: no line that could be a panel");
+            throw InputError(file_, "", "no line on its " + pages_text() + ": no pattern");
+        }
         add_parts(std::move(joined));
         if (drawing_.parts.empty())
             throw InputError(file_, "", "no closed outline on its " + pages_text() + ": nothing that could be a panel");
@@ -156,20 +160,14 @@ class PdfReader {
         });
     }
 
-    // Where pages are pictures, the others need not be a pattern.
+    bool has_pictures() const { return std::ranges::find(is_picture_, true) != is_picture_.end(); }
+
+    // Where pages are pictures, the others need not have lines. Those that they have are read, or refused.
     void read_beside_pictures() {
-        const bool has_pictures = std::ranges::find(is_picture_, true) != is_picture_.end();
         bool has_lines = false;
         for (std::size_t i = 0; i < pdf_.pages.size(); ++i)
             has_lines = has_lines || (!is_picture_[i] && !pdf_.pages[i].shapes.empty());
-        if (has_pictures && !has_lines) return;
-        try {
-            read_lines();
-        } catch (const InputError& error) {
-            if (!has_pictures) throw;
-            drawing_.parts.clear();
-            drawing_.notes.push_back("beside its scans: " + error.problem());
-        }
+        if (has_lines || !has_pictures()) read_lines();
     }
 
     // Beside pages that were read, a scan fills its page; other pictures are of a cover or of instructions.
@@ -188,10 +186,26 @@ class PdfReader {
         }
         if (!left.empty())
             drawing_.notes.push_back(page_names(left) + ": a picture on a cover or among instructions, left out");
+        draw_pictures();
         tell_pictures();
         if (!too_many.empty())
             drawing_.notes.push_back(page_names(too_many) + ": left out: at most " + std::to_string(kMostUnderlays) +
                                      " scans of a file are laid under the sheet");
+    }
+
+    // They are drawn at the size of their pages, and have the scale of the lines. What was read of lines is not lost
+    // with them.
+    void draw_pictures() {
+        try {
+            if (draw_) draw_(drawing_.pictures);
+        } catch (const InputError& error) {
+            if (drawing_.parts.empty()) throw;
+            std::vector<std::size_t> numbers;
+            for (const DrawnPicture& picture : drawing_.pictures) numbers.push_back(picture.number);
+            drawing_.notes.push_back(page_names(numbers) + ": only a scan, left out: " + error.problem());
+            drawing_.pictures.clear();
+        }
+        scale_pictures(drawing_.pictures, *drawing_.metres_per_unit / kMetresPerMm);
     }
 
     // Pages of one size on one line.
@@ -304,6 +318,7 @@ class PdfReader {
 
     const PdfFile& pdf_;
     const std::string& file_;
+    const PageDrawing& draw_;
     std::vector<bool> is_picture_;
     bool has_test_square_ = false;
     Drawing drawing_;
@@ -312,13 +327,12 @@ class PdfReader {
 }  // namespace
 
 Drawing read_pdf(std::string_view bytes, const std::string& file) {
-    Drawing drawing = drawing_of_pdf(read_pdf_file(bytes, file), file);
-    draw_pages(bytes, file, drawing.pictures);
-    return drawing;
+    const auto draw = [&](std::vector<DrawnPicture>& pages) { draw_pages(bytes, file, pages); };
+    return drawing_of_pdf(read_pdf_file(bytes, file), file, draw);
 }
 
-Drawing drawing_of_pdf(const PdfFile& pdf, const std::string& file) {
-    return PdfReader(pdf, file).read();
+Drawing drawing_of_pdf(const PdfFile& pdf, const std::string& file, const PageDrawing& draw) {
+    return PdfReader(pdf, file, draw).read();
 }
 
 }  // namespace selvedge::sim

@@ -128,4 +128,11 @@ void draw_pages(std::string_view bytes, const std::string& file, std::vector<Dra
         throw InputError(file, "", "the pictures of its pages cannot be drawn");
 }
 
+void scale_pictures(std::vector<DrawnPicture>& pictures, double factor) {
+    for (DrawnPicture& picture : pictures) {
+        picture.size *= factor;
+        picture.pixel_size *= factor;
+    }
+}
+
 }  // namespace selvedge::sim

@@ -25,4 +25,7 @@ struct PdfPictureLimits {
 void draw_pages(std::string_view bytes, const std::string& file, std::vector<DrawnPicture>& pages,
                 const PdfPictureLimits& limits = {});
 
+// As the lines beside them, where these are not drawn at true size: the pixels become larger or smaller.
+void scale_pictures(std::vector<DrawnPicture>& pictures, double factor);
+
 }  // namespace selvedge::sim

@@ -45,7 +45,7 @@ struct Nest {
 };
 
 // The same for the same input. Throws InputError (place: the item's name) if an item is wider than the strip, and if
-// there are too many to be laid out within `most_work`: about a thousand different ones.
+// there are too many to be laid out within `most_work`: some hundreds of different ones.
 Nest nest(const std::vector<NestItem>& items, const NestOptions& options);
 
 }  // namespace selvedge::sim

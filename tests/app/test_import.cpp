@@ -340,6 +340,41 @@ TEST_F(ImportOfScans, together_with_a_drawing_makes_one_garment_of_both) {
     EXPECT_TRUE(pattern.underlays[1].file.ends_with("skirt_page1_2.jpg"));
 }
 
+TEST_F(ImportOfScans, beside_lines_have_the_unit_that_is_stated_for_these) {
+    sim::write_file_atomically(pdf_, scanned_pdf(true));
+    ASSERT_EQ(run_selvedge("import '" + pdf_ + "' --unit cm -o '" + garment_ + "'").exit_code, 0);
+    const sim::Pattern pattern = sim::load_pattern(garment_).pattern;
+    ASSERT_EQ(pattern.underlays.size(), 1U);
+    const render::Photo photo = render::read_photo(pattern.underlays[0].file);
+    EXPECT_NEAR(pattern.underlays[0].pixel_size * photo.image.width_px, 2.10, 5e-3);
+}
+
+TEST_F(ImportOfScans, of_more_pages_in_all_than_underlays_are_cut_off_and_told) {
+    sim::PdfTextFile file{.pages = {},
+                          .objects = {"<< /Type /XObject /Subtype /Image /Width 2 /Height 2 /ColorSpace /DeviceGray "
+                                      "/BitsPerComponent 8 /Length 4 >>\nstream\nabcd\nendstream"}};
+    file.pages.resize(40, {.content = "q " + sim::pdf_number(10) + "0 0 " + sim::pdf_number(10) + "0 0 cm /I Do Q\n",
+                           .size = {10, 10},
+                           .resources = "/XObject << /I 4 0 R >>"});
+    sim::write_file_atomically(pdf_, file.bytes());
+    const ProgramResult result = run_selvedge("import '" + pdf_ + "' '" + pdf_ + "' -o '" + garment_ + "'");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(sim::load_pattern(garment_).pattern.underlays.size(), 64U);
+    EXPECT_NE(result.out.find("scan.pdf: 16 scans, from page 25 on, left out: at most 64"), std::string::npos)
+        << result.out;
+}
+
+TEST_F(ImportOfScans, in_the_editor_that_cannot_be_written_leave_the_panels_and_no_picture) {
+    const std::string name(250, 'x');  // a file of it with "_page1.jpg" cannot be made
+    const std::string long_named = folder_ / (name + ".pdf");
+    sim::write_file_atomically(long_named, scanned_pdf(true));
+    const ProgramResult result = edit("import \"" + long_named + "\"\nframes 3\nsave \"" + garment_ + "\"\n");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const sim::Pattern pattern = sim::load_pattern(garment_).pattern;
+    EXPECT_EQ(pattern.panels.size(), 1U);
+    EXPECT_TRUE(pattern.underlays.empty());
+}
+
 TEST_F(ImportOfScans, in_the_editor_writes_them_beside_the_drawing) {
     sim::write_file_atomically(pdf_, scanned_pdf(false));
     const ProgramResult result = edit("import \"" + pdf_ + "\"\nframes 3\nsave \"" + garment_ + "\"\n");

@@ -12,6 +12,7 @@ namespace selvedge::editor {
 inline Services services_without_files() {
     Services services;
     services.list_folder = [](const std::string&) { return FolderListing{}; };
+    services.remove = [](const std::string&) {};
     services.exists = [](const std::string&) { return false; };
     services.is_photo = [](const std::string&) { return false; };
     services.full_path = [](const std::string& file) { return file; };

@@ -35,8 +35,12 @@ class PaperOfEditor : public testing::Test {
                 drawing.garment.pattern.size = options.panels.size.empty() ? "38" : options.panels.size;
             return drawing;
         };
-        services.exists = [](const std::string& file) { return file == "taken.jpg"; };
-        services.save = [this](const std::string& file, const std::string&) { written_.push_back(file); };
+        services.exists = [](const std::string& file) { return file.starts_with("taken"); };
+        services.save = [this](const std::string& file, const std::string&) {
+            if (file == "full.jpg") throw sim::InputError(file, "", "no space left");
+            written_.push_back(file);
+        };
+        services.remove = [this](const std::string& file) { std::erase(written_, file); };
         services.print = [this](const sim::Pattern&, const std::string& file, const sim::PrintSettings& settings) {
             printed_ = file;
             settings_ = settings;
@@ -106,7 +110,7 @@ TEST_F(PaperOfEditor, with_scans_writes_their_pictures_and_asks_before_it_replac
     const int opened = state().documents_opened;
     import_file(state(), "scan.pdf");
     ASSERT_EQ(state().questions.size(), 1U);
-    EXPECT_NE(state().questions[0].text.find("taken.jpg"), std::string::npos);
+    EXPECT_EQ(state().questions[0].text, "There is a file 'taken.jpg' already.");
     EXPECT_EQ(written_.size(), 1U) << "nothing before the answer";
     EXPECT_EQ(state().documents_opened, opened);
     const auto replace = state().questions[0].answers.at(0).run;
@@ -114,6 +118,37 @@ TEST_F(PaperOfEditor, with_scans_writes_their_pictures_and_asks_before_it_replac
     replace(state());
     EXPECT_EQ(written_, (std::vector<std::string>{"free.jpg", "free.jpg", "taken.jpg"}));
     EXPECT_EQ(state().documents_opened, opened + 1);
+}
+
+TEST_F(PaperOfEditor, with_scans_names_all_files_that_it_would_replace) {
+    pictures_ = {{"taken1.jpg", "a"}, {"free.jpg", "b"}, {"taken2.jpg", "c"}};
+    import_file(state(), "scan.pdf");
+    ASSERT_EQ(state().questions.size(), 1U);
+    EXPECT_EQ(state().questions[0].text, "2 files are there already: 'taken1.jpg', 'taken2.jpg'");
+    state().questions.clear();
+}
+
+TEST_F(PaperOfEditor, with_scans_that_cannot_be_written_shows_the_panels_without_them_and_leaves_no_picture) {
+    garment_.pattern.underlays = {{.file = "free.jpg", .pixel_size = 0.001}, {.file = "full.jpg", .pixel_size = 0.001}};
+    pictures_ = {{"free.jpg", "a"}, {"taken.jpg", "b"}, {"full.jpg", "c"}};
+    const int opened = state().documents_opened;
+    import_file(state(), "scan.pdf");
+    ASSERT_EQ(state().questions.size(), 1U);
+    const auto replace = state().questions[0].answers.at(0).run;
+    state().questions.clear();
+    replace(state());
+    EXPECT_EQ(state().documents_opened, opened + 1);
+    EXPECT_FALSE(state().workspace.document->pattern().panels.empty());
+    EXPECT_TRUE(state().workspace.document->pattern().underlays.empty());
+    EXPECT_EQ(written_, std::vector<std::string>{"taken.jpg"}) << "only what was there before";
+    EXPECT_NE(state().workspace.messages.all().back().text.find("no space left"), std::string::npos);
+    state().workspace.document->mark_saved();
+    garment_.pattern.panels.clear();
+    garment_.pattern.seams.clear();
+    pictures_ = {{"free.jpg", "a"}, {"full.jpg", "c"}};
+    import_file(state(), "scan.pdf");
+    EXPECT_EQ(state().documents_opened, opened + 1) << "nothing to show";
+    EXPECT_EQ(written_, std::vector<std::string>{"taken.jpg"});
 }
 
 TEST_F(PaperOfEditor, is_printed_with_the_options_of_the_browser) {

@@ -332,10 +332,48 @@ TEST(PdfScans, within_frames_and_beside_pages_of_other_lines_are_pictures) {
     const std::string sides = pdf_line({{10, 10}, {200, 10}}, false) + pdf_line({{10, 10}, {10, 287}}, false);
     file.pages = {scan_page(sides),
                   scan_page(pdf_rectangle(5, 5, 200, 287)),
-                  {.content = pdf_line({{20, 40}, {190, 50}, {170, 280}}, false)}};
+                  {.content = pdf_rectangle(10, 10, 190, 277)},
+                  {.content = pdf_rectangle(10, 10, 190, 277)}};
     const Drawing drawing = read_text(file.bytes());
     EXPECT_EQ(numbers_of_pictures(drawing), (std::vector<std::size_t>{1, 2}));
     EXPECT_TRUE(has_note(drawing.notes, "beside its scans: ")) << testing::PrintToString(drawing.notes);
+}
+
+TEST(PdfScans, beside_an_outline_that_cannot_be_read_do_not_hide_its_fault) {
+    PdfTextFile file = file_with_scan();
+    const PdfTextPage open{.content = pdf_line({{20, 40}, {190, 50}, {170, 280}, {30, 270}}, false)};
+    for (const double width : {80, 200}) {  // of a photo on a cover, and a scan
+        file.pages = {scan_page("", width), open};
+        EXPECT_EQ(problem_of(file.bytes(), read_text),
+                  "pattern.pdf: page 2, path 1: open by 230 mm, and no other line is closed: nothing that could be a "
+                  "panel");
+    }
+}
+
+TEST(PdfScans, have_the_scale_of_the_test_square_beside_them) {
+    PdfTextFile file = file_with_scan();
+    file.pages = {scan_page(),
+                  {.content = pdf_line({{20, 40}, {190, 50}, {170, 280}, {30, 270}}) + pdf_rectangle(60, 100, 45, 45) +
+                              pdf_words(65, 120, "test square 5 x 5 cm")}};
+    const Drawing drawing = read_text(file.bytes());
+    EXPECT_NEAR(*drawing.metres_per_unit, 0.001 * 50 / 45, 1e-6);
+    ASSERT_EQ(drawing.pictures.size(), 1U);
+    EXPECT_LT((drawing.pictures[0].size - Vec2d(0.210, 0.297) * 50 / 45).norm(), 1e-5);
+    expect_dark(drawing.pictures[0], Vec2d(45, 32) * 50 / 45, Vec2d(165, 252) * 50 / 45);
+    EXPECT_TRUE(has_note(drawing.notes, "page 1: only a scan, 23.3 x 33.0 cm"));
+}
+
+TEST(PdfScans, that_cannot_be_drawn_are_left_out_beside_panels_and_refused_alone) {
+    PdfTextFile file = file_with_scan();
+    file.pages = {scan_page(), {.content = kOutline}};
+    const auto fail = [](std::vector<DrawnPicture>&) { throw InputError("pattern.pdf", "", "it takes too long"); };
+    const Drawing drawing = drawing_of_pdf(read_pdf_file(file.bytes(), "pattern.pdf"), "pattern.pdf", fail);
+    EXPECT_EQ(drawing.parts.size(), 1U);
+    EXPECT_TRUE(drawing.pictures.empty());
+    EXPECT_TRUE(has_note(drawing.notes, "page 1: only a scan, left out: it takes too long"));
+    EXPECT_FALSE(has_note(drawing.notes, "under the sheet"));
+    file.pages.pop_back();
+    EXPECT_THROW(drawing_of_pdf(read_pdf_file(file.bytes(), "pattern.pdf"), "pattern.pdf", fail), InputError);
 }
 
 TEST(PdfScans, with_a_large_line_on_them_are_read_as_lines) {
