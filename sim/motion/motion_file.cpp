@@ -266,7 +266,7 @@ std::pair<Body, Clip> source_of(const std::string& text) {
     BodyClips motion = load_motion(path);
     Clip found = find_clip(motion.clips, clip, path);
     if (clip.empty() && motion.clips.size() > 1) found.notes.push_back(choice_text(motion.clips));
-    stand_up(motion.body, found, {.is_y_up = lower_extension(path) != ".bvh"});
+    stand_up(motion.body, found, {.is_y_up = motion.is_y_up});
     mend_jumps(motion.body, found);
     return {std::move(motion.body), std::move(found)};
 }

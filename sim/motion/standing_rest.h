@@ -10,8 +10,7 @@
 namespace selvedge::sim {
 
 struct StandUpOptions {
-    // The format says so, as glTF, or most of its files do, as FBX: who stands along y at rest and lies in the motion,
-    // lies.
+    // The file says so, as all glTF and most FBX do: who stands along y at rest and lies in the motion, lies.
     bool is_y_up = false;
 };
 

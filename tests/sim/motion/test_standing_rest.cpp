@@ -179,6 +179,7 @@ TEST(StandingRest, of_someone_who_lies_straight_is_trusted_in_formats_that_have_
     for (FigureFrame& frame : frames) frame.turns[0] = {-90, 0, 0};
     const auto path = write_bvh(folder / "lies.bvh", joints, frames, 30);
     BodyClips trusted = load_motion(path), guessed = load_motion(path);
+    EXPECT_FALSE(trusted.is_y_up) << "BVH does not say";
     stand_up(trusted.body, trusted.clips[0], {.is_y_up = true});
     EXPECT_TRUE(trusted.clips[0].notes.empty()) << trusted.clips[0].notes[0];
     stand_up(guessed.body, guessed.clips[0]);
