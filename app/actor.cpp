@@ -46,7 +46,7 @@ sim::Clip choose_motion(const MotionChoice& motion, const sim::MadeBody& own, co
         throw sim::InputError("", "--motion", "is missing: the body's file has no motion of its own");
     if (!is_own(motion, own)) return find_other_motion(name, own);
     sim::Clip clip = sim::find_clip(own.clips, name, source);
-    if (name.empty() && own.clips.size() > 1) notes.push_back(sim::choice_text(own.clips, clip.name));
+    if (name.empty() && own.clips.size() > 1) notes.push_back(sim::choice_text(own.clips));
     if (clip.name.empty()) clip.name = own.body->name;
     if (motion.opens_arms) sim::clear_arms(*own.body, clip);
     sim::stand_on_floor(*own.body, clip);

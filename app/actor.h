@@ -20,7 +20,7 @@ struct Actor {
 
 struct MotionChoice {
     std::string name;         // a clip of the body's own file, or a shipped motion or a file with one
-                              // (sim/motion/motion_file.h); empty: the first of the body's file
+                              // (sim/motion/motion_file.h); empty: the first of the body's file that moves
     bool opens_arms = false;  // where a motion of the body's own file would put them into the trunk; others always do
 };
 

@@ -181,7 +181,7 @@ void add_motion_options(Command& command, AnimateArguments& arguments) {
     sim::AnimationOptions& animation = arguments.animation;
     add_option(command, "--motion", arguments.motion.name,
                "A shipped motion or pose, a clip of the body's file, or a file with one (default: the first of the "
-               "body's file)",
+               "body's file that moves)",
                {.type = "NAME|FILE[#CLIP]", .group = "Motion"});
     add_flag(command, "--open-arms", arguments.motion.opens_arms,
              "Open the arms of the body's own motion where they would cut its trunk", {.group = "Motion"});

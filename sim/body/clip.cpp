@@ -163,14 +163,17 @@ bool is_moving(const Clip& clip) {
     });
 }
 
+// Which one is played if nobody chooses: the first that moves. Pre: there is one.
+std::size_t index_of_default(const std::vector<Clip>& clips) {
+    const auto moving = std::ranges::find_if(clips, [](const Clip& clip) { return is_moving(clip); });
+    return moving == clips.end() ? 0 : std::size_t(moving - clips.begin());
+}
+
 }  // namespace
 
 const Clip& find_clip(const std::vector<Clip>& clips, const std::string& name, const std::string& file) {
     if (clips.empty()) throw InputError(file, "", "it holds no animation");
-    if (name.empty()) {
-        const auto moving = std::ranges::find_if(clips, [](const Clip& clip) { return is_moving(clip); });
-        return moving == clips.end() ? clips.front() : *moving;
-    }
+    if (name.empty()) return clips[index_of_default(clips)];
     for (const Clip& clip : clips)
         if (clip.name == name) return clip;
     for (const Clip& clip : clips)
@@ -181,14 +184,16 @@ const Clip& find_clip(const std::vector<Clip>& clips, const std::string& name, c
     throw InputError(file, "clip '" + name + "'", "not there; the clips are " + list_of(clips));
 }
 
-std::string choice_text(const std::vector<Clip>& clips, const std::string& played) {
+std::string choice_text(const std::vector<Clip>& clips) {
     constexpr std::size_t kMost = 10;
+    const std::size_t played = index_of_default(clips);
     std::string others;
     std::size_t count = 0;
-    for (const Clip& clip : clips)
-        if (clip.name != played && ++count <= kMost) others += (others.empty() ? "'" : ", '") + clip.name + "'";
+    for (std::size_t i = 0; i < clips.size(); ++i)
+        if (i != played && ++count <= kMost) others += (others.empty() ? "'" : ", '") + clips[i].name + "'";
     if (count > kMost) others += " ...";
-    return "the file has " + std::to_string(clips.size()) + " motions: '" + played + "' is played, and not " + others;
+    return "the file has " + std::to_string(clips.size()) + " motions: '" + clips[played].name +
+           "' is played, and not " + others;
 }
 
 std::pair<std::string, std::string> split_clip_name(const std::string& text) {

@@ -58,8 +58,8 @@ void check_clip(const Clip& clip, const std::vector<Bone>& bones, const std::str
 // "walk". Throws InputError that lists the clips.
 const Clip& find_clip(const std::vector<Clip>& clips, const std::string& name, const std::string& file);
 
-// "the file has 3 motions: 'idle' is played, and not 'walk', 'run'", of one that nobody chose.
-std::string choice_text(const std::vector<Clip>& clips, const std::string& played);
+// "the file has 3 motions: 'idle' is played, and not 'walk', 'run'", where nobody chose. Pre: there are two or more.
+std::string choice_text(const std::vector<Clip>& clips);
 
 // "walk.bvh#2" as a path and the name of a clip, which is empty when there is none.
 std::pair<std::string, std::string> split_clip_name(const std::string& text);

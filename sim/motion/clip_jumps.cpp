@@ -230,10 +230,14 @@ std::string places_text(const ClipJump& first, std::size_t count) {
     return text;
 }
 
-// Blends over jumps between two times. Blends of jumps that are near each other change what the next one jumps to: they
-// are looked for again, and then whole poses blended.
+// Blends over those of the jumps that are between two times. Blends of jumps that are near each other change what the
+// next one jumps to: they are looked for again, and then whole poses blended.
 void blend_jumps(const Body& skeleton, std::vector<ClipJump> jumps, double from, double to, Clip& clip) {
     constexpr int kMostPasses = 4;
+    const auto leave_out = [&] {
+        std::erase_if(jumps, [&](const ClipJump& jump) { return jump.to <= from || jump.from >= to; });
+    };
+    leave_out();
     if (jumps.empty()) return;
     const ClipJump first = jumps.front();
     const std::size_t count = jumps.size();
@@ -241,7 +245,7 @@ void blend_jumps(const Body& skeleton, std::vector<ClipJump> jumps, double from,
     for (int pass = 0; pass < kMostPasses && !jumps.empty(); ++pass) {
         for (const ClipJump& jump : jumps) seconds = std::max(seconds, blend_over(skeleton, jump, pass > 0, clip));
         jumps = find_jumps(skeleton, clip);
-        std::erase_if(jumps, [&](const ClipJump& jump) { return jump.to <= from || jump.from >= to; });
+        leave_out();
     }
     clip.notes.push_back(places_text(first, count) + ": blended over " + moment_text(seconds));
     if (!jumps.empty()) clip.notes.push_back("still " + places_text(jumps.front(), jumps.size()));

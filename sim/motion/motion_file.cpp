@@ -265,8 +265,8 @@ std::pair<Body, Clip> source_of(const std::string& text) {
                              ", or name a .json, .bvh, .fbx, .gltf or .glb file");
     BodyClips motion = load_motion(path);
     Clip found = find_clip(motion.clips, clip, path);
-    if (clip.empty() && motion.clips.size() > 1) found.notes.push_back(choice_text(motion.clips, found.name));
-    stand_up(motion.body, found, {.is_y_up = lower_extension(path) != ".bvh"});
+    if (clip.empty() && motion.clips.size() > 1) found.notes.push_back(choice_text(motion.clips));
+    stand_up(motion.body, found, {.is_y_up = motion.is_y_up});
     mend_jumps(motion.body, found);
     return {std::move(motion.body), std::move(found)};
 }

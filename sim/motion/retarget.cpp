@@ -331,8 +331,7 @@ class Retargeter {
         if (has_turning_hip_joints_)
             result.notes.emplace_back(
                 "joints between hips and thighs of the motion's skeleton turn against its hips: its trunk lies as its "
-                "joints "
-                "do, and its head may face elsewhere");
+                "joints do, and its head may face elsewhere");
         for (std::size_t i = 0; i < tracks_.size(); ++i) {
             if (!is_driven_[i]) continue;
             tracks_[i].bone = int(i);
@@ -359,6 +358,7 @@ class Retargeter {
                    source_.to_ours.inverse() * alignment_[std::size_t(aligned)];
         };
         std::array<Rotation, kJointCount> turns;
+        turns.fill(Rotation::Identity());
         for (const Joint joint : driven_) turns[std::size_t(joint)] = turn_of(source_.joints[joint], joint);
         if (has_turning_hip_joints_) turn_trunk_by_joints(frames, turns);
         std::vector<Rotation> goal(target_.body.bones.size());

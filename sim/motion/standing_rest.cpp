@@ -155,7 +155,9 @@ class Uprightness {
 
 // Whether the motion of someone who stands along `up` in it, if its file has other axes than its rest pose, which
 // stands along `rest_up`, is such a one: and not of someone who crawls, lies or falls. Who stands has straight legs at
-// times, and feet that stay on one floor.
+// times, and feet that stay on one floor. Who hops or climbs has straight legs too, but leaves the floor: it counts
+// against `up` only where the legs are seldom straight, or where someone stands straight along `rest_up` too, as before
+// a fall.
 class AxesEvidence {
  public:
     AxesEvidence(const Uprightness& stance, const std::vector<Frames>& moments) : stance_(stance), moments_(moments) {}
@@ -164,14 +166,26 @@ class AxesEvidence {
         constexpr double kOften = 0.25;   // share of the moments in which who walks has straight legs
         constexpr double kClearly = 0.5;  // times as even
         constexpr double kEven = 0.1;     // leg lengths: what rolling feet and bent toes do
-        const auto straight =
-            std::ranges::count_if(moments_, [&](const Frames& frames) { return stance_.stands_straight(frames, up); });
+        const bool is_often_straight = double(straight_moments(up)) > kOften * double(moments_.size());
+        if (is_often_straight && straight_moments(rest_up) == 0) return true;
         const double floor = unevenness(up), rest_floor = unevenness(rest_up);
         if (floor > kEven * stance_.leg_length(moments_.front()) && rest_floor < kClearly * floor) return false;
-        return double(straight) > kOften * double(moments_.size()) || floor < rest_floor;
+        return is_often_straight || floor < rest_floor;
+    }
+
+    // The same where no rest pose stands, and `guess` is only what most files have.
+    bool speaks_against_guess(const Vec3d& up, const Vec3d& guess) const {
+        const bool stands_so =
+            std::ranges::any_of(moments_, [&](const Frames& frames) { return stance_.stands(frames, guess); });
+        return (!stands_so && straight_moments(up) > 0) || speaks_for(up, guess);
     }
 
  private:
+    std::ptrdiff_t straight_moments(const Vec3d& up) const {
+        return std::ranges::count_if(moments_,
+                                     [&](const Frames& frames) { return stance_.stands_straight(frames, up); });
+    }
+
     // By how much the lowest joint rises and falls, but for a tenth of the time above and below.
     double unevenness(const Vec3d& up) const {
         std::vector<double> lowest;
@@ -302,7 +316,9 @@ double straighten_trunk(const Body& skeleton, const JointBones& joints, const Ve
                              : joints.has(Joint::Neck) ? Joint::Neck
                                                        : Joint::Head;
     const Joint above_chest = joints.has(Joint::Neck) ? Joint::Neck : Joint::Head;
-    straighten(Joint::Hips, above_hips, Joint::LeftUpperLeg, {Joint::LeftUpperLeg, Joint::RightUpperLeg});
+    straighten(Joint::Hips, above_hips, Joint::LeftUpperLeg,
+               {Joint::LeftUpperLeg, Joint::RightUpperLeg, Joint::LeftUpperArm, Joint::RightUpperArm, Joint::Neck,
+                Joint::Head});
     straighten(Joint::Chest, above_chest, Joint::LeftUpperArm,
                {Joint::LeftUpperArm, Joint::RightUpperArm, Joint::Neck, Joint::Head});
     return largest;
@@ -329,8 +345,10 @@ UpAxes find_up_axes(const Uprightness& stance, const Frames& rest, const std::ve
     Vec3d mean = Vec3d::Zero();
     for (const Frames& frames : moments) mean += stance.up(frames) / (2 * double(moments.size()));
     const Vec3d mean_up = nearest_axis(mean);
-    if (mean_up != axes.motion && mean.dot(mean_up) > kClearlyUpright &&
-        AxesEvidence(stance, moments).speaks_for(mean_up, axes.motion))
+    if (mean_up == axes.motion || mean.dot(mean_up) <= kClearlyUpright) return axes;
+    const AxesEvidence evidence(stance, moments);
+    if (axes.rest_stands ? evidence.speaks_for(mean_up, axes.rest)
+                         : evidence.speaks_against_guess(mean_up, axes.motion))
         axes.motion = mean_up;
     return axes;
 }

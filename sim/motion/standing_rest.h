@@ -10,8 +10,8 @@
 namespace selvedge::sim {
 
 struct StandUpOptions {
-    bool is_y_up =
-        false;  // the format says so, as glTF and FBX: who stands along y at rest and lies in the motion, lies
+    // The file says so, as all glTF and most FBX do: who stands along y at rest and lies in the motion, lies.
+    bool is_y_up = false;
 };
 
 // Where needed, turns the motion by right angles, so that the person is upright along y for most of the time, and

@@ -361,6 +361,14 @@ std::string problem_of_polygons(const aiScene& scene) {
     return squares > kMostSquares ? "its polygons have too many corners: save it in triangles" : "";
 }
 
+// glTF has no other axis. FBX names one per file, which assimp turns to y in some versions, and tells in others.
+bool says_y_up(const aiScene& scene, const std::string& extension) {
+    constexpr int kY = 1;
+    int axis = -1;
+    const bool is_named = scene.mMetaData != nullptr && scene.mMetaData->Get("UpAxis", axis);
+    return extension == "gltf" || extension == "glb" || (extension == "fbx" && is_named && axis == kY);
+}
+
 }  // namespace
 
 ImportAnswer read_with_assimp(const std::string& path, const std::string& extension, ImportKind kind,
@@ -376,6 +384,7 @@ ImportAnswer read_with_assimp(const std::string& path, const std::string& extens
     if (scene->mNumAnimations > limits.clips)
         return {"it has more than " + std::to_string(limits.clips) + " animations", {}};
     ImportAnswer answer;
+    answer.scene.is_y_up = says_y_up(*scene, extension);
     Skeleton skeleton = find_skeleton(*scene, kind, limits);
     if (kind == ImportKind::Surface)
         add_meshes(*scene, *scene->mRootNode, aiMatrix4x4(), limits, skeleton, answer.scene);

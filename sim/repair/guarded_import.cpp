@@ -237,6 +237,7 @@ std::string to_bytes(const ImportAnswer& answer) {
     });
     writer.each(answer.scene.bones, [&](const Bone& bone) { write(writer, bone); });
     writer.each(answer.scene.clips, [&](const Clip& clip) { write(writer, clip); });
+    writer.text(answer.scene.is_y_up ? "y" : "");
     return writer.bytes();
 }
 
@@ -254,6 +255,7 @@ std::optional<ImportAnswer> from_bytes(std::string_view bytes) {
     });
     answer.scene.bones = reader.each<Bone>([&](Bone& bone) { read(reader, bone); });
     answer.scene.clips = reader.each<Clip>([&](Clip& clip) { read(reader, clip); });
+    answer.scene.is_y_up = reader.text() == "y";
     if (!reader.is_sound() || !reader.is_at_end()) return std::nullopt;
     return answer;
 }

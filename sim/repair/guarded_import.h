@@ -53,6 +53,7 @@ struct ImportedScene {
     std::vector<ImportedMesh> meshes;  // none if only motion was asked for
     std::vector<Bone> bones;           // each parent precedes its children
     std::vector<Clip> clips;
+    bool is_y_up = false;  // the file says so
 };
 
 // Throws InputError when the format is not accepted, the file exceeds a limit, or the reader fails or crashes. Post:

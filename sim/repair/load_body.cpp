@@ -386,6 +386,7 @@ BodyClips load_motion(const std::filesystem::path& path) {
     motion.body.name = path.stem().string();
     motion.body.file = canonical_name(path);
     motion.body.bones = std::move(scene.bones);
+    motion.is_y_up = scene.is_y_up;
     motion.clips = std::move(scene.clips);
     return motion;
 }

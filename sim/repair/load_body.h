@@ -51,6 +51,7 @@ Body load_body(const std::filesystem::path& path, const LoadBodyOptions& options
 struct BodyClips {
     Body body;  // its bones; without a surface if only motion was loaded
     std::vector<Clip> clips;
+    bool is_y_up = false;  // the file of motion alone says so
 };
 
 // A body with the clips of its file. Throws as load_body(), and where check_clip() does.

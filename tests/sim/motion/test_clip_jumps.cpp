@@ -79,6 +79,24 @@ TEST(ClipJumps, to_a_t_pose_at_the_end_are_left_out) {
     EXPECT_TRUE(clip.notes[0].ends_with(" to a pose at its end: its last 0.05 s are left out")) << clip.notes[0];
 }
 
+TEST(ClipJumps, in_a_start_that_is_left_out_do_not_change_what_is_kept) {
+    const std::vector<FigureFrame> kept = swaying(2, 30, {100, 90, 0});
+    std::vector<FigureFrame> frames(9, t_pose());
+    for (std::size_t k = 3; k < frames.size(); ++k) frames[k].turns[kLeftArm] = {0, 0, -80};  // one arm flips
+    frames.insert(frames.end(), kept.begin(), kept.end());
+    const Clip clip = motion_of(frames, 30), wanted = motion_of(kept, 30);
+    ASSERT_EQ(clip.notes.size(), 1U) << clip.notes.back();
+    EXPECT_TRUE(clip.notes[0].ends_with(" from a pose at its start: its first 0.30 s are left out")) << clip.notes[0];
+    const Body& body = test::mannequin();
+    for (const double t : {0.0, 0.05, 0.1, 0.5}) {
+        const auto hand = [&](const Clip& motion) -> Vec3d {
+            const Pose pose = sample(body, motion, t);
+            return joint_at(body, pose, Joint::LeftHand) - joint_at(body, pose, Joint::LeftUpperArm);
+        };
+        EXPECT_LT((hand(clip) - hand(wanted)).norm(), 0.01) << t;
+    }
+}
+
 TEST(ClipJumps, between_two_takes_are_blended_over_the_longer_the_farther) {
     for (const double place : {0.0, 200.0}) {  // cm
         std::vector<FigureFrame> frames = swaying(2, 30, {0, 90, 0});

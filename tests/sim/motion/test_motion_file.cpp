@@ -227,7 +227,9 @@ TEST(MotionFile, of_several_motions_that_nobody_chose_is_the_first_that_moves) {
     EXPECT_EQ(find_clip(clips, "", "m.glb").name, "walk");
     EXPECT_EQ(find_clip(clips, "0", "m.glb").name, "T-pose");
     EXPECT_EQ(find_clip({clips[0]}, "", "m.glb").name, "T-pose");
-    EXPECT_EQ(choice_text(clips, "walk"), "the file has 3 motions: 'walk' is played, and not 'T-pose', 'run'");
+    EXPECT_EQ(choice_text(clips), "the file has 3 motions: 'walk' is played, and not 'T-pose', 'run'");
+    EXPECT_EQ(choice_text({clip("take", 1), clip("take", 2)}),
+              "the file has 2 motions: 'take' is played, and not 'take'");
 }
 
 TEST(MotionFile, with_a_fault_is_refused_by_its_place) {

@@ -118,6 +118,31 @@ TEST(StandingRest, is_the_same_in_any_unit_and_at_any_rate) {
     }
 }
 
+// Stands straight along z, which is up, and hops on the spot or climbs 60 cm.
+TEST(StandingRest, of_someone_who_hops_or_climbs_is_turned_upright) {
+    const TemporaryFolder folder;
+    for (const bool hops : {true, false}) {
+        for (const auto& joints : {figure_along_x(), figure_in_t_pose()}) {
+            const bool is_t = joints.front().name == "Hips";
+            std::vector<FigureFrame> frames;
+            for (int k = 0; k <= 60; ++k) {
+                const double way = hops ? 40 * std::abs(std::sin(std::numbers::pi * k / 20)) : k;  // cm
+                frames.push_back(standing_frame(joints, {hops ? 0.0 : way, 0, (is_t ? 90 : 0) + way}));
+                frames.back().turns[0] = {90, 0, 0};
+            }
+            const auto path = write_bvh(folder / "rises.bvh", joints, frames, 30);
+            const Clip clip = find_motion(path.string(), test::mannequin());
+            ASSERT_EQ(clip.notes.size(), 1U) << hops << is_t;
+            EXPECT_EQ(clip.notes[0].ends_with("turned upright"), is_t) << clip.notes[0];
+            for (const double share : {0.0, 0.3, 1.0}) {
+                const Pose pose = sample(test::mannequin(), clip, share * clip.seconds);
+                EXPECT_GT(way(test::mannequin(), pose, Joint::Hips, Joint::Head).y(), 0.98) << hops << is_t;
+                EXPECT_LT(way(test::mannequin(), pose, Joint::LeftUpperLeg, Joint::LeftFoot).y(), -0.98);
+            }
+        }
+    }
+}
+
 // On hands and knees along z: a trunk that is level, thighs that are upright, shins on the floor.
 std::vector<FigureFrame> crawling(const std::vector<FigureJoint>& joints) {
     std::vector<FigureFrame> frames;
@@ -154,6 +179,7 @@ TEST(StandingRest, of_someone_who_lies_straight_is_trusted_in_formats_that_have_
     for (FigureFrame& frame : frames) frame.turns[0] = {-90, 0, 0};
     const auto path = write_bvh(folder / "lies.bvh", joints, frames, 30);
     BodyClips trusted = load_motion(path), guessed = load_motion(path);
+    EXPECT_FALSE(trusted.is_y_up) << "BVH does not say";
     stand_up(trusted.body, trusted.clips[0], {.is_y_up = true});
     EXPECT_TRUE(trusted.clips[0].notes.empty()) << trusted.clips[0].notes[0];
     stand_up(guessed.body, guessed.clips[0]);
@@ -174,6 +200,27 @@ TEST(StandingRest, taken_from_someone_who_leans_has_an_upright_trunk) {
         << "15 cm upright, and 35 cm that lean by 40 degrees";
     EXPECT_LT(way(test::mannequin(), sample(test::mannequin(), clip, 0.5), Joint::LeftUpperLeg, Joint::LeftFoot).y(),
               -0.98);
+}
+
+TEST(StandingRest, taken_from_someone_who_leans_from_the_hips_and_looks_ahead_has_a_level_head) {
+    const TemporaryFolder folder;
+    const std::vector<FigureJoint> joints = figure_along_x();
+    std::vector<FigureFrame> frames = arm_raised(joints, index_of(joints, "UpperArm_L"), {0, 0, 20}, 30, {0, 0, 0});
+    for (FigureFrame& frame : frames) {
+        frame.turns[index_of(joints, "Hips")] = {0, -40, 90};
+        frame.turns[index_of(joints, "Neck")] = {0, 40, 0};
+        for (const char* leg : {"UpperLeg_L", "UpperLeg_R"}) frame.turns[index_of(joints, leg)] = {0, -40, 180};
+    }
+    const auto path = write_bvh(folder / "looks_ahead.bvh", joints, frames, 30);
+    const Body& body = test::mannequin();
+    const Clip clip = find_motion(path.string(), body);
+    ASSERT_FALSE(clip.notes.empty());
+    EXPECT_TRUE(clip.notes[0].ends_with(", with its trunk straightened")) << clip.notes[0];
+    const Pose pose = sample(body, clip, 0.5);
+    EXPECT_GT(way(body, pose, Joint::Neck, Joint::Head).dot(way(body, rest_pose(body), Joint::Neck, Joint::Head)),
+              0.995);
+    EXPECT_GT(way(body, pose, Joint::Hips, Joint::Neck).z(), 0.5);
+    EXPECT_LT(way(body, pose, Joint::LeftUpperLeg, Joint::LeftFoot).y(), -0.98);
 }
 
 std::string problem_of(const std::filesystem::path& path) {
