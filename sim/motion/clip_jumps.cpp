@@ -39,6 +39,12 @@ std::vector<double> frame_times(const Clip& clip) {
     return times;
 }
 
+// How far what a turn moves gets at a hand's length, m.
+double swing_of(double turn) {
+    constexpr double kReach = 0.19;  // m, of a hand beyond its wrist
+    return kReach * 2 * std::sin(turn / 2);
+}
+
 // A bone that is looked at.
 struct WatchedBone {
     std::size_t bone = 0;
@@ -197,11 +203,9 @@ Track blended(const Body& skeleton, const Clip& clip, const Track& track, const 
     return result;
 }
 
-constexpr double kReach = 0.19;  // m, of a hand beyond its wrist, which its turns move
-
 // Returns the seconds that it takes.
 double blend_over(const Body& skeleton, const ClipJump& jump, bool all_bones, Clip& clip) {
-    const double way = std::max(jump.way, kReach * 2 * std::sin(jump.turn / 2));
+    const double way = std::max(jump.way, swing_of(jump.turn));
     const double seconds = std::min(std::max(kLeastBlend, way / kBlendSpeed), clip.seconds - jump.from);
     const Pose before = sample(skeleton, clip, jump.from);
     const std::vector<bool> jumping = jumping_tracks(skeleton, clip, jump);
@@ -288,7 +292,7 @@ std::vector<ClipJump> find_jumps(const Body& skeleton, const Clip& clip) {
         const double seconds = times[k + 1] - times[k];
         for (std::size_t i = 0; i < watched.size(); ++i) {
             speeds[i].push_back(steps[i].ways[k] / seconds);
-            turning[i].push_back(kReach * 2 * std::sin(steps[i].turns[k] / 2) / seconds);
+            turning[i].push_back(swing_of(steps[i].turns[k]) / seconds);
             fastest[k] = std::max(fastest[k], speeds[i][k]);
         }
     }
@@ -302,7 +306,7 @@ std::vector<ClipJump> find_jumps(const Body& skeleton, const Clip& clip) {
         JumpingJoints jumping{.jump = {.from = times[k], .to = times[k + 1]}};
         for (std::size_t i = 0; i < watched.size(); ++i) {
             if (is_jump(speeds[i], steps[i].ways[k])) jumping.add_way(watched[i].joint, steps[i].ways[k]);
-            if (is_jump(turning[i], kReach * 2 * std::sin(steps[i].turns[k] / 2))) jumping.add_turn(steps[i].turns[k]);
+            if (is_jump(turning[i], swing_of(steps[i].turns[k]))) jumping.add_turn(steps[i].turns[k]);
         }
         if (jumping.is_any()) jumps.push_back(jumping.result());
     }

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "sim/core/disjoint_sets.h"
 #include "sim/core/error.h"
 #include "sim/pattern/fabric.h"
 
@@ -148,6 +149,15 @@ std::vector<std::string> garment_names(const Pattern& pattern) {
     std::vector<std::string> names;
     for (Garment& garment : garments_of(pattern)) names.push_back(std::move(garment.name));
     return names;
+}
+
+std::vector<std::size_t> sewn_parts(const Pattern& pattern) {
+    DisjointSets sets(pattern.panels.size());
+    for (const Seam& seam : pattern.seams) sets.join(seam.first.panel, seam.second.panel);
+    std::vector<std::size_t> parts;
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p)
+        parts.push_back(static_cast<std::size_t>(sets.find(static_cast<int>(p))));
+    return parts;
 }
 
 std::vector<std::string> put_over(Pattern& pattern, Pattern outer) {

@@ -1,6 +1,7 @@
 #pragma once
 // The garments of a pattern that are worn over each other: which panels each has, which lies inside of which, and how
 // another one is put on as the outermost or taken off.  (patterns/FORMAT.md)
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,9 @@ std::vector<Garment> garments_of(const Pattern& pattern);
 
 // The names of these, in the same order.
 std::vector<std::string> garment_names(const Pattern& pattern);
+
+// Per panel, the first of those that seams join it with.
+std::vector<std::size_t> sewn_parts(const Pattern& pattern);
 
 // Puts the garments of `outer` over those of `pattern`: adds its panels and seams, with all layers raised above those
 // of `pattern`. Names of panels, seams and garments that are taken get the name of their garment, or a number. Panels

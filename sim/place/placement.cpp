@@ -16,8 +16,8 @@
 #include "sim/body/section.h"
 #include "sim/collide/body_collider.h"
 #include "sim/collide/surface_bvh.h"
-#include "sim/core/disjoint_sets.h"
 #include "sim/pattern/edge_shape.h"
+#include "sim/pattern/garments.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/segment_distance.h"
 #include "sim/place/hanging_seams.h"
@@ -351,14 +351,12 @@ BodyLevels levels_of(const MeasuredBody& body, double shoulders) {
 
 // Per panel, the height of the highest point of what seams join it with, m.
 std::vector<double> tops_of(const Pattern& pattern) {
-    DisjointSets parts(pattern.panels.size());
-    for (const Seam& seam : pattern.seams) parts.join(seam.first.panel, seam.second.panel);
+    const std::vector<std::size_t> parts = sewn_parts(pattern);
     std::vector<double> tops(pattern.panels.size(), -std::numeric_limits<double>::infinity());
-    const auto part_of = [&](std::size_t p) { return static_cast<std::size_t>(parts.find(static_cast<int>(p))); };
     for (std::size_t p = 0; p < tops.size(); ++p) {
-        for (const Vec3d& x : outline_points(pattern.panels[p])) tops[part_of(p)] = std::max(tops[part_of(p)], x.y());
+        for (const Vec3d& x : outline_points(pattern.panels[p])) tops[parts[p]] = std::max(tops[parts[p]], x.y());
     }
-    for (std::size_t p = 0; p < tops.size(); ++p) tops[p] = tops[part_of(p)];
+    for (std::size_t p = 0; p < tops.size(); ++p) tops[p] = tops[parts[p]];
     return tops;
 }
 

@@ -278,7 +278,7 @@ class ImportOfScans : public testing::Test {
                       picture_ = folder_ / "skirt_page1.jpg";
 };
 
-TEST_F(ImportOfScans, lays_them_under_the_sheet_at_true_size_and_dress_says_that_there_is_no_panel) {
+TEST_F(ImportOfScans, lays_pages_under_the_sheet_at_true_size_when_they_hold_only_scans) {
     const ProgramResult result = import(false);
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_NE(result.out.find("page 1: only a scan, 21.0 x 29.7 cm: no panel is read of it"), std::string::npos);

@@ -170,7 +170,7 @@ int frames_to_finish(GiveUp why) {
     return frames;
 }
 
-TEST(DrapeRun, takes_one_finer_frame_of_what_is_too_small_and_more_of_what_slips) {
+TEST(DrapeRun, takes_one_finer_frame_when_cloth_is_given_up_as_too_small) {
     EXPECT_GT(frames_to_finish(GiveUp::SlipsDown), 1);
     EXPECT_EQ(frames_to_finish(GiveUp::TooSmall), 1);
 }

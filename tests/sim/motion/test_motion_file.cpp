@@ -190,7 +190,7 @@ TEST(MotionFile, angles_follow_a_smooth_course_without_overshoot) {
     EXPECT_NEAR(before, M_PI / 2, 1e-9);
 }
 
-TEST(MotionFile, notes_how_far_it_opens_arms_and_what_it_does_not_move) {
+TEST(MotionFile, notes_opened_arms_and_still_joints_when_it_fits_a_motion_to_a_body) {
     const TemporaryFolder folder;
     std::vector<FigureJoint> joints = figure_in_t_pose();
     const auto notes_of = [&](double arms) {
