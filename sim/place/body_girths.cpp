@@ -183,6 +183,28 @@ Vec3d meets(const LimbSegment& thigh, const Plane& plane) {
     return thigh.from + (plane.point - thigh.from).dot(plane.normal) / slope * thigh.along;
 }
 
+bool goes_round_line(const BodyGirth& girth, const Vec3d& from, const Vec3d& to) {
+    const double before = (from - girth.plane.point).dot(girth.plane.normal);
+    const double after = (to - girth.plane.point).dot(girth.plane.normal);
+    if ((before > 0) == (after > 0)) return false;
+    return goes_round(girth.inside.points, girth.plane, from + before / (before - after) * (to - from));
+}
+
+// Whether a section of a limb also goes round the torso, or round the limb on the other side: a coat that the arm lies
+// against, thighs that touch.
+bool holds_another_part(const BodyLimbs& limbs, LimbKind limb, const BodyGirth& girth) {
+    const std::vector<LimbJoint>& torso = limbs.torso;
+    for (std::size_t i = 0; i + 1 < torso.size(); ++i) {
+        if (goes_round_line(girth, torso[i].centre, torso[i + 1].centre)) return true;
+    }
+    for (std::size_t i = 0; i < kLimbCount; ++i) {
+        const auto other = first_segment(limbs.limbs[i]);
+        if (i != index_of(limb) && other && goes_round_line(girth, other->from, other->from + other->along))
+            return true;
+    }
+    return false;
+}
+
 // A thigh beside the other one, cut by parallel planes.
 class ThighCuts {
  public:
@@ -320,7 +342,9 @@ std::optional<BodyGirth> neck_girth(const MeasuredBody& body) {
 std::optional<BodyGirth> upper_limb_girth(const MeasuredBody& body, LimbKind limb, double share) {
     const auto upper = first_segment(body.limbs()[limb]);
     if (!upper) return std::nullopt;
-    return limb_girth(body.body(), upper->across(share));
+    std::optional<BodyGirth> girth = limb_girth(body.body(), upper->across(share));
+    if (girth && holds_another_part(body.limbs(), limb, *girth)) return std::nullopt;
+    return girth;
 }
 
 std::optional<BodyGirth> sleeve_girth(const MeasuredBody& body, LimbKind arm) {

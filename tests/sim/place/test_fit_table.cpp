@@ -1,14 +1,18 @@
 // The fit table measures what a tailor would: on the mannequin its own measures, on tubes their girths.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string>
 
 #include "sim/body/landmarks.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/place/fit_table.h"
 #include "sim/place/limbs.h"
+#include "sim/repair/outer_hull.h"
+#include "tests/support/bodies.h"
 #include "tests/support/mannequin.h"
 #include "tests/support/posed_body.h"
 #include "tests/support/touching_thighs.h"
@@ -160,6 +164,33 @@ TEST(FitTable, a_sleeve_is_measured_square_to_the_arm_and_a_skirt_has_no_thigh) 
                mannequin());
     EXPECT_NEAR(row(trouser, "right_thigh").garment_girth.value(), 0.66, 0.002) << "level, and the leg leans";
     EXPECT_FALSE(row(trouser, "left_thigh").garment_girth);
+}
+
+// The mannequin in a stiff coat that is one with its arms down to the elbows.
+Body in_a_stiff_coat() {
+    Body body = mannequin();
+    const Vec3d elbow = find_limbs(body)[LimbKind::LeftArm].joints[1].centre;
+    const Body coat = shapes::box({-elbow.x(), elbow.y() - 0.4, -0.14}, {elbow.x(), 1.35, 0.14}, 4);
+    Surface pieces{.x = body.x, .triangles = body.triangles, .origin = {}};
+    const int first = static_cast<int>(body.x.size());
+    pieces.x.insert(pieces.x.end(), coat.x.begin(), coat.x.end());
+    for (const auto& [a, b, c] : coat.triangles) pieces.triangles.push_back({first + a, first + b, first + c});
+    pieces.origin.resize(pieces.x.size());
+    std::iota(pieces.origin.begin(), pieces.origin.end(), 0);
+    const Surface hull = outer_hull(pieces, {.cell = 0.015});
+    body.skin.resize(pieces.x.size(), body.skin.front());
+    body.skin = hull_skin(hull, body.skin);
+    body.x = hull.x;
+    body.triangles = hull.triangles;
+    body.made_from.clear();
+    return body;
+}
+
+TEST(FitTable, an_arm_that_is_one_with_a_coat_has_no_sleeve) {
+    const std::vector<FitRow> rows = fit_on({}, in_a_stiff_coat());
+    EXPECT_FALSE(row(rows, "left_sleeve").body_girth) << *row(rows, "left_sleeve").body_girth;
+    EXPECT_FALSE(row(rows, "right_sleeve").body_girth);
+    EXPECT_TRUE(row(rows, "left_thigh").body_girth);
 }
 
 double crotch_of(const Body& body) {
