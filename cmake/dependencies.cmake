@@ -19,6 +19,7 @@ find_package(nlohmann_json 3.11 REQUIRED)      # sim/core/json
 find_package(TBB REQUIRED)                     # sim/core/parallel
 find_package(CGAL 5.5 REQUIRED)                # sim/mesh
 find_package(assimp 5.2 REQUIRED)              # sim/repair, in a child process
+find_package(meshoptimizer 0.18 REQUIRED)       # sim/repair/plain_gltf
 find_package(PNG REQUIRED)                     # render/image
 find_path(SELVEDGE_STB_FOLDER stb_truetype.h PATH_SUFFIXES stb REQUIRED)  # render/image/outline_font
 find_package(CLI11 REQUIRED)                   # app/arguments

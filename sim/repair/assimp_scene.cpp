@@ -12,6 +12,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -19,7 +20,10 @@
 #include <utility>
 #include <vector>
 
+#include "sim/core/file.h"
+#include "sim/repair/gltf_skins.h"
 #include "sim/repair/guarded_import.h"
+#include "sim/repair/plain_gltf.h"
 
 namespace selvedge::sim {
 namespace {
@@ -369,6 +373,16 @@ bool says_y_up(const aiScene& scene, const std::string& extension) {
     return extension == "gltf" || extension == "glb" || (extension == "fbx" && is_named && axis == kY);
 }
 
+// nullptr: it cannot be read.
+const aiScene* scene_in(const std::string& path, const std::string& extension, Assimp::Importer& importer) {
+    if (extension != "gltf" && extension != "glb") return importer.ReadFile(path, 0);
+    constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();  // whoever started this process has looked
+    const std::optional<std::string> plain = plain_gltf(path, read_file(path, kAny));
+    if (!plain) return importer.ReadFile(path, 0);
+    check_gltf_skins(path, *plain);
+    return importer.ReadFileFromMemory(plain->data(), plain->size(), 0, "glb");
+}
+
 }  // namespace
 
 ImportAnswer read_with_assimp(const std::string& path, const std::string& extension, ImportKind kind,
@@ -376,7 +390,7 @@ ImportAnswer read_with_assimp(const std::string& path, const std::string& extens
     Assimp::Importer importer;
     keep_only_importer(importer, extension);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-    const aiScene* scene = importer.ReadFile(path, 0);
+    const aiScene* scene = scene_in(path, extension, importer);
     if (!scene || !scene->mRootNode) return {importer.GetErrorString(), {}};
     if (std::string problem = problem_of_polygons(*scene); !problem.empty()) return {std::move(problem), {}};
     scene = importer.ApplyPostProcessing(aiProcess_Triangulate);

@@ -105,6 +105,8 @@ ImportAnswer run_guarded(const std::filesystem::path& path, const std::string& i
             ImportAnswer answer;
             try {
                 answer = read_with_assimp(path.string(), importer, kind, limits.motion);
+            } catch (const InputError& error) {
+                answer = {(error.place().empty() ? "" : error.place() + ": ") + error.problem(), {}};
             } catch (const std::exception& error) {
                 answer = {error.what(), {}};
             }

@@ -8,11 +8,16 @@
 #include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/repair/gltf_skins.h"
+#include "sim/repair/plain_gltf.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     try {
         selvedge::sim::check_gltf_skins("input.glb", bytes);
+    } catch (const selvedge::sim::InputError&) {
+    }
+    try {
+        selvedge::sim::plain_gltf("input.glb", bytes);
     } catch (const selvedge::sim::InputError&) {
     }
     try {

@@ -1,0 +1,182 @@
+// glTF as tools make it small: whole numbers for floats, and buffers compressed by meshoptimizer.
+#include <gtest/gtest.h>
+#include <meshoptimizer.h>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "sim/core/error.h"
+#include "sim/core/json.h"
+#include "sim/repair/gltf_file.h"
+#include "sim/repair/guarded_import.h"
+#include "sim/repair/plain_gltf.h"
+#include "tests/support/temporary_folder.h"
+
+namespace selvedge::sim {
+namespace {
+
+// A corner of a tetrahedron whose edges along the axes are 1 m long, in shorts of which 32767 are 2 m.
+struct Corner {
+    std::array<std::int16_t, 4> x{};
+};
+constexpr std::int16_t kHalf = 16384;
+constexpr std::array<Corner, 4> kCorners{{{{0, 0, 0, 0}}, {{kHalf, 0, 0, 0}}, {{0, kHalf, 0, 0}}, {{0, 0, kHalf, 0}}}};
+constexpr std::array<std::uint16_t, 12> kTriangles{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+
+template <class Array>
+std::string bytes_of(const Array& values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0])};
+}
+
+Json parsed(const std::string& text) {
+    return parse_json(text, "test");
+}
+
+std::string range(std::size_t offset, std::size_t length) {
+    return R"("buffer": 0, "byteOffset": )" + std::to_string(offset) + R"(, "byteLength": )" + std::to_string(length);
+}
+
+struct Views {
+    std::string positions, triangles;  // JSON
+    std::string buffer;
+};
+
+Views stored_views() {
+    const std::string corners = bytes_of(kCorners), triangles = bytes_of(kTriangles);
+    return {"{" + range(0, corners.size()) + R"(, "byteStride": 8})",
+            "{" + range(corners.size(), triangles.size()) + "}", corners + triangles};
+}
+
+std::string packing(std::size_t offset, const std::string& bytes, std::size_t stride, std::size_t count,
+                    const std::string& mode) {
+    return R"({"buffer": 1, "byteLength": )" + std::to_string(stride * count) +
+           R"(, "extensions": {"EXT_meshopt_compression": {)" + range(offset, bytes.size()) + R"(, "byteStride": )" +
+           std::to_string(stride) + R"(, "count": )" + std::to_string(count) + R"(, "mode": ")" + mode + R"("}}})";
+}
+
+Views compressed_views() {
+    std::vector<unsigned char> corners(meshopt_encodeVertexBufferBound(kCorners.size(), sizeof(Corner)));
+    corners.resize(
+        meshopt_encodeVertexBuffer(corners.data(), corners.size(), kCorners.data(), kCorners.size(), sizeof(Corner)));
+    std::vector<unsigned char> triangles(meshopt_encodeIndexBufferBound(kTriangles.size(), kCorners.size()));
+    triangles.resize(
+        meshopt_encodeIndexBuffer(triangles.data(), triangles.size(), kTriangles.data(), kTriangles.size()));
+    const std::string first = bytes_of(corners), second = bytes_of(triangles);
+    return {packing(0, first, sizeof(Corner), kCorners.size(), "ATTRIBUTES"),
+            packing(first.size(), second, 2, kTriangles.size(), "TRIANGLES"), first + second};
+}
+
+// A tetrahedron whose node enlarges it to 2 m, which its normalized shorts are fractions of.
+std::string tetrahedron(const Views& views, const std::string& more = "") {
+    return gltf::glb_of(parsed(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0, "scale": [2, 2, 2]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5122, "normalized": true, "count": 4, "type": "VEC3",
+                       "min": [0, 0, 0], "max": [16384, 16384, 16384]},
+                      {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}],
+        "bufferViews": [)" + views.positions +
+                               ", " + views.triangles + R"(], "buffers": [{"byteLength": )" +
+                               std::to_string(views.buffer.size()) + R"(}, {"byteLength": 56}])" + more + "}"),
+                        views.buffer);
+}
+
+ImportedScene imported(const std::string& content, ImportKind kind = ImportKind::Surface) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "body.glb", std::ios::binary) << content;
+    return guarded_import(folder / "body.glb", kind);
+}
+
+std::string problem_of(const std::string& content) {
+    try {
+        imported(content);
+    } catch (const InputError& error) {
+        return error.problem();
+    }
+    return "";
+}
+
+void expect_tetrahedron(const ImportedScene& scene) {
+    ASSERT_EQ(scene.meshes.size(), 1U);
+    const ImportedMesh& mesh = scene.meshes[0];
+    ASSERT_EQ(mesh.triangles.size(), 4U);
+    float volume = 0;
+    for (const auto& t : mesh.triangles) volume += mesh.x[t[0]].dot(mesh.x[t[1]].cross(mesh.x[t[2]])) / 6;
+    EXPECT_NEAR(volume, 1.0 / 6, 1e-4);
+    for (const Vec3f& x : mesh.x) EXPECT_LT(x.maxCoeff(), 1.0001F);
+}
+
+TEST(PlainGltf, a_body_of_whole_numbers_has_its_true_size) {
+    expect_tetrahedron(imported(tetrahedron(stored_views())));
+}
+
+TEST(PlainGltf, a_compressed_body_is_the_body_that_was_compressed) {
+    expect_tetrahedron(imported(tetrahedron(compressed_views())));
+}
+
+TEST(PlainGltf, a_file_of_floats_is_left_as_it_is) {
+    std::array<std::array<float, 3>, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+    const std::string file = gltf::glb_of(
+        parsed(R"({"asset": {"version": "2.0"}, "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36}],
+            "extensionsRequired": ["KHR_texture_transform", "KHR_draco_mesh_compression"]})"),
+        bytes_of(corners));
+    EXPECT_FALSE(plain_gltf("body.glb", file));
+}
+
+TEST(PlainGltf, turns_of_an_animation_in_whole_numbers_are_turns) {
+    const std::array<float, 2> times{0, 1};
+    const std::array<std::int16_t, 8> turns{0, 0, 0, 32767, 0, 23170, 0, 23170};  // none, a quarter round y
+    const ImportedScene scene =
+        imported(gltf::glb_of(parsed(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+            "nodes": [{"name": "hips"}],
+            "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "rotation"}}],
+                            "samplers": [{"input": 0, "output": 1}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 2, "type": "SCALAR"},
+                          {"bufferView": 1, "componentType": 5122, "normalized": true, "count": 2, "type": "VEC4"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 8}, {"buffer": 0, "byteOffset": 8, "byteLength": 16}],
+            "buffers": [{"byteLength": 24}]})"),
+                              bytes_of(times) + bytes_of(turns)),
+                 ImportKind::Motion);
+    ASSERT_EQ(scene.clips.size(), 1U);
+    ASSERT_EQ(scene.clips[0].tracks.size(), 1U);
+    const Eigen::Quaterniond last = scene.clips[0].tracks[0].rotation.values.back();
+    EXPECT_NEAR(last.angularDistance(Eigen::Quaterniond(Eigen::AngleAxisd(M_PI / 2, Vec3d::UnitY()))), 0, 1e-3);
+}
+
+TEST(PlainGltf, an_extension_that_changes_the_shape_and_is_not_read_is_named) {
+    EXPECT_EQ(
+        problem_of(tetrahedron(stored_views(), R"(, "extensionsRequired": ["EXT_mesh_gpu_instancing"])")),
+        "cannot be read: extensionsRequired[0]: the extension 'EXT_mesh_gpu_instancing' is not read: save the file "
+        "without it");
+}
+
+TEST(PlainGltf, compressed_bytes_that_are_broken_are_told_with_their_view) {
+    Views views = compressed_views();
+    views.buffer[0] = 'x';  // the codec's mark
+    EXPECT_EQ(problem_of(tetrahedron(views)), "cannot be read: bufferViews[0]: its compressed bytes are broken");
+    Views far = compressed_views();
+    far.buffer.resize(8);
+    EXPECT_EQ(problem_of(tetrahedron(far)), "cannot be read: bufferViews[0]: it does not lie in its buffer");
+}
+
+TEST(PlainGltf, elements_that_meshoptimizer_must_not_be_asked_for_are_refused) {
+    for (const std::string mode : {"ATTRIBUTES", "TRIANGLES", "INDICES", "OTHER"}) {
+        for (const std::size_t stride : {0, 3, 260}) {
+            Views views = compressed_views();
+            views.positions = packing(0, views.buffer, stride, 4, mode);
+            EXPECT_EQ(problem_of(tetrahedron(views)),
+                      "cannot be read: bufferViews[0]: such compressed elements are not read")
+                << mode << stride;
+        }
+    }
+    Views views = compressed_views();
+    views.positions = packing(0, views.buffer, 8, 4'000'000'000, "ATTRIBUTES");
+    EXPECT_EQ(problem_of(tetrahedron(views)), "cannot be read: bufferViews[0]: its buffers are larger than 256 MB");
+}
+
+}  // namespace
+}  // namespace selvedge::sim
