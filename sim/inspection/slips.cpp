@@ -8,24 +8,19 @@
 #include <string>
 #include <utility>
 
-#include "sim/body/section.h"
 #include "sim/inspection/body_heights.h"
 #include "sim/inspection/hoop_support.h"
 #include "sim/place/body_girths.h"
 #include "sim/place/level_on.h"
-#include "sim/place/limbs.h"
 
 namespace selvedge::sim {
 
 namespace {
 
-// The girth of the wearer's trunk at this height, m.
+// The girth of the wearer's trunk at this height, m; 0 where there is none.
 double girth_at(const BodyPair& bodies, double y) {
-    const Plane plane{.point = Vec3d(0, y, 0)};
-    const HeightRange& height = bodies.worn_by.height;
-    SectionLoop trunk;
-    trunk.points = trunk_points(bodies.wearer.body(), y, height.high - height.low);
-    return trunk.points.empty() ? 0 : tape_length(trunk, plane);
+    const auto girth = trunk_girth(bodies.wearer, y);
+    return girth ? girth->length() : 0;
 }
 
 // The girth of the wearer that an edge must not exceed, m: of the bust, or where the edge was placed.
