@@ -11,6 +11,7 @@
 #include "sim/place/measured_body.h"
 #include "sim/repair/load_body.h"
 #include "tests/support/bodies.h"
+#include "tests/support/notes.h"
 #include "tests/support/parted_body.h"
 #include "tests/support/temporary_folder.h"
 
@@ -34,10 +35,7 @@ class PartedBody : public testing::Test {
         write_body(body, folder_ / "parts.glb");
         return load_body(folder_ / "parts.glb", {.must_be_person = true}, &report_);
     }
-    bool noted(const std::string& text) const {
-        return std::ranges::any_of(report_.notes,
-                                   [&](const std::string& note) { return note.find(text) != std::string::npos; });
-    }
+    bool noted(const std::string& text) const { return has_note(report_.notes, text); }
 
     TemporaryFolder folder_;
     LoadBodyReport report_;
