@@ -4,11 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <numbers>
-#include <queue>
-#include <utility>
 
 #include "sim/core/gravity.h"
 #include "sim/core/math.h"
@@ -17,24 +14,10 @@
 namespace selvedge::sim {
 namespace {
 
-// Per vertex, m; infinite where the cloth is not connected with the edge. (Dijkstra 1959)
+// Per vertex, m; infinite where the cloth is not connected with the edge.
 std::vector<double> distances_from(const GarmentMesh& mesh, const Opening& edge) {
-    const ClothNeighbours neighbours = cloth_neighbours(mesh);
     std::vector<double> distances(mesh.x.size(), std::numeric_limits<double>::infinity());
-    using Reached = std::pair<double, std::size_t>;
-    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;
-    const auto reach = [&](std::size_t v, double distance) {
-        if (distance >= distances[v]) return;
-        distances[v] = distance;
-        next.emplace(distance, v);
-    };
-    for (const int v : edge.vertices) reach(static_cast<std::size_t>(v), 0);
-    while (!next.empty()) {
-        const auto [distance, v] = next.top();
-        next.pop();
-        if (distance > distances[v]) continue;
-        for (const auto& [other, length] : neighbours[v]) reach(other, distance + length);
-    }
+    for (const auto& [v, distance] : distances_along(cloth_neighbours(mesh), edge.vertices)) distances[v] = distance;
     return distances;
 }
 

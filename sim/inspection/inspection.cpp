@@ -416,7 +416,7 @@ void blame_length(double below_floor, double knees, DressReport& report) {
         return class_of(fault) == FaultClass::Defect && fault.height && *fault.height < knees;
     };
     if (below_floor < kMuchTooLong || std::ranges::none_of(report.faults, is_of_heap)) return;
-    const std::string by = std::to_string(std::lround(100 * below_floor)) + " cm";
+    const std::string by = in_centimetres(below_floor);
     put_down_to(
         {"does_not_fit", "too long for this body by " + by + ": its hem was placed below the floor", below_floor},
         "it lies in a heap on the floor", is_of_heap, report);

@@ -240,6 +240,10 @@ std::string cause_of(const DressFault& fault) {
     return fault.place;  // says it all
 }
 
+std::string in_centimetres(double length) {
+    return std::to_string(std::lround(100 * length)) + " cm";
+}
+
 std::string_view name_of(Outcome outcome) {
     switch (outcome) {
         case Outcome::Dressed:

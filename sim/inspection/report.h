@@ -135,6 +135,8 @@ double note_below(std::string_view kind);
 // over 1.4 cm: 12 pairs of triangles, one at 'front' at x 0.113 y 1.071 z 0.129 m".
 std::string cause_of(const DressFault& fault);
 
+std::string in_centimetres(double length);  // "7 cm"
+
 struct MeshCounts {
     int base_triangles = 0;
     int leaf_triangles = 0;

@@ -2,11 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <map>
-#include <queue>
-#include <utility>
 
 #include "sim/inspection/cloth_neighbours.h"
 
@@ -37,28 +33,6 @@ constexpr double kWithin = 0.3;   // m along the cloth: as deep as a hem rolls
 constexpr double kInward = 0.7;   // of the way along the cloth: placed within 45 degrees of straight inward
 constexpr double kRolled = 0.03;  // m beyond it: a hem of 2 to 3 cm stays where it is folded, wrinkles go less deep
 
-// The vertices within kWithin of one along the cloth, and how far it is to them, m. (Dijkstra 1959)
-std::map<std::size_t, double> cloth_near(const ClothNeighbours& neighbours, std::size_t from) {
-    std::map<std::size_t, double> reached{{from, 0}};
-    using Entry = std::pair<double, std::size_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
-    next.emplace(0, from);
-    while (!next.empty()) {
-        const auto [distance, v] = next.top();
-        next.pop();
-        if (distance > reached[v]) continue;
-        for (const auto& [other, length] : neighbours[v]) {
-            const double longer = distance + length;
-            if (longer > kWithin) continue;
-            const auto [known, is_new] = reached.try_emplace(other, longer);
-            if (!is_new && known->second <= longer) continue;
-            known->second = longer;
-            next.emplace(longer, other);
-        }
-    }
-    return reached;
-}
-
 }  // namespace
 
 std::vector<double> inward_of(std::span<const Vec3d> x, const Limb* arm) {
@@ -76,7 +50,7 @@ RolledEdge measure_rolled_edge(const GarmentMesh& sewn, const Opening& edge, std
     for (const int vertex : edge.vertices) {
         const auto v = static_cast<std::size_t>(vertex);
         double by = 0;
-        for (const auto& [p, distance] : cloth_near(neighbours, v)) {
+        for (const auto& [p, distance] : distances_along(neighbours, std::span(&vertex, 1), kWithin)) {
             if (placed[p] > placed[v] + kInward * distance) by = std::max(by, draped[v] - draped[p]);
         }
         if (by <= kRolled) continue;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <optional>
@@ -11,16 +10,14 @@
 #include <string>
 #include <utility>
 
-#include "sim/body/section.h"
 #include "sim/core/assert.h"
 #include "sim/core/math.h"
 #include "sim/inspection/body_heights.h"
 #include "sim/inspection/carried.h"
-#include "sim/inspection/hoop_support.h"
 #include "sim/inspection/missed_limbs.h"
 #include "sim/inspection/rolled_edges.h"
+#include "sim/inspection/slips.h"
 #include "sim/inspection/worn_garment.h"
-#include "sim/place/body_girths.h"
 #include "sim/place/hanging_seams.h"
 #include "sim/place/level_on.h"
 #include "sim/place/limb_pieces.h"
@@ -106,183 +103,8 @@ bool is_off_head(const WornGarment& garment, const std::vector<std::size_t>& ver
     return placed.middle() > neck && placed.high > middle && draped.high < to.joints[1].centre.y();
 }
 
-// The girth of the wearer's trunk at this height, m.
-double girth_at(const BodyPair& bodies, double y) {
-    const Plane plane{.point = Vec3d(0, y, 0)};
-    const HeightRange& height = bodies.worn_by.height;
-    SectionLoop trunk;
-    trunk.points = trunk_points(bodies.wearer.body(), y, height.high - height.low);
-    return trunk.points.empty() ? 0 : tape_length(trunk, plane);
-}
-
-// A waist or upper edge, and where it was placed and lies, m.
-struct TrunkEdge {
-    const Opening* edge = nullptr;
-    double placed = 0;
-    double draped = 0;
-    double held_at = 0;  // where the hips or the chest that should hold it end
-    bool is_of_chest = false;
-
-    double moved() const { return placed - draped; }
-    bool has_slipped() const { return draped <= held_at; }
-    const char* holder() const { return is_of_chest ? "chest" : "hips"; }
-};
-
-// The girth of the wearer that an edge must not exceed, m: of the bust, or where the edge was placed.
-double girth_that_holds(const TrunkEdge& edge, const BodyPair& bodies) {
-    const auto bust = edge.is_of_chest ? bust_girth(bodies.wearer) : std::nullopt;
-    return bust ? bust->length() : girth_at(bodies, edge.placed);
-}
-
-std::string in_centimetres(double x) {
-    return std::to_string(std::lround(100 * x)) + " cm";
-}
-
-// "the upper edge of 'front' lies 7 cm lower than it was placed".
-std::string describe(const TrunkEdge& lowered, const GarmentMesh& mesh) {
-    return "the " + std::string(lowered.is_of_chest ? "upper edge" : "waist") + " of '" +
-           mesh.panel_names[static_cast<std::size_t>(lowered.edge->panels.front())] + "' lies " +
-           in_centimetres(std::abs(lowered.moved())) + (lowered.moved() < 0 ? " higher" : " lower") +
-           " than it was placed";
-}
-
-// An edge that slipped: "the upper edge of 'front' lies 7 cm lower than it was placed, below the chest". If it is at
-// least 1 cm longer than the girth that should hold it, it says so: "too large above the chest by 14 cm: ...".
-DressFault fault_of_slip(const TrunkEdge& lowered, const GarmentMesh& mesh, double girth) {
-    const std::string lies = describe(lowered, mesh) + ", below the " + lowered.holder();
-    constexpr double kLeast = 0.01;  // m, by which an edge is too large
-    const double excess = lowered.edge->length - girth;
-    if (girth <= 0 || excess < kLeast) return {.kind = "displaced", .place = lies, .value = lowered.moved()};
-    return {
-        .kind = "does_not_fit",
-        .place = "too large above the " + std::string(lowered.holder()) + " by " + in_centimetres(excess) + ": " + lies,
-        .value = excess};
-}
-
-// "too stretchy above the hips: stretched to the fabric's limit, the cloth below the waist of 'wb_front' carries at
-// most 1.2 of the garment's 3.0 N, and it lies 68 cm lower than it was placed". None if its hoop tension and friction
-// can carry the garment anywhere between where the edge was placed and what should hold it.
-std::optional<DressFault> weakness_of(const TrunkEdge& lowered, const WornGarment& garment, const Cloth& cloth,
-                                      const BodyPair& bodies) {
-    constexpr double kStep = 0.02;  // m, between heights at which the body is measured
-    const std::vector<Fabric>& fabrics = cloth.material.fabrics;
-    std::map<long, double> girths;  // at multiples of kStep, because sections are slow
-    const auto level = [&](long i) {
-        const auto [at, is_new] = girths.try_emplace(i, 0);
-        if (is_new) at->second = girth_at(bodies, static_cast<double>(i) * kStep);
-        return at->second;
-    };
-    const GirthAtHeight girth = [&](double y) {
-        const long below = std::lround(std::floor(y / kStep));
-        const double share = y / kStep - static_cast<double>(below);
-        return (1 - share) * level(below) + share * level(below + 1);
-    };
-    double friction = 0;
-    for (const int p : lowered.edge->panels)
-        friction = std::max(friction, fabrics[static_cast<std::size_t>(p)].friction);
-    const double weight = weight_below(garment.closed, *lowered.edge, fabrics);
-    const double carried = largest_hoop_support(hoop_rows(garment.closed, *lowered.edge, fabrics), girth, friction,
-                                                lowered.held_at, lowered.placed);
-    if (carried >= weight) return std::nullopt;
-    char text[64];
-    std::snprintf(text, sizeof text, "%.1f of the garment's %.1f N", carried, weight);
-    const auto panel = static_cast<std::size_t>(lowered.edge->panels.front());
-    return DressFault{.kind = "does_not_fit",
-                      .place = "too stretchy above the " + std::string(lowered.holder()) +
-                               ": stretched to the fabric's limit, the cloth below the " +
-                               (lowered.is_of_chest ? "upper edge" : "waist") + " of '" +
-                               garment.panels.panel_names[panel] + "' carries at most " + text + ", and it lies " +
-                               in_centimetres(lowered.moved()) + " lower than it was placed",
-                      .value = weight - carried,
-                      .unit = "N"};
-}
-
-// A waist or upper edge that has slipped.
-struct Slip {
-    DressFault fault;
-    std::size_t panel = 0;  // that has the edge
-};
-
-bool does_not_fit(const Slip& slip) {
-    return class_of(slip.fault) == FaultClass::DoesNotFit;
-}
-
 // Parts of the garment that slip, because they do not fit.
 using SlippingParts = std::set<std::size_t>;
-
-// Edges that go round the trunk, and were placed where the hips or the chest hold them: the waists and upper edges of
-// what does not hang from the shoulders. Each part has one, the highest; one below it is the hem of what is short.
-std::vector<TrunkEdge> trunk_edges(const WornGarment& garment, const MeantOpenings& meant, const BodyPair& bodies) {
-    std::vector<TrunkEdge> edges;
-    const Heights from = heights_of(bodies.meant_for), to = heights_of(bodies.worn_by);
-    if (!is_ascending(from) || !is_ascending(to)) return edges;
-    // The bust holds an edge that was placed nearer to the chest than to the waist; there it has left the bust.
-    const double hips = to[1], chest = to[3], under_bust = (to[2] + chest) / 2;
-    const std::vector<Opening>& openings = meant.openings;
-    std::map<std::size_t, std::size_t> edge_of;  // by part
-    for (std::size_t i = 0; i < openings.size(); ++i) {
-        const std::size_t limbs = meant.limbs.through[i].count(), others = meant.limbs.known.count() - limbs;
-        if (limbs < 2 || others < 2) continue;       // a neckline, an armhole, a cuff or a leg's hem
-        if (meant.hang_from_shoulders[i]) continue;  // a hem
-        double placed = 0;
-        for (const int v : openings[i].vertices)
-            placed += level_on(garment.closed.x[static_cast<std::size_t>(v)].y(), from, to);
-        placed /= static_cast<double>(openings[i].vertices.size());
-        const TrunkEdge lowered{.edge = &openings[i],
-                                .placed = placed,
-                                .draped = centre_of(openings[i], garment.closed_draped).y(),
-                                .held_at = placed > chest        ? chest
-                                           : placed > under_bust ? under_bust
-                                                                 : hips,
-                                .is_of_chest = placed > under_bust};
-        if (placed < lowered.held_at) continue;
-        const auto [of_part, is_first] = edge_of.try_emplace(meant.parts[i], edges.size());
-        if (is_first) {
-            edges.push_back(lowered);
-        } else if (placed > edges[of_part->second].placed) {
-            edges[of_part->second] = lowered;
-        }
-    }
-    return edges;
-}
-
-// Those that lie lower than they were placed by a waistband's width, because panels settle by as much.
-std::vector<TrunkEdge> lowered_edges(const WornGarment& garment, const MeantOpenings& meant, const BodyPair& bodies) {
-    std::vector<TrunkEdge> edges = trunk_edges(garment, meant, bodies);
-    std::erase_if(edges, [](const TrunkEdge& edge) { return edge.moved() < kWaistbandWidth; });
-    return edges;
-}
-
-// What is wider below it, the bust or the hips, holds an edge that goes round the trunk. It has slipped if it was
-// placed above that and now lies below. One that is as wide as the body where it was placed also slides down if the
-// cloth is too stretchy for its weight.
-std::vector<Slip> find_slips(const std::vector<TrunkEdge>& edges, const Cloth& cloth, const WornGarment& garment,
-                             const BodyPair& bodies) {
-    std::vector<Slip> slips;
-    for (const TrunkEdge& lowered : edges) {
-        if (!lowered.has_slipped()) continue;
-        DressFault fault = fault_of_slip(lowered, garment.panels, girth_that_holds(lowered, bodies));
-        if (class_of(fault) == FaultClass::Defect) {
-            if (auto weakness = weakness_of(lowered, garment, cloth, bodies)) fault = std::move(*weakness);
-        }
-        slips.push_back({.fault = std::move(fault), .panel = static_cast<std::size_t>(lowered.edge->panels.front())});
-    }
-    return slips;
-}
-
-// "the waist of 'front' lies 15 cm lower than it was placed": a skirt that is too wide for the waist hangs on the hips.
-void note_lowered_edges(const std::vector<TrunkEdge>& edges, const WornGarment& garment, DressReport& report) {
-    for (const TrunkEdge& lowered : edges) {
-        if (!lowered.has_slipped()) report.notes.push_back(describe(lowered, garment.panels));
-    }
-}
-
-// "the waist of 'skirt' lies 5 cm higher than it was placed": what is worn over a garment may push it up.
-void note_raised_edges(const std::vector<TrunkEdge>& edges, const WornGarment& garment, DressReport& report) {
-    for (const TrunkEdge& raised : edges) {
-        if (-raised.moved() >= kWaistbandWidth) report.notes.push_back(describe(raised, garment.panels));
-    }
-}
 
 // Panels that seams join are displaced together: where one is at its place, the others are as near to theirs as their
 // seams let them, and were placed loosely, as GarmentCode does with long skirts. A panel is at its place if it moved by
@@ -308,9 +130,8 @@ void validate_panels(const WornGarment& garment, const PanelVertices& panels, co
         if (!has_left_its_part && !is_off_head(garment, panels[p], bodies)) continue;
         const double moved = shifts[p]->moved;
         add_fault(report, {.kind = "displaced",
-                           .place = "'" + garment.panels.panel_names[p] + "' lies " +
-                                    std::to_string(std::lround(100 * std::abs(moved))) + " cm " +
-                                    (moved > 0 ? "higher" : "lower") + " than it was placed, at the " +
+                           .place = "'" + garment.panels.panel_names[p] + "' lies " + in_centimetres(std::abs(moved)) +
+                                    (moved > 0 ? " higher" : " lower") + " than it was placed, at the " +
                                     place_on_body(bodies.worn_by, shifts[p]->middle),
                            .value = std::abs(moved)});
     }

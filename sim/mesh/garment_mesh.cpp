@@ -221,6 +221,13 @@ DrawMesh draw_mesh(const GarmentMesh& mesh) {
     return drawn;
 }
 
+std::vector<int> panels_of_vertices(const GarmentMesh& mesh) {
+    std::vector<int> panels(mesh.x.size(), -1);
+    for (const GarmentTriangle& triangle : mesh.triangles)
+        for (const int v : triangle.vertices) panels[static_cast<std::size_t>(v)] = triangle.panel;
+    return panels;
+}
+
 std::vector<std::string> check_mesh(const GarmentMesh& mesh) {
     Faults faults;
     check_indices(mesh, faults);

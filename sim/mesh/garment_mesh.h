@@ -62,6 +62,9 @@ struct GarmentMesh {
 // The mesh as it is drawn: every triangle and vertex of level 0.
 DrawMesh draw_mesh(const GarmentMesh& mesh);
 
+// The panel of each vertex; -1: it has no triangle. Pre: unsewn.
+std::vector<int> panels_of_vertices(const GarmentMesh& mesh);
+
 // All faults of the mesh, each with its location ("triangle 12 (front): ..."); empty for a valid mesh. A valid mesh has
 // indices in range, finite numbers, no duplicate triangle and none of zero or negative area, no edge with three
 // triangles, none inside a panel whose two triangles have opposite orientation (at a seam they may: Seam::is_reversed),

@@ -91,9 +91,9 @@ struct Steps {
     std::vector<double> turns;  // rad
 };
 
+// metres: per unit of the skeleton.
 std::vector<Steps> steps_between(const Body& skeleton, const Clip& clip, const std::vector<WatchedBone>& watched,
-                                 const std::vector<double>& times) {
-    const double metres = metres_per_unit(skeleton, find_joints(skeleton.bones));
+                                 const std::vector<double>& times, double metres) {
     std::vector<Steps> steps(watched.size());
     std::vector<Eigen::Affine3d> before;
     for (const double t : times) {
@@ -282,8 +282,9 @@ std::vector<ClipJump> find_jumps(const Body& skeleton, const Clip& clip) {
     if (clip.is_loop) return jumps;
     const std::vector<double> times = frame_times(clip);
     if (times.size() < 3) return jumps;
-    const std::vector<WatchedBone> watched = watched_bones(skeleton, find_joints(skeleton.bones));
-    const std::vector<Steps> steps = steps_between(skeleton, clip, watched, times);
+    const JointBones joints = find_joints(skeleton.bones);
+    const std::vector<WatchedBone> watched = watched_bones(skeleton, joints);
+    const std::vector<Steps> steps = steps_between(skeleton, clip, watched, times, metres_per_unit(skeleton, joints));
     const std::size_t intervals = times.size() - 1;
     // m/s: of the joints, and of what they turn at a hand's length
     std::vector<std::vector<double>> speeds(watched.size()), turning(watched.size());

@@ -270,22 +270,19 @@ std::optional<double> crotch_height(const MeasuredBody& body) {
 }  // namespace
 
 std::optional<BodyGirth> trunk_girth(const MeasuredBody& body, double y) {
-    const double reach = 0.1 * body.stature().height();  // of the trunk's middle from the body's
-    constexpr double kLeastOfTrunk = 0.35;               // of the largest area: both legs, but no hand before the body
     BodyGirth girth{.plane = {.point = Vec3d(0, y, 0)}};
     const std::vector<SectionLoop> loops = body.sections().at(y);
+    const std::vector<bool> of_trunk = are_of_trunk(loops, body.stature().height());
     double largest = 0;
-    for (const SectionLoop& loop : loops) {
-        if (std::abs(loop.centre.x()) < reach) largest = std::max(largest, loop.area);
-    }
-    for (const SectionLoop& loop : loops) {
-        if (std::abs(loop.centre.x()) < reach && loop.area > kLeastOfTrunk * largest) {
-            add_section(girth, loop);
-        } else if (loop.area > kLargestShare * largest) {
-            girth.other_centres.push_back(loop.centre);
-        }
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        if (!of_trunk[i]) continue;
+        add_section(girth, loops[i]);
+        largest = std::max(largest, loops[i].area);
     }
     if (girth.centres.empty()) return std::nullopt;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        if (!of_trunk[i] && loops[i].area > kLargestShare * largest) girth.other_centres.push_back(loops[i].centre);
+    }
     return girth;
 }
 

@@ -35,14 +35,6 @@ struct PlacedSeam {
     }
 };
 
-// The panel of each vertex; -1: it has no triangle.
-std::vector<int> panels_of_vertices(const GarmentMesh& unsewn) {
-    std::vector<int> panels(unsewn.x.size(), -1);
-    for (const GarmentTriangle& triangle : unsewn.triangles)
-        for (const int v : triangle.vertices) panels[static_cast<std::size_t>(v)] = triangle.panel;
-    return panels;
-}
-
 // Per vertex, a direction into the cloth around it.
 std::vector<Vec3d> into_cloth(const GarmentMesh& unsewn) {
     std::vector<Vec3d> into(unsewn.x.size(), Vec3d::Zero());

@@ -342,15 +342,6 @@ bool is_over_chest(const Vec3d& x, const BodyLimbs& limbs) {
     return is_at_torso && x.y() > limbs.torso[kChest].centre.y();
 }
 
-// Per vertex of a mesh whose seams are open. 0 for one without a triangle.
-std::vector<int> panels_of_vertices(const GarmentMesh& unsewn) {
-    std::vector<int> panel_of(unsewn.x.size(), 0);
-    for (const GarmentTriangle& t : unsewn.triangles) {
-        for (const int v : t.vertices) panel_of[static_cast<std::size_t>(v)] = t.panel;
-    }
-    return panel_of;
-}
-
 // Per panel, whether what it is sewn to goes over a shoulder or round an arm: a bodice without straps does not.
 std::vector<bool> reaches_shoulders(const GarmentMesh& unsewn, const Pattern& pattern, const BodyLimbs& limbs) {
     constexpr double kBelow = 0.03;  // m, from the joint of the shoulder: the upper edge of a bodice lies lower

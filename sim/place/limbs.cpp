@@ -464,17 +464,25 @@ Vec3d middle_of_box(const std::vector<Vec3d>& points) {
     return box.center();
 }
 
-std::vector<Vec3d> trunk_points(const Body& body, double y, double stature) {
-    const std::vector<SectionLoop> loops = section(body, {.point = Vec3d(0, y, 0)});
+std::vector<bool> are_of_trunk(const std::vector<SectionLoop>& sections, double stature) {
+    const double reach = 0.1 * stature;     // of the trunk's middle from the body's
+    constexpr double kLeastOfTrunk = 0.35;  // of the largest area: both legs, but no hand before the body
+    const auto is_middle = [&](const SectionLoop& loop) { return std::abs(loop.centre.x()) < reach; };
     double largest = 0;
-    const auto is_middle = [&](const SectionLoop& loop) { return std::abs(loop.centre.x()) < 0.1 * stature; };
-    for (const SectionLoop& loop : loops) {
+    for (const SectionLoop& loop : sections) {
         if (is_middle(loop)) largest = std::max(largest, loop.area);
     }
+    std::vector<bool> of_trunk;
+    for (const SectionLoop& loop : sections) of_trunk.push_back(is_middle(loop) && loop.area > kLeastOfTrunk * largest);
+    return of_trunk;
+}
+
+std::vector<Vec3d> trunk_points(const Body& body, double y, double stature) {
+    const std::vector<SectionLoop> loops = section(body, {.point = Vec3d(0, y, 0)});
+    const std::vector<bool> of_trunk = are_of_trunk(loops, stature);
     std::vector<Vec3d> points;
-    for (const SectionLoop& loop : loops) {
-        if (is_middle(loop) && loop.area > 0.35 * largest)
-            points.insert(points.end(), loop.points.begin(), loop.points.end());
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        if (of_trunk[i]) points.insert(points.end(), loops[i].points.begin(), loops[i].points.end());
     }
     return points;
 }

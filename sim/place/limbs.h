@@ -82,8 +82,11 @@ struct TorsoHeights {
 };
 TorsoHeights torso_heights(const Body& body, const Stature& stature);
 
-// Section points of the trunk or of both legs at height y (m), for a body of that stature (m). Arms and hands are
-// excluded: they are thin or far from the centre.
+// Of the sections of a body of that stature (m) at one height, whether each is of the trunk or of both legs. Arms and
+// hands are not: they are thin or far from the centre.
+std::vector<bool> are_of_trunk(const std::vector<SectionLoop>& sections, double stature);
+
+// The points of those at height y (m).
 std::vector<Vec3d> trunk_points(const Body& body, double y, double stature);
 
 // The centre of the bounding box of section points, m.

@@ -162,10 +162,12 @@ class PersonFinder {
  private:
     PersonSearch find_in(const Stance& stance, const std::vector<Bone>& bones) {
         turn([&](const Vec3d& p) { return stance(p); });
-        const Bounds skeleton = skeleton_box(bones, stance);
-        PersonSearch found = find_upright(skeleton);
+        skeleton_ = skeleton_box(bones, stance);
+        bones_ = bones;
+        for (Bone& bone : bones_) bone.joint = stance(bone.joint);
+        PersonSearch found = find_upright();
         found.stance = stance;
-        found.has_skeleton = !skeleton.isEmpty();
+        found.has_skeleton = !skeleton_.isEmpty();
         return found;
     }
 
@@ -183,6 +185,7 @@ class PersonFinder {
     // Whether a piece is a person if another axis points up than those that files have.
     bool stands_otherwise() {
         using Turn = Vec3d (*)(const Vec3d&);
+        skeleton_ = {};
         constexpr std::array<Turn, 4> kTurns{[](const Vec3d& p) { return Vec3d(-p.x(), -p.y(), p.z()); },
                                              [](const Vec3d& p) { return Vec3d(p.x(), -p.z(), p.y()); },
                                              [](const Vec3d& p) { return Vec3d(-p.y(), p.x(), p.z()); },
@@ -263,8 +266,10 @@ class PersonFinder {
         return body;
     }
 
+    // With the bones of a person that these parts are the surface of: they show where it ends under its clothes.
     PersonLikeness likeness_of(const std::vector<std::size_t>& parts) {
-        const Body body = body_of(parts);
+        Body body = body_of(parts);
+        if (fit_skeleton(parts)) body.bones = bones_;
         cuts_ += cuts_of_likeness(body);
         if (cuts_ > question_.most_cuts)
             throw InputError(question_.file, "",
@@ -281,7 +286,7 @@ class PersonFinder {
         return order;
     }
 
-    PersonSearch find_upright(const Bounds& skeleton) {
+    PersonSearch find_upright() {
         PersonSearch found;
         std::vector<std::size_t> persons;
         for (const std::size_t i : largest_pieces(kMostTried)) {
@@ -292,21 +297,21 @@ class PersonFinder {
             if (persons.empty()) found.likeness = std::move(likeness);
             persons.push_back(i);
         }
-        if (persons.empty() || is_part_of(persons.front(), skeleton)) return find_in_pieces(skeleton);
+        if (persons.empty() || is_part_of(persons.front())) return find_in_pieces();
         check_alone(persons);
         const std::size_t main = persons.front();
         const int on_it = mesh_.triangles[std::size_t(pieces_[main].surface.triangles.front())][0];
         found.on_the_person = file_x_[std::size_t(on_it)];
-        keep_what_is_worn(main, skeleton, found);
+        keep_what_is_worn(main, found);
         return found;
     }
 
     // A trunk alone is a person without limbs, but not where a skeleton in it shows them.
-    bool is_part_of(std::size_t piece, const Bounds& skeleton) const {
-        if (skeleton.isEmpty() || !fits({piece}, skeleton)) return false;
+    bool is_part_of(std::size_t piece) const {
+        if (!fit_skeleton({piece})) return false;
         Bounds near = pieces_[piece].box;
-        const Vec3d margin = Vec3d::Constant(kWornMargin * skeleton.sizes().y());
-        return !near.extend(Vec3d(near.min() - margin)).extend(Vec3d(near.max() + margin)).contains(skeleton);
+        const Vec3d margin = Vec3d::Constant(kWornMargin * skeleton_.sizes().y());
+        return !near.extend(Vec3d(near.min() - margin)).extend(Vec3d(near.max() + margin)).contains(skeleton_);
     }
 
     // Persons inside each other are one in two layers; beside each other, nobody knows which is meant.
@@ -341,7 +346,7 @@ class PersonFinder {
     }
 
     // Leaves out what does not belong to the person of one piece.
-    void keep_what_is_worn(std::size_t main, const Bounds& skeleton, PersonSearch& found) const {
+    void keep_what_is_worn(std::size_t main, PersonSearch& found) const {
         const double height = found.likeness.stature.height();
         const Bounds space = space_round(main, found.likeness);
         OccupiedCells near(space, kCell * height);
@@ -361,7 +366,7 @@ class PersonFinder {
         std::vector<bool> is_worn(pieces_.size(), false);
         is_worn[main] = true;
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
-            if (skeleton.isEmpty() || !pieces_[i].is_bound || !fits({i}, skeleton)) continue;
+            if (!pieces_[i].is_bound || !fit_skeleton({i})) continue;
             is_worn[i] = true;
             fate[i] = Fate::Kept;
         }
@@ -382,10 +387,10 @@ class PersonFinder {
     }
 
     // A person whose parts are pieces: all pieces but the widest, one after the other, until what is left is a person.
-    PersonSearch find_in_pieces(const Bounds& skeleton) {
+    PersonSearch find_in_pieces() {
         PersonSearch found;
         std::vector<std::size_t> parts;
-        const bool are_bound = !skeleton.isEmpty() && most_are_bound();
+        const bool are_bound = !skeleton_.isEmpty() && most_are_bound();
         for (std::size_t i = 0; i < pieces_.size(); ++i)
             if (!are_bound || pieces_[i].is_bound) parts.push_back(i);
         std::ranges::stable_sort(parts, std::ranges::less(),
@@ -394,7 +399,7 @@ class PersonFinder {
         for (const std::size_t i : parts) fate[i] = Fate::Kept;
         for (std::size_t tried = 0; !parts.empty() && tried < kMostTried; ++tried) {
             PersonLikeness likeness = likeness_of(parts);
-            if (!skeleton.isEmpty() && fits(parts, skeleton)) show_person(parts, skeleton, likeness);
+            if (fit_skeleton(parts)) show_person(parts, likeness);
             if (tried == 0 || likeness.is_person()) found.likeness = std::move(likeness);
             if (found.likeness.is_person()) break;
             fate[parts.back()] = Fate::Other;
@@ -407,11 +412,11 @@ class PersonFinder {
     }
 
     // A person as its skeleton shows it, and whole if the parts reach beyond both ends of that.
-    void show_person(const std::vector<std::size_t>& parts, const Bounds& skeleton, PersonLikeness& likeness) const {
+    void show_person(const std::vector<std::size_t>& parts, PersonLikeness& likeness) const {
         likeness.lacks.clear();
         Bounds all;
         for (const std::size_t i : parts) all.extend(pieces_[i].box);
-        if (all.min().y() > skeleton.min().y() || all.max().y() < skeleton.max().y()) return;
+        if (all.min().y() > skeleton_.min().y() || all.max().y() < skeleton_.max().y()) return;
         likeness.stature = {.floor = all.min().y(), .crown = all.max().y()};
     }
 
@@ -424,10 +429,11 @@ class PersonFinder {
         return bound > all / 2;
     }
 
-    // Whether the surface of a person with this skeleton can reach so far.
-    bool fits(const std::vector<std::size_t>& parts, const Bounds& skeleton) const {
-        const double margin = kReach * skeleton.sizes().y();
-        Bounds space(skeleton.min() - Vec3d::Constant(margin), skeleton.max() + Vec3d::Constant(margin));
+    // Whether there is a person's skeleton, and the surface of that person can reach so far.
+    bool fit_skeleton(const std::vector<std::size_t>& parts) const {
+        if (skeleton_.isEmpty()) return false;
+        const double margin = kReach * skeleton_.sizes().y();
+        Bounds space(skeleton_.min() - Vec3d::Constant(margin), skeleton_.max() + Vec3d::Constant(margin));
         return std::ranges::all_of(parts, [&](std::size_t i) { return space.contains(pieces_[i].box); });
     }
 
@@ -508,7 +514,9 @@ class PersonFinder {
     std::vector<Vec3d> file_x_;  // of its vertices, in the file's axes
     double weld_distance_ = 0;
     std::vector<Piece> pieces_;
-    double cuts_ = 0;  // of triangles, so far
+    Bounds skeleton_;          // of a person, as the pieces are turned: where its joints are; empty: there is none
+    std::vector<Bone> bones_;  // with their joints there
+    double cuts_ = 0;          // of triangles, so far
 };
 
 }  // namespace

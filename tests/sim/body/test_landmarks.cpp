@@ -66,6 +66,23 @@ TEST(Stature, of_a_body_without_head_or_legs_is_that_of_the_whole_body) {
     }
 }
 
+// As figures of cartoons have: nothing shows their necks.
+TEST(Stature, of_a_figure_whose_head_is_as_wide_as_its_trunk_is_its_own_height) {
+    for (const Sex sex : {Sex::Female, Sex::Male}) {
+        Body body = mannequin(sex);
+        const double whole = height_range(body).high;
+        for (Vec3d& p : body.x) {
+            const double wider = 1 + 1.4 * smoothstep(p.y(), 0.83 * whole, 0.88 * whole);
+            p.x() *= wider;
+            p.z() *= wider;
+        }
+        const Stature stature = find_stature(body);
+        EXPECT_TRUE(stature.has_head && stature.has_legs);
+        EXPECT_EQ(stature.floor, height_range(body).low);
+        EXPECT_EQ(stature.crown, whole);
+    }
+}
+
 TEST(Stature, of_a_body_from_elsewhere_is_that_of_the_whole_body) {
     const char* folder = std::getenv("SELVEDGE_TEST_DATA");
     if (!folder) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set";

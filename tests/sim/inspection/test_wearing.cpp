@@ -23,6 +23,7 @@
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
 #include "tests/support/mannequin.h"
+#include "tests/support/notes.h"
 #include "tests/support/posed_body.h"
 
 namespace selvedge::sim::test {
@@ -93,11 +94,6 @@ Vec3d stays(const Vec3d& x) {
     return x;
 }
 
-bool has_note(const DressReport& report, const std::string& text) {
-    return std::ranges::any_of(report.notes,
-                               [&](const std::string& note) { return note.find(text) != std::string::npos; });
-}
-
 TEST(Wearing, of_a_garment_where_it_was_placed_has_no_fault) {
     for (const Pattern& pattern : {skirt(), sleeve()}) {
         const DressReport report = report_on(pattern, stays, mannequin());
@@ -110,7 +106,7 @@ TEST(Wearing, of_a_garment_that_settled_by_a_few_centimetres_has_no_fault) {
     const DressReport report = report_on(
         skirt(), [](const Vec3d& x) { return Vec3d(x - Vec3d(0, 0.06, 0)); }, mannequin());
     EXPECT_EQ(list(report), "");
-    EXPECT_TRUE(has_note(report, "the waist of 'front' lies 6 cm lower than it was placed"));
+    EXPECT_TRUE(has_note(report.notes, "the waist of 'front' lies 6 cm lower than it was placed"));
     const auto less = [](const Vec3d& x) { return Vec3d(x - Vec3d(0, 0.03, 0)); };
     EXPECT_TRUE(report_on(skirt(), less, mannequin()).notes.empty());
 }
@@ -314,8 +310,8 @@ TEST(Wearing, only_notes_a_hem_that_is_long_enough_to_lie_on_the_floor) {
         mannequin());
     EXPECT_EQ(list(report), "");
     EXPECT_EQ(report.notes.size(), 2U);
-    EXPECT_TRUE(has_note(report, "lies on the floor"));
-    EXPECT_TRUE(has_note(report, "the waist of 'front' lies 10 cm lower than it was placed"));
+    EXPECT_TRUE(has_note(report.notes, "lies on the floor"));
+    EXPECT_TRUE(has_note(report.notes, "the waist of 'front' lies 10 cm lower than it was placed"));
 }
 
 // A strip of cloth that reaches the floor.
@@ -499,9 +495,9 @@ TEST(Wearing, tells_that_a_waist_was_pushed_up_by_what_is_worn_with_it) {
     };
     constexpr const char* kTold = "the waist of 'front' lies 5 cm higher than it was placed";
     const DressReport pushed = report_on(pattern, up_by(0.05), mannequin());
-    EXPECT_TRUE(has_note(pushed, kTold)) << testing::PrintToString(pushed.notes) << list(pushed);
-    EXPECT_FALSE(has_note(report_on(pattern, up_by(0.03), mannequin()), "higher"));
-    EXPECT_FALSE(has_note(report_on(skirt(), up_by(0.05), mannequin()), "higher"));
+    EXPECT_TRUE(has_note(pushed.notes, kTold)) << testing::PrintToString(pushed.notes) << list(pushed);
+    EXPECT_FALSE(has_note(report_on(pattern, up_by(0.03), mannequin()).notes, "higher"));
+    EXPECT_FALSE(has_note(report_on(skirt(), up_by(0.05), mannequin()).notes, "higher"));
 }
 
 TEST(Wearing, says_which_limbs_it_could_not_check) {

@@ -7,12 +7,16 @@
 #include <string>
 
 #include "sim/body/skin.h"
+#include "sim/exchange/mesh_cache.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/motion/clear_arms.h"
 #include "sim/motion/motion_file.h"
 #include "sim/repair/load_body.h"
 #include "sim/repair/self_intersections.h"
+#include "tests/sim/motion/support.h"
+#include "tests/support/bodies.h"
 #include "tests/support/mannequin.h"
+#include "tests/support/temporary_folder.h"
 
 namespace selvedge::sim {
 namespace {
@@ -118,6 +122,41 @@ TEST(ClearArms, keeps_shipped_motions_of_slim_and_stout_bodies_apart_from_their_
                 EXPECT_EQ(forearm_cuts(body, sample(body, clip, share * clip.seconds)), 0)
                     << body.made_from << ": " << name << " at " << share;
         }
+}
+
+// As `animate --export` writes it: the body moves by its bones, beside a garment that is no part of it.
+TEST(FindMotion, gives_a_body_that_was_written_with_a_motion_that_motion) {
+    const Body& body = test::mannequin();
+    const Clip walk = find_motion("walk", body);
+    const TemporaryFolder folder;
+    const std::string path = (folder / "walk.glb").string();
+    constexpr std::size_t kFrames = 25;
+    constexpr double kRate = 25;  // 1/s
+    const DrawMesh surface = body_mesh(body),
+                   garment = body_mesh(shapes::box({-0.02, 1.1, -0.02}, {0.02, 1.2, 0.02}, 2));
+    const auto cache =
+        open_mesh_cache(path, garment, {.frames = kFrames, .frames_per_second = kRate, .bones = &body}, &surface);
+    const auto posed = [&](const Pose& pose) {
+        std::vector<Vec3f> x;
+        for (const Vec3d& p : skin(body, pose)) x.push_back(p.cast<float>());
+        return x;
+    };
+    for (std::size_t i = 0; i < kFrames; ++i) {
+        const Pose pose = sample(body, walk, double(i) / kRate);
+        cache->add(garment.x, posed(pose), &pose);
+    }
+    cache->finish();
+    const BodyClips own = load_moving_body(path);
+    const Clip found = find_motion(path, own.body);
+    EXPECT_NEAR(found.seconds, double(kFrames - 1) / kRate, 1e-5);
+    const auto hand_from_hips = [](const Body& of, const Clip& clip, double t) {
+        const Pose pose = sample(of, clip, t);
+        return Vec3d(of.frame.linear() * (joint_at(of, pose, Joint::LeftHand) - joint_at(of, pose, Joint::Hips)));
+    };
+    for (const int frame : {6, 13, 24}) {
+        const double t = double(frame) / kRate;
+        EXPECT_LT((hand_from_hips(own.body, found, t) - hand_from_hips(body, walk, t)).norm(), 0.001) << frame;
+    }
 }
 
 TEST(FindMotion, gives_a_body_its_own_clip_as_it_is) {

@@ -14,6 +14,7 @@
 #include "tests/sim/motion/bvh_figure.h"
 #include "tests/sim/motion/support.h"
 #include "tests/support/mannequin.h"
+#include "tests/support/parted_body.h"
 #include "tests/support/temporary_folder.h"
 
 namespace selvedge::sim {
@@ -137,6 +138,33 @@ TEST(ShippedMotions, turn_once_round_on_the_spot) {
     for (double t = 0; t < turn.seconds; t += 0.1) {
         const Vec3d way = joint_at(body, sample(body, turn, t), Joint::Hips) - rest;
         EXPECT_LT(std::hypot(way.x(), way.z()), 0.06);
+    }
+}
+
+TEST(ShippedMotions, fit_a_body_whose_bones_have_other_names_and_axes) {
+    Body body = shapes::in_parts(test::mannequin(), shapes::Joints::Gaps);
+    const std::vector<Eigen::Affine3d> frames = bone_frames(body, rest_pose(body));
+    for (std::size_t i = 0; i < body.bones.size(); ++i) {
+        Bone& bone = body.bones[i];
+        const Eigen::Affine3d own = frames[i] * Eigen::AngleAxisd(0.3 * double(i), Vec3d(1, 2, 3).normalized());
+        const auto parent = std::size_t(std::max(0, bone.parent));
+        const Eigen::Affine3d above =
+            bone.parent < 0 ? Eigen::Affine3d::Identity()
+                            : frames[parent] * Eigen::AngleAxisd(0.3 * double(parent), Vec3d(1, 2, 3).normalized());
+        const Eigen::Affine3d local = above.inverse() * own;
+        bone.rest.rotation = Eigen::Quaterniond(local.rotation());
+        bone.rest.translation = local.translation();
+        bone.inverse_bind = own.inverse();
+    }
+    const Pose sit = find_pose("sit", body);
+    EXPECT_NEAR(lowest_point(body, sit), 0, 1e-5);
+    EXPECT_LT(std::abs(direction(body, sit, Joint::LeftUpperLeg, Joint::LeftLowerLeg).y()), 0.05);
+    EXPECT_GT(direction(body, find_pose("T", body), Joint::LeftUpperArm, Joint::LeftHand).x(), 0.98);
+    const Clip walk = find_motion("walk", body);
+    for (const double share : {0.2, 0.6}) {
+        const Pose pose = sample(body, walk, share * walk.seconds);
+        EXPECT_GT(bend(body, pose, Joint::LeftUpperLeg), -0.1) << share;
+        EXPECT_GT(bend(body, pose, Joint::RightUpperLeg), -0.1) << share;
     }
 }
 

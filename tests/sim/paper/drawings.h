@@ -99,10 +99,6 @@ std::string problem_of(const std::string& text, Read read) {
     return "nothing";
 }
 
-inline bool has_note(const std::vector<std::string>& notes, std::string_view words) {
-    return std::ranges::any_of(notes, [&](const std::string& note) { return note.find(words) != note.npos; });
-}
-
 // A group of DXF.
 inline std::string dxf_group(int code, const std::string& value) {
     return std::to_string(code) + "\n" + value + "\n";

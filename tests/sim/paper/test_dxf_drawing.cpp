@@ -82,6 +82,19 @@ TEST(Dxf, reads_a_piece_with_its_lines_marks_and_texts) {
     EXPECT_FALSE(drawing.is_upright);
 }
 
+TEST(Dxf, gives_pieces_of_one_name_names_that_differ) {
+    std::string text = one_piece();
+    const std::size_t from = text.find("0\nBLOCK\n"), to = text.find("0\nENDSEC\n");
+    std::string second = text.substr(from, to - from);
+    second.replace(second.find("FRONT"), 5, "OTHER");
+    text.insert(to, second);
+    text.insert(text.find("0\nINSERT\n"), groups({{0, "INSERT"}, {2, "OTHER"}}));
+    const Drawing drawing = read_dxf(text, "a.dxf");
+    ASSERT_EQ(drawing.parts.size(), 2U);
+    EXPECT_NE(drawing.parts[0].name, drawing.parts[1].name);
+    for (const DrawnPart& part : drawing.parts) EXPECT_TRUE(part.name.starts_with("Vorderteil")) << part.name;
+}
+
 TEST(Dxf, names_the_line_of_what_is_wrong) {
     const auto problem = [](const std::string& wrong) {
         return problem_of(wrong, [](const std::string& text) { return read_dxf(text, "a.dxf"); });

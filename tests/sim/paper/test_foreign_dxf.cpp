@@ -8,6 +8,7 @@
 #include "sim/paper/make_panels.h"
 #include "sim/pattern/edge_shape.h"
 #include "tests/sim/paper/drawings.h"
+#include "tests/support/notes.h"
 
 namespace selvedge::sim {
 namespace {

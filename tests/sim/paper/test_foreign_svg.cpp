@@ -7,6 +7,7 @@
 #include "sim/paper/svg_drawing.h"
 #include "sim/pattern/edge_shape.h"
 #include "tests/sim/paper/drawings.h"
+#include "tests/support/notes.h"
 
 namespace selvedge::sim {
 namespace {

@@ -11,6 +11,7 @@
 #include "sim/pattern/segment_distance.h"
 #include "sim/proposals/seam_proposals.h"
 #include "tests/sim/paper/drawings.h"
+#include "tests/support/notes.h"
 
 namespace selvedge::sim {
 namespace {
@@ -201,16 +202,12 @@ DrawnPath polygon(std::vector<Vec2d> corners) {
     return path;
 }
 
-bool says(const PanelsOfDrawing& made, std::string_view text) {
-    return std::ranges::any_of(made.notes, [&](const std::string& note) { return note.find(text) != note.npos; });
-}
-
 TEST(MakePanels, take_off_a_line_that_runs_forth_and_back) {
     const DrawnPath path = polygon({{0, 0}, {300, 0}, {300, 400}, {200, 400}, {340, 400}, {340, 400.001}, {0, 400}});
     const PanelsOfDrawing made = make_panels(one_part({.name = "front", .paths = {path}}), "");
     ASSERT_EQ(made.pattern.panels.size(), 1U);
     EXPECT_NEAR(std::abs(outline_area(made.pattern.panels[0])), 0.12, 1e-6);
-    EXPECT_TRUE(says(made, "forth and back"));
+    EXPECT_TRUE(has_note(made.notes, "forth and back"));
 }
 
 TEST(MakePanels, open_a_dart_that_is_closed_at_the_hem) {
@@ -229,7 +226,7 @@ TEST(MakePanels, open_a_dart_that_is_closed_at_the_hem) {
     ASSERT_EQ(made.pattern.panels.size(), 1U);
     EXPECT_EQ(made.pattern.panels[0].edges.size(), 11U);
     EXPECT_TRUE(find_outline_crossings(made.pattern.panels[0]).empty());
-    EXPECT_TRUE(says(made, "moved apart"));
+    EXPECT_TRUE(has_note(made.notes, "moved apart"));
 }
 
 TEST(MakePanels, cut_off_a_small_loop) {
@@ -240,7 +237,7 @@ TEST(MakePanels, cut_off_a_small_loop) {
     EXPECT_TRUE(find_outline_crossings(made.pattern.panels[0]).empty());
     // From (40, 400) the outline runs to where it crosses itself, and on to (0, 380).
     EXPECT_NEAR(std::abs(outline_area(made.pattern.panels[0])), 0.1196, 1e-4);
-    EXPECT_TRUE(says(made, "was cut off"));
+    EXPECT_TRUE(has_note(made.notes, "was cut off"));
 }
 
 TEST(MakePanels, join_lines_that_make_the_outline_together) {
@@ -255,7 +252,7 @@ TEST(MakePanels, join_lines_that_make_the_outline_together) {
     EXPECT_EQ(made.pattern.panels[0].edges.size(), 4U);
     EXPECT_NEAR(std::abs(outline_area(made.pattern.panels[0])), 0.12, 1e-4);
     EXPECT_EQ(made.pattern.panels[0].internal_lines.size(), 1U) << "the mark";
-    EXPECT_TRUE(says(made, "joined"));
+    EXPECT_TRUE(has_note(made.notes, "joined"));
 }
 
 TEST(MakePanels, take_no_dart_that_is_drawn_as_two_lines_for_the_outline) {

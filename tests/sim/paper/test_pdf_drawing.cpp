@@ -15,6 +15,7 @@
 #include "sim/pattern/outline.h"
 #include "tests/sim/paper/drawings.h"
 #include "tests/sim/paper/pdf_text.h"
+#include "tests/support/notes.h"
 
 namespace selvedge::sim {
 namespace {

@@ -14,6 +14,7 @@
 #include "sim/mannequin/mannequin.h"
 #include "sim/repair/load_body.h"
 #include "tests/support/bodies.h"
+#include "tests/support/notes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace selvedge::sim {
@@ -83,10 +84,7 @@ class FindPerson : public testing::Test {
         EXPECT_TRUE(shapes::is_closed(body)) << reason;
         EXPECT_TRUE(noted(reason)) << reason;
     }
-    bool noted(const std::string& text) const {
-        return std::ranges::any_of(report_.notes,
-                                   [&](const std::string& note) { return note.find(text) != std::string::npos; });
-    }
+    bool noted(const std::string& text) const { return has_note(report_.notes, text); }
 
     TemporaryFolder folder_;
     LoadBodyReport report_;

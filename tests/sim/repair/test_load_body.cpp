@@ -10,6 +10,7 @@
 #include "sim/collide/body_collider.h"
 #include "sim/core/error.h"
 #include "tests/support/bodies.h"
+#include "tests/support/notes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace selvedge::sim {
@@ -47,10 +48,7 @@ class LoadBody : public testing::Test {
         }
         return "none";
     }
-    bool noted(const std::string& text) const {
-        return std::any_of(report_.notes.begin(), report_.notes.end(),
-                           [&](const std::string& note) { return note.find(text) != std::string::npos; });
-    }
+    bool noted(const std::string& text) const { return has_note(report_.notes, text); }
 
     TemporaryFolder folder_;
     LoadBodyReport report_;

@@ -25,6 +25,7 @@
 #include "tests/sim/dress/support.h"
 #include "tests/support/bodies.h"
 #include "tests/support/mannequin.h"
+#include "tests/support/notes.h"
 #include "tests/support/right_wrong.h"
 
 namespace selvedge::sim::test {
@@ -177,24 +178,19 @@ TEST(Dress, what_is_too_small_in_cotton_stretches_in_jersey) {
     EXPECT_GT(jersey.stretch.warp_weft_max, 0.12);
 }
 
-bool has_note(const DressReport& report, const std::string& text) {
-    return std::ranges::any_of(report.notes,
-                               [&](const std::string& note) { return note.find(text) != std::string::npos; });
-}
-
 TEST(Dress, leaves_level_arms_as_they_are_when_it_puts_on_a_skirt) {
     const Body body = posed(mannequin(), find_pose("T", mannequin()));
     const DressReport skirt = dress(tube(0.4, 0.5, 0.5, 0.2), body, up_to_level(0)).report;
-    EXPECT_FALSE(has_note(skirt, "lowered arms"));
+    EXPECT_FALSE(has_note(skirt.notes, "lowered arms"));
 }
 
 TEST(Dress, names_a_panel_in_its_notes_when_the_pattern_leaves_it_off) {
     Pattern pattern = tube(0.4, 0.5, 0.5, 0.2);
-    EXPECT_FALSE(has_note(dress(pattern, mannequin(), up_to_level(0)).report, "not worn"));
+    EXPECT_FALSE(has_note(dress(pattern, mannequin(), up_to_level(0)).report.notes, "not worn"));
     pattern.panels.push_back(rectangle("facing", {.width = 0.1, .height = 0.1, .y = 1.0, .z = 0.5}));
     pattern.panels.back().is_worn = false;
     EXPECT_TRUE(
-        has_note(dress(pattern, mannequin(), up_to_level(0)).report, "not worn, as the pattern says: 'facing'"));
+        has_note(dress(pattern, mannequin(), up_to_level(0)).report.notes, "not worn, as the pattern says: 'facing'"));
 }
 
 TEST(Dress, a_skirt_that_is_too_large_is_not_waited_for_until_it_lies_on_the_floor) {
@@ -224,7 +220,7 @@ TEST(Dress, a_skirt_that_slips_is_not_waited_for_in_the_body_s_own_pose_either) 
     const DressReport report = dress(tube(0.6, 0.5, 0.5, 0.2), body, up_to_level(0)).report;
     EXPECT_EQ(report.stopped_because, "slips down");
     EXPECT_LT(report.simulated_seconds, 1) << "since the arms are back";
-    EXPECT_TRUE(has_note(report, "lowered arms"));
+    EXPECT_TRUE(has_note(report.notes, "lowered arms"));
     ASSERT_EQ(report.faults.size(), 1U);
     EXPECT_EQ(report.faults[0].kind, "does_not_fit");
 }
