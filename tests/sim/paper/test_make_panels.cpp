@@ -291,6 +291,23 @@ TEST(MakePanels, pair_what_lies_beside_the_middle_of_a_garment_cut_on_the_fold) 
     EXPECT_EQ(make_panels(drawing, "").pattern.panels.size(), 2U);
 }
 
+TEST(MakePanels, lay_the_ribs_of_ribbing_across_its_band_unless_its_grain_is_drawn) {
+    DrawnPart band{.name = "waistband", .paths = {rectangle(LineKind::Sew, {0, 0}, {80, 800})}};
+    const auto is_across = [&] {
+        const Panel panel = make_panels(one_part(band), "").pattern.panels[0];
+        const Vec2d size = outline_box(panel).sizes();
+        const Vec2d grain(-std::sin(panel.grain_angle), std::cos(panel.grain_angle));
+        return std::abs(size.x() < size.y() ? grain.x() : grain.y()) > 0.999;
+    };
+    EXPECT_FALSE(is_across()) << "woven cloth runs up the paper";
+    band.cut.material = "ribbing";
+    EXPECT_TRUE(is_across());
+    band.paths[0] = rectangle(LineKind::Sew, {0, 0}, {800, 80});
+    EXPECT_TRUE(is_across());
+    band.paths.push_back(open_line(LineKind::Grain, {{100, 40}, {700, 40}}));
+    EXPECT_FALSE(is_across());
+}
+
 TEST(MakePanels, turn_pieces_upright_that_lie_on_their_sides) {
     Drawing drawing = one_part({.name = "back", .paths = {rectangle(LineKind::Sew, {0, 0}, {600, 400})}});
     drawing.parts[0].paths[0].vertices = {{0, 100}, {600, 0}, {600, 400}, {0, 300}};  // narrow on the left: the top
