@@ -214,9 +214,19 @@ bool is_on_wrong_side(const OpenBoundary& boundary, const std::vector<PanelFacts
     return is_sewn_at(half, -side) || is_sewn_at(twin, side);
 }
 
+// Whether a level line at the top runs from the side of a whole panel inwards, and leaves room for the neck.
+bool is_level_shoulder(const PanelFacts& facts, const std::vector<Vec2d>& points) {
+    constexpr double kAtSide = 0.02, kMostWidth = 0.45;  // of the width
+    const double out = std::max(std::abs(points.front().x() - facts.axis), std::abs(points.back().x() - facts.axis));
+    return facts.is_symmetric && out > (0.5 - kAtSide) * facts.width &&
+           std::abs(points.front().x() - points.back().x()) < kMostWidth * facts.width;
+}
+
 // The shoulders of a front and a back or a yoke: straight, at the top, and sloping away from the neck, which meets the
-// neck.
-double odds_of_shoulders(const OpenBoundary& boundary, const PanelRole& a, const PanelRole& b, const Sides& sides) {
+// neck; or level, from the sides inwards.
+double odds_of_shoulders(const OpenBoundary& boundary, const PanelFacts& facts_a, const PanelFacts& facts_b,
+                         const Sides& sides) {
+    const PanelRole &a = facts_a.role, &b = facts_b.role;
     constexpr double kUp = 0.75, kSlope = 0.08;
     const auto is_front = [](const PanelRole& one) {
         return one.part == GarmentPart::Torso && one.face == Face::Front;
@@ -227,9 +237,13 @@ double odds_of_shoulders(const OpenBoundary& boundary, const PanelRole& a, const
     if (!(is_front(a) && is_behind(b)) && !(is_front(b) && is_behind(a))) return 0;
     if (facing_up(boundary, sides.a) < kUp || facing_up(boundary, sides.b) < kUp) return 0;
     const double rise_a = rise_along(boundary, sides.a), rise_b = rise_along(boundary, sides.b);
-    if (std::min(std::abs(rise_a), std::abs(rise_b)) < kSlope) return 0;
-    if (rise_a * rise_b > 0) return -4;  // the neck would meet the tip
     const bool are_straight = std::min(straightness(sides.points_a), straightness(sides.points_b)) > 0.99;
+    if (std::min(std::abs(rise_a), std::abs(rise_b)) < kSlope) {
+        const bool are_shoulders = sides.are_single() && are_straight && is_level_shoulder(facts_a, sides.points_a) &&
+                                   is_level_shoulder(facts_b, sides.points_b);
+        return are_shoulders ? 2 : 0;
+    }
+    if (rise_a * rise_b > 0) return -4;  // the neck would meet the tip
     return are_straight || !sides.are_single() ? 2 : 0;
 }
 
@@ -287,7 +301,7 @@ void weigh_two_panels(Evidence& evidence, const OpenBoundary& boundary, const st
     if (one.role.part != other.role.part &&
         (is_other_choice(boundary, facts, a) || is_other_choice(boundary, facts, b)))
         evidence.is_possible = false;
-    const double shoulders = odds_of_shoulders(boundary, one.role, other.role, sides);
+    const double shoulders = odds_of_shoulders(boundary, one, other, sides);
     add(evidence, shoulders, shoulders > 0 ? "shoulders" : "");
     if (!sides.are_single()) return add(evidence, one.role.part == other.role.part && !(shoulders > 0) ? -2 : 0);
     if (is_on_wrong_side(boundary, facts, a, b, sides.points_b) ||

@@ -470,5 +470,26 @@ TEST(Drafts, of_a_tabard_have_its_shoulders_sewn_and_neither_its_sides_nor_its_h
     EXPECT_EQ(pairs.size(), 2U);
 }
 
+// One line, which only vertices divide, is shoulder, neckline of the back and shoulder.
+TEST(Drafts, of_a_tabard_with_level_shoulders_have_them_sewn_beside_the_neck_and_its_sides_open) {
+    const Panel back =
+        polygon("back", {{-0.2, 0}, {0.2, 0}, {0.2, 0.8}, {0.14, 0.8}, {0, 0.8}, {-0.14, 0.8}, {-0.2, 0.8}});
+    const Panel front = polygon("front", {{-0.2, 0},
+                                          {0.2, 0},
+                                          {0.2, 0.8},
+                                          {0.14, 0.8},
+                                          {0.11, 0.8},
+                                          {0, 0.67},
+                                          {-0.11, 0.8},
+                                          {-0.14, 0.8},
+                                          {-0.2, 0.8}});
+    Pattern pattern;
+    pattern.panels = {front, back};
+    const Pairs pairs = sewn(pattern);
+    EXPECT_TRUE(are_sewn(pairs, {"front", 2}, {"back", 5}));
+    EXPECT_TRUE(are_sewn(pairs, {"front", 7}, {"back", 2}));
+    EXPECT_EQ(pairs.size(), 2U);
+}
+
 }  // namespace
 }  // namespace selvedge::sim
