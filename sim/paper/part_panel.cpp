@@ -295,7 +295,8 @@ class PartReader {
         const Vec2d end = panel_.vertices[as_size(panel_.edges[as_size(edge)].end)];
         if (!has_grain_line()) panel_.grain_angle = upright_angle(end - start);
         const Panel whole = unfolded(panel_, edge);
-        if (find_outline_crossings(whole, {.most = 1}).empty())
+        read_.is_unfolded = find_outline_crossings(whole, {.most = 1}).empty();
+        if (read_.is_unfolded)
             panel_ = whole;
         else
             note("unfolded, it would cross itself: left as it is drawn");

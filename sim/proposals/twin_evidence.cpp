@@ -66,7 +66,9 @@ double odds_of_band(const OpenBoundary& boundary, const PanelFacts& facts, int o
 // A seam in the middle of the front or the back is upright, and the panel's other side has found its seam.
 double odds_of_middle(const OpenBoundary& boundary, const PanelFacts& facts, int own, int twin,
                       const std::vector<Vec2d>& points) {
-    if (facts.is_outer || std::abs(rise(points)) < kUpright) return kNever;
+    constexpr double kTorso = 0.94;  // rise, 20 degrees from upright: fronts that lie over each other slant more
+    const double least = facts.role.part == GarmentPart::Torso ? kTorso : kUpright;
+    if (facts.is_outer || std::abs(rise(points)) < least) return kNever;
     if (facts.rank > 1 && facts.rank < facts.row_length) return kNever;
     if (facts.role.face == Face::Front && facts.role.part == GarmentPart::Torso && facts.has_opening) return -4;
     if (straightness(points) < 0.97 || bulge(points) < -0.02) return kNever;  // an armhole, or a neckline

@@ -470,6 +470,18 @@ TEST(Drafts, of_a_tabard_have_its_shoulders_sewn_and_neither_its_sides_nor_its_h
     EXPECT_EQ(pairs.size(), 2U);
 }
 
+// Below its tip, the edge of a front that lies over the other slants away from the middle.
+TEST(Drafts, of_fronts_that_lie_over_each_other_have_them_open) {
+    // Hem 0, side 1, armhole 2, shoulder 3, edge 4 to the tip and 5 below it.
+    Panel front = polygon("front", {{-0.04, 0}, {0.25, 0}, {0.25, 0.4}, {0.2, 0.6}, {0.08, 0.64}, {-0.2, 0.36}});
+    bend(front, 2, -0.03);
+    Pattern pattern;
+    pattern.panels = {whole("back"), front, mirror_image(front)};
+    const Pairs pairs = sewn(pattern);
+    EXPECT_TRUE(are_panels_sewn(pairs, "front", "back"));
+    EXPECT_FALSE(are_panels_sewn(pairs, "front", "front_mirrored"));
+}
+
 // One line, which only vertices divide, is shoulder, neckline of the back and shoulder.
 TEST(Drafts, of_a_tabard_with_level_shoulders_have_them_sewn_beside_the_neck_and_its_sides_open) {
     const Panel back =
