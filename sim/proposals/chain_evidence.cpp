@@ -288,6 +288,18 @@ void weigh_row(Evidence& evidence, const Pattern& pattern, const std::vector<Pan
     if (apart < one.row_length - 1) add(evidence, kFar);
 }
 
+// A side panel lies between front and back: both are sewn to it, and not to each other.
+void weigh_side_panel(Evidence& evidence, const PanelFacts& one, const PanelFacts& other, const Sides& sides) {
+    constexpr double kToIt = 1.5, kPastIt = -5;  // odds
+    const bool are_upright = std::min(std::abs(rise(sides.points_a)), std::abs(rise(sides.points_b))) > kUpright;
+    if (!one.has_side_panel || !are_upright) return;
+    const auto is_face = [](const PanelFacts& panel) {
+        return panel.role.part == GarmentPart::Torso && panel.role.face != Face::None && !panel.is_outer;
+    };
+    if ((one.is_side && is_face(other)) || (other.is_side && is_face(one))) return add(evidence, kToIt);
+    if (is_face(one) && is_face(other) && one.role.face != other.role.face) add(evidence, kPastIt);
+}
+
 void weigh_two_panels(Evidence& evidence, const OpenBoundary& boundary, const std::vector<PanelFacts>& facts,
                       const Sides& sides) {
     using enum GarmentPart;
@@ -313,6 +325,7 @@ void weigh_two_panels(Evidence& evidence, const OpenBoundary& boundary, const st
         const bool is_same_lane = one.is_inner == other.is_inner, is_same_face = one.role.face == other.role.face;
         add(evidence, is_same_lane != is_same_face ? 0.7 : -3);
     }
+    weigh_side_panel(evidence, one, other, sides);
     const std::vector<int> joined = boundary.joined_panels(a);
     const auto is_joined_to = [&](int panel) { return std::ranges::find(joined, panel) != joined.end(); };
     const bool is_upright = std::abs(rise(sides.points_a)) > kUpright;
@@ -653,7 +666,10 @@ Evidence weigh(const OpenBoundary& boundary, const std::vector<PanelFacts>& fact
     weigh_joints(evidence, boundary, first, second);
     if (are_parts(a.role.part, b.role.part, GarmentPart::Torso, GarmentPart::Sleeve))
         weigh_going_on(evidence, boundary, first, second);
-    const bool are_faces = a.role.face != Face::None && b.role.face != Face::None && a.role.face != b.role.face;
+    // A double notch says "back", also on what meets a back.
+    const bool is_to_back = (a.is_side && b.role.face == Face::Back) || (b.is_side && a.role.face == Face::Back);
+    const bool are_faces =
+        is_to_back || (a.role.face != Face::None && b.role.face != Face::None && a.role.face != b.role.face);
     weigh_notches(evidence, boundary, first, second, sides.are_single() && are_faces);
     return evidence;
 }

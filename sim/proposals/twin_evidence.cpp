@@ -70,6 +70,8 @@ double odds_of_middle(const OpenBoundary& boundary, const PanelFacts& facts, int
     const double least = facts.role.part == GarmentPart::Torso ? kTorso : kUpright;
     if (facts.is_outer || std::abs(rise(points)) < least) return kNever;
     if (facts.rank > 1 && facts.rank < facts.row_length) return kNever;
+    constexpr double kShort = 0.15;  // of the panel's height: as the corner of a lapel
+    if (facts.role.part == GarmentPart::Torso && polyline_length(points) < kShort * facts.height) return kNever;
     if (facts.role.face == Face::Front && facts.role.part == GarmentPart::Torso && facts.has_opening) return -4;
     if (straightness(points) < 0.97 || bulge(points) < -0.02) return kNever;  // an armhole, or a neckline
     if (const auto is_middle = is_towards_middle(facts, points))

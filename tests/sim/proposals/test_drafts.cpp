@@ -470,6 +470,45 @@ TEST(Drafts, of_a_tabard_have_its_shoulders_sewn_and_neither_its_sides_nor_its_h
     EXPECT_EQ(pairs.size(), 2U);
 }
 
+// As of a jacket.
+TEST(Drafts, with_a_side_panel_have_it_sewn_between_front_and_back) {
+    const auto trunk = [](const char* name, double low) {
+        Panel panel = polygon(
+            name,
+            {{-0.19, 0}, {0.19, 0}, {0.19, 0.4}, {0.2, 0.6}, {0.08, 0.64}, {-0.08, 0.64}, {-0.2, 0.6}, {-0.19, 0.4}});
+        bend(panel, 2, -0.03);
+        bend(panel, 6, -0.03);
+        bend(panel, 4, -low);
+        return panel;
+    };
+    Panel side = polygon("side", {{-0.06, 0}, {0.06, 0}, {0.06, 0.4}, {-0.06, 0.4}});
+    bend(side, 2, -0.02);
+    Pattern pattern;
+    pattern.panels = {trunk("front", 0.05), trunk("back", 0.01), side};
+    pattern.panels.push_back(mirror_image(side));
+    const Pairs pairs = sewn(pattern);
+    for (const char* face : {"front", "back"}) {
+        EXPECT_TRUE(are_panels_sewn(pairs, "side", face)) << face;
+        EXPECT_TRUE(are_panels_sewn(pairs, "side_mirrored", face)) << face;
+    }
+    EXPECT_FALSE(are_sewn(pairs, {"front", 1}, {"back", 7}));
+    EXPECT_FALSE(are_sewn(pairs, {"front", 7}, {"back", 1}));
+}
+
+// The upper edge of a lapel is short, and meets the other one nowhere.
+TEST(Drafts, with_lapels_have_the_corners_of_these_sewn_to_each_other_nowhere) {
+    // Hem 0, side 1, armhole 2, shoulder 3, upright edge of the neck 4, lapel 5 and 6.
+    Panel front =
+        polygon("front", {{-0.03, 0}, {0.25, 0}, {0.25, 0.4}, {0.2, 0.6}, {0.08, 0.64}, {0.075, 0.58}, {-0.03, 0.58}});
+    bend(front, 2, -0.03);
+    bend(front, 6, 0.02);
+    Pattern pattern;
+    pattern.panels = {whole("back"), front, mirror_image(front)};
+    const Pairs pairs = sewn(pattern);
+    EXPECT_TRUE(are_panels_sewn(pairs, "front", "back"));
+    EXPECT_FALSE(are_sewn(pairs, {"front", 4}, {"front_mirrored", 3}));
+}
+
 // Below its tip, the edge of a front that lies over the other slants away from the middle.
 TEST(Drafts, of_fronts_that_lie_over_each_other_have_them_open) {
     // Hem 0, side 1, armhole 2, shoulder 3, edge 4 to the tip and 5 below it.
