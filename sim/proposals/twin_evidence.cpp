@@ -34,7 +34,9 @@ double odds_of_crotch(const OpenBoundary& boundary, int own, const std::vector<V
     const auto [low, high] = std::ranges::minmax(panel.vertices, {}, [](const Vec2d& v) { return v.y(); });
     const double least = low.y() + kLowest * (high.y() - low.y());
     if (points.front().y() < least || points.back().y() < least) return kNever;
-    constexpr double kDeep = -0.1, kBent = 0.6;  // bulge, straightness
+    // Bulge, straightness: a notch bulges the less, the narrower it is; of one that is four times as deep as it is wide
+    // -0.04.
+    constexpr double kDeep = -0.04, kBent = 0.6;
     if (bulge(points) < kDeep && straightness(points) < kBent) return kSure;
     return std::abs(rise(points)) < 0.4 ? kNever : kLikely;
 }

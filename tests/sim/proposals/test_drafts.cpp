@@ -381,11 +381,13 @@ TEST(Drafts, with_long_and_short_sleeves_have_one_kind_sewn) {
 }
 
 TEST(Drafts, of_one_panel_round_the_leg_have_the_whole_crotch_sewn_at_once) {
-    Pattern pattern;
-    Panel pants = polygon("pants", {{0, 0}, {1, 0}, {1, 1}, {0.65, 1}, {0.35, 1}, {0, 1}});
-    bend(pants, 3, -0.25);
-    pattern.panels = {pants, mirror_image(pants)};
-    EXPECT_TRUE(are_sewn(sewn(pattern), {"pants", 3}, {"pants_mirrored", 3}));
+    for (const auto& [width, depth] : {std::pair(0.3, 0.25), {0.22, 0.4}}) {
+        Pattern pattern;
+        Panel pants = polygon("pants", {{0, 0}, {1, 0}, {1, 1}, {0.5 + width / 2, 1}, {0.5 - width / 2, 1}, {0, 1}});
+        bend(pants, 3, -depth);
+        pattern.panels = {pants, mirror_image(pants)};
+        EXPECT_TRUE(are_sewn(sewn(pattern), {"pants", 3}, {"pants_mirrored", 3})) << depth;
+    }
 }
 
 TEST(Drafts, have_no_cap_sewn_to_a_side_that_is_as_long) {
