@@ -11,6 +11,7 @@
 #include "sim/core/math.h"
 #include "sim/pattern/outline.h"
 #include "sim/proposals/chain_shape.h"
+#include "sim/proposals/elbow_evidence.h"
 #include "sim/proposals/outline_neighbours.h"
 #include "sim/proposals/twin_evidence.h"
 
@@ -618,6 +619,10 @@ void weigh_looks(Evidence& evidence, const OpenBoundary& boundary, const std::ve
         if (are_loops) add(evidence, kRings);
         const bool is_of_halves = !is_single(a.role.part == Sleeve ? sides.panels_a : sides.panels_b);
         if (are_loops || is_of_halves) weigh_heights(evidence, boundary, sides.a, sides.b);
+        if (!sides.are_single()) {
+            const bool is_cap = a.role.part == Sleeve;
+            add(evidence, odds_of_elbow(boundary, facts, is_cap ? sides.b : sides.a, is_cap ? sides.a : sides.b));
+        }
     }
 }
 

@@ -472,6 +472,32 @@ TEST(Drafts, of_a_tabard_have_its_shoulders_sewn_and_neither_its_sides_nor_its_h
     EXPECT_EQ(pairs.size(), 2U);
 }
 
+// The elbow is behind: seen from outside, on the right of a left sleeve.
+TEST(Drafts, of_sleeves_that_bend_at_the_elbow_have_each_on_the_arm_that_it_bends_with) {
+    // Hem 0, underarm 1 and 2, cap 3 and 4, underarm 5 and 6.
+    Panel left =
+        polygon("sleeve", {{-0.13, 0}, {0.07, 0}, {0.14, 0.22}, {0.18, 0.45}, {0, 0.56}, {-0.18, 0.45}, {-0.11, 0.22}});
+    bend(left, 3, 0.03);
+    bend(left, 4, 0.03);
+    Panel right = mirror_image(left);
+    right.mirror_of.clear();
+    right.name = "sleeve";
+    const auto sewn_with = [](const Panel& drawn) {
+        Pattern pattern;
+        pattern.panels = {whole("front"), whole("back"), drawn, mirror_image(drawn)};
+        for (const int sleeve : {2, 3}) {
+            pattern.seams.push_back({.first = {sleeve, 1}, .second = {sleeve, 6}});
+            pattern.seams.push_back({.first = {sleeve, 2}, .second = {sleeve, 5}});
+        }
+        return sewn(pattern);
+    };
+    const Pairs of_left = sewn_with(left), of_right = sewn_with(right);
+    EXPECT_TRUE(are_sewn(of_left, {"front", 2}, {"sleeve", 4}));
+    EXPECT_TRUE(are_sewn(of_left, {"back", 6}, {"sleeve", 3}));
+    EXPECT_TRUE(are_sewn(of_right, {"front", 6}, {"sleeve", 3}));
+    EXPECT_TRUE(are_sewn(of_right, {"back", 2}, {"sleeve", 4}));
+}
+
 // As of a jacket.
 TEST(Drafts, with_a_side_panel_have_it_sewn_between_front_and_back) {
     const auto trunk = [](const char* name, double low) {
