@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kOuterWords = "side outside outer seiten fianco flanc zijpand бок боч";
 constexpr std::string_view kInnerWords = "inside inner cent middle mitte milieu средн";
-constexpr std::string_view kOpeningWords = "placket button zip knopf bouton boton планк застеж";
+constexpr std::string_view kOpeningWords = "placket button knopf bouton boton планк застеж";
 
 // The mean length of the lower edges of sleeves, or of legs if there is no sleeve, m; 0: there is none.
 double mean_hem(const Pattern& pattern, const std::vector<PanelRole>& roles) {

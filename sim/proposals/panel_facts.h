@@ -19,7 +19,7 @@ struct PanelFacts {
     bool is_inner = false;         // "frontInside", "centre back"
     bool is_side = false;          // lies between front and back, as "side", at least half as high as they are
     bool has_side_panel = false;   // some panel of the garment is such a one
-    bool has_opening = false;      // the garment is closed by buttons or a zip
+    bool has_opening = false;      // the garment is closed by buttons, its edges over each other; a zip joins them
     int rank = 0;                  // of panels that are numbered in a row, from 1 on: "panel3"; 0: it is of none
     int row_length = 0;            // how many these are, on one side of the body
 };

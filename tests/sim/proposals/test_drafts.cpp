@@ -498,6 +498,20 @@ TEST(Drafts, of_sleeves_that_bend_at_the_elbow_have_each_on_the_arm_that_it_bend
     EXPECT_TRUE(are_sewn(of_right, {"back", 2}, {"sleeve", 4}));
 }
 
+// Edges with buttons lie over each other; those that a zip joins meet.
+TEST(Drafts, with_a_zip_have_the_fronts_sewn_in_the_middle_and_with_buttons_not) {
+    // Hem 0, side 1, armhole 2, shoulder 3, neck 4, middle 5.
+    Panel front = polygon("front", {{0, 0}, {0.25, 0}, {0.25, 0.4}, {0.2, 0.6}, {0.08, 0.64}, {0, 0.5}});
+    bend(front, 2, -0.03);
+    bend(front, 4, -0.03);
+    for (const auto& [name, is_sewn] : {std::pair("zipperGuard", true), {"buttonPlacket", false}}) {
+        Pattern pattern;
+        pattern.panels = {whole("back"), front, mirror_image(front),
+                          polygon(name, {{0, 0}, {0.03, 0}, {0.03, 0.31}, {0, 0.31}})};
+        EXPECT_EQ(are_sewn(sewn(pattern), {"front", 5}, {"front_mirrored", 1}), is_sewn) << name;
+    }
+}
+
 // As of a jacket.
 TEST(Drafts, with_a_side_panel_have_it_sewn_between_front_and_back) {
     const auto trunk = [](const char* name, double low) {
