@@ -32,7 +32,7 @@ double off_right_angle(const Vec2d& a, const Vec2d& b) {
 
 std::optional<Candidate> candidate_of(const Panel& panel, std::size_t e) {
     constexpr double kAlong = 4 * kDegree, kSquare = 12 * kDegree;
-    constexpr double kLeast = 0.25;                         // of the panel's longer side
+    constexpr double kLeast = 0.4;                          // of the panel's longer side
     constexpr std::array<double, 3> kWeights{0.2, 0.6, 1};  // by the number of right angles
     const OutlineEdge& edge = panel.edges[e];
     if (edge.kind != CurveKind::Line) return std::nullopt;

@@ -146,12 +146,27 @@ class PanelMaker {
         return role.part == GarmentPart::Accessory;
     }
 
+    static bool has_fold_edge(const DrawnPart& part) {
+        return std::ranges::any_of(part.paths, [](const DrawnPath& path) { return path.kind == LineKind::FoldEdge; });
+    }
+
+    // Where the folds of other parts are drawn, a part without one is no half, whatever its text says.
+    DrawnPart without_false_fold(DrawnPart part) {
+        const bool is_told_only = part.cut.is_on_fold.value_or(false) && !has_fold_edge(part);
+        if (!is_told_only || std::ranges::none_of(drawing_.parts, has_fold_edge)) return part;
+        part.cut.is_on_fold = false;
+        out_.notes.push_back(part.name +
+                             ": cut on the fold by its text, but its fold is not drawn, as those of other parts are: "
+                             "not unfolded");
+        return part;
+    }
+
     void add_part(const DrawnPart& part) {
         for (const DrawnText& text : part.texts) out_.hints += text.text + " ";
         const std::optional<double> allowance = options_.allowance ? options_.allowance : drawing_.allowance;
         PartPanel read;
         try {
-            read = panel_of_part(part, drawing_, scale_, allowance, file_);
+            read = panel_of_part(without_false_fold(part), drawing_, scale_, allowance, file_);
         } catch (const InputError& error) {
             if (drawing_.parts.size() == 1 || !drawing_.seams.empty()) throw;
             out_.notes.push_back(part.name + ": " + error.problem() + ": left out");
@@ -182,7 +197,7 @@ class PanelMaker {
         }
         is_placed_ = is_placed_ && read.is_placed;
         is_mirrored_.push_back(read.is_mirrored);
-        is_pair_.push_back(is_pair(part));
+        is_pair_.push_back(is_pair(part, read.is_unfolded));
         out_.pattern.panels.push_back(std::move(*panel));
     }
 
@@ -201,13 +216,14 @@ class PanelMaker {
     }
 
     // Whether the part is cut twice, once mirrored; none: the drawing does not say.
-    static std::optional<bool> is_pair(const DrawnPart& part) {
+    static std::optional<bool> is_pair(const DrawnPart& part, bool is_unfolded) {
         const CutInstructions& cut = part.cut;
+        // A half whose fold is not found: its name and shape tell.
+        const bool is_half = cut.is_on_fold.value_or(false) && !is_unfolded && !has_fold_edge(part);
+        if (is_half && !cut.are_mirrored.value_or(false)) return std::nullopt;
         if (cut.pieces && *cut.pieces % 2 != 0) return false;
         // "Cut 2, mirrored, on the fold" without a fold edge: two pieces from folded cloth.
-        const bool has_fold_edge =
-            std::ranges::any_of(part.paths, [](const DrawnPath& path) { return path.kind == LineKind::FoldEdge; });
-        if (cut.is_on_fold.value_or(false) && (has_fold_edge || !cut.are_mirrored.value_or(false))) return false;
+        if (cut.is_on_fold.value_or(false) && (has_fold_edge(part) || !cut.are_mirrored.value_or(false))) return false;
         if (cut.are_mirrored) return *cut.are_mirrored && cut.pieces.value_or(2) >= 2;
         return std::nullopt;
     }
@@ -298,10 +314,7 @@ class PanelMaker {
         const Panel& panel = out_.pattern.panels[p];
         if (comes_in_pairs(role, panel.name)) return true;
         const bool may_lie_beside = role.part == Unknown || role.part == Torso || role.part == Skirt;
-        const bool has_fold = std::ranges::any_of(drawing_.parts, [](const DrawnPart& part) {
-            return std::ranges::any_of(part.paths,
-                                       [](const DrawnPath& path) { return path.kind == LineKind::FoldEdge; });
-        });
+        const bool has_fold = std::ranges::any_of(drawing_.parts, has_fold_edge);
         if (has_fold && may_lie_beside && !is_mirrored_in_itself(panel, 0) && !is_mirrored_in_itself(panel, 1))
             return true;
         const bool is_face =

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <utility>
 
 #include "sim/core/error.h"
@@ -70,6 +71,7 @@ class PartReader {
         add_grain();
         add_lines();
         unfold();
+        lay_ribs();
         const Vec2d middle = outline_box(panel_).center();
         if (middle.norm() > kLargestPanel)
             panel_ = mapped_panel(panel_, Eigen::Affine2d(Eigen::Translation2d(-middle)));
@@ -293,7 +295,8 @@ class PartReader {
         const Vec2d end = panel_.vertices[as_size(panel_.edges[as_size(edge)].end)];
         if (!has_grain_line()) panel_.grain_angle = upright_angle(end - start);
         const Panel whole = unfolded(panel_, edge);
-        if (find_outline_crossings(whole, {.most = 1}).empty())
+        read_.is_unfolded = find_outline_crossings(whole, {.most = 1}).empty();
+        if (read_.is_unfolded)
             panel_ = whole;
         else
             note("unfolded, it would cross itself: left as it is drawn");
@@ -313,6 +316,13 @@ class PartReader {
         note("cut on the fold by its text: unfolded over the straight edge of " +
              in_cm(outline_length(panel_, panel_.edges[as_size(*fold.edge)])));
         unfold_over(*fold.edge);
+    }
+
+    // Ribbing gives across its ribs, so that those of a band run from edge to edge, unless its grain is drawn.
+    void lay_ribs() {
+        if (part_.cut.material != "ribbing" || has_grain_line()) return;
+        const Vec2d size = outline_box(panel_, kChordError).sizes();
+        panel_.grain_angle = size.x() < size.y() ? std::numbers::pi / 2 : 0;
     }
 
     void place() {

@@ -14,6 +14,7 @@ struct PartPanel {
     std::optional<Panel> panel;      // none: the part has no closed outline
     std::vector<std::string> notes;  // what was guessed, repaired or left out, one line each
     bool is_placed = false;          // as the part says
+    bool is_unfolded = false;        // a half on the fold was made whole
     bool is_mirrored = false;        // the sewing line runs clockwise: its edges are in the opposite order
 };
 

@@ -11,6 +11,7 @@
 #include "sim/core/math.h"
 #include "sim/pattern/outline.h"
 #include "sim/proposals/chain_shape.h"
+#include "sim/proposals/elbow_evidence.h"
 #include "sim/proposals/outline_neighbours.h"
 #include "sim/proposals/twin_evidence.h"
 
@@ -214,9 +215,19 @@ bool is_on_wrong_side(const OpenBoundary& boundary, const std::vector<PanelFacts
     return is_sewn_at(half, -side) || is_sewn_at(twin, side);
 }
 
+// Whether a level line at the top runs from the side of a whole panel inwards, and leaves room for the neck.
+bool is_level_shoulder(const PanelFacts& facts, const std::vector<Vec2d>& points) {
+    constexpr double kAtSide = 0.02, kMostWidth = 0.45;  // of the width
+    const double out = std::max(std::abs(points.front().x() - facts.axis), std::abs(points.back().x() - facts.axis));
+    return facts.is_symmetric && out > (0.5 - kAtSide) * facts.width &&
+           std::abs(points.front().x() - points.back().x()) < kMostWidth * facts.width;
+}
+
 // The shoulders of a front and a back or a yoke: straight, at the top, and sloping away from the neck, which meets the
-// neck.
-double odds_of_shoulders(const OpenBoundary& boundary, const PanelRole& a, const PanelRole& b, const Sides& sides) {
+// neck; or level, from the sides inwards.
+double odds_of_shoulders(const OpenBoundary& boundary, const PanelFacts& facts_a, const PanelFacts& facts_b,
+                         const Sides& sides) {
+    const PanelRole &a = facts_a.role, &b = facts_b.role;
     constexpr double kUp = 0.75, kSlope = 0.08;
     const auto is_front = [](const PanelRole& one) {
         return one.part == GarmentPart::Torso && one.face == Face::Front;
@@ -227,9 +238,13 @@ double odds_of_shoulders(const OpenBoundary& boundary, const PanelRole& a, const
     if (!(is_front(a) && is_behind(b)) && !(is_front(b) && is_behind(a))) return 0;
     if (facing_up(boundary, sides.a) < kUp || facing_up(boundary, sides.b) < kUp) return 0;
     const double rise_a = rise_along(boundary, sides.a), rise_b = rise_along(boundary, sides.b);
-    if (std::min(std::abs(rise_a), std::abs(rise_b)) < kSlope) return 0;
-    if (rise_a * rise_b > 0) return -4;  // the neck would meet the tip
     const bool are_straight = std::min(straightness(sides.points_a), straightness(sides.points_b)) > 0.99;
+    if (std::min(std::abs(rise_a), std::abs(rise_b)) < kSlope) {
+        const bool are_shoulders = sides.are_single() && are_straight && is_level_shoulder(facts_a, sides.points_a) &&
+                                   is_level_shoulder(facts_b, sides.points_b);
+        return are_shoulders ? 2 : 0;
+    }
+    if (rise_a * rise_b > 0) return -4;  // the neck would meet the tip
     return are_straight || !sides.are_single() ? 2 : 0;
 }
 
@@ -274,6 +289,18 @@ void weigh_row(Evidence& evidence, const Pattern& pattern, const std::vector<Pan
     if (apart < one.row_length - 1) add(evidence, kFar);
 }
 
+// A side panel lies between front and back: both are sewn to it, and not to each other.
+void weigh_side_panel(Evidence& evidence, const PanelFacts& one, const PanelFacts& other, const Sides& sides) {
+    constexpr double kToIt = 1.5, kPastIt = -5;  // odds
+    const bool are_upright = std::min(std::abs(rise(sides.points_a)), std::abs(rise(sides.points_b))) > kUpright;
+    if (!one.has_side_panel || !are_upright) return;
+    const auto is_face = [](const PanelFacts& panel) {
+        return panel.role.part == GarmentPart::Torso && panel.role.face != Face::None && !panel.is_outer;
+    };
+    if ((one.is_side && is_face(other)) || (other.is_side && is_face(one))) return add(evidence, kToIt);
+    if (is_face(one) && is_face(other) && one.role.face != other.role.face) add(evidence, kPastIt);
+}
+
 void weigh_two_panels(Evidence& evidence, const OpenBoundary& boundary, const std::vector<PanelFacts>& facts,
                       const Sides& sides) {
     using enum GarmentPart;
@@ -287,7 +314,7 @@ void weigh_two_panels(Evidence& evidence, const OpenBoundary& boundary, const st
     if (one.role.part != other.role.part &&
         (is_other_choice(boundary, facts, a) || is_other_choice(boundary, facts, b)))
         evidence.is_possible = false;
-    const double shoulders = odds_of_shoulders(boundary, one.role, other.role, sides);
+    const double shoulders = odds_of_shoulders(boundary, one, other, sides);
     add(evidence, shoulders, shoulders > 0 ? "shoulders" : "");
     if (!sides.are_single()) return add(evidence, one.role.part == other.role.part && !(shoulders > 0) ? -2 : 0);
     if (is_on_wrong_side(boundary, facts, a, b, sides.points_b) ||
@@ -299,6 +326,7 @@ void weigh_two_panels(Evidence& evidence, const OpenBoundary& boundary, const st
         const bool is_same_lane = one.is_inner == other.is_inner, is_same_face = one.role.face == other.role.face;
         add(evidence, is_same_lane != is_same_face ? 0.7 : -3);
     }
+    weigh_side_panel(evidence, one, other, sides);
     const std::vector<int> joined = boundary.joined_panels(a);
     const auto is_joined_to = [&](int panel) { return std::ranges::find(joined, panel) != joined.end(); };
     const bool is_upright = std::abs(rise(sides.points_a)) > kUpright;
@@ -591,6 +619,10 @@ void weigh_looks(Evidence& evidence, const OpenBoundary& boundary, const std::ve
         if (are_loops) add(evidence, kRings);
         const bool is_of_halves = !is_single(a.role.part == Sleeve ? sides.panels_a : sides.panels_b);
         if (are_loops || is_of_halves) weigh_heights(evidence, boundary, sides.a, sides.b);
+        if (!sides.are_single()) {
+            const bool is_cap = a.role.part == Sleeve;
+            add(evidence, odds_of_elbow(boundary, facts, is_cap ? sides.b : sides.a, is_cap ? sides.a : sides.b));
+        }
     }
 }
 
@@ -639,7 +671,10 @@ Evidence weigh(const OpenBoundary& boundary, const std::vector<PanelFacts>& fact
     weigh_joints(evidence, boundary, first, second);
     if (are_parts(a.role.part, b.role.part, GarmentPart::Torso, GarmentPart::Sleeve))
         weigh_going_on(evidence, boundary, first, second);
-    const bool are_faces = a.role.face != Face::None && b.role.face != Face::None && a.role.face != b.role.face;
+    // A double notch says "back", also on what meets a back.
+    const bool is_to_back = (a.is_side && b.role.face == Face::Back) || (b.is_side && a.role.face == Face::Back);
+    const bool are_faces =
+        is_to_back || (a.role.face != Face::None && b.role.face != Face::None && a.role.face != b.role.face);
     weigh_notches(evidence, boundary, first, second, sides.are_single() && are_faces);
     return evidence;
 }

@@ -15,7 +15,9 @@ namespace {
 
 // The stretch of the outline next to an edge, up to the next corner: a curve may be drawn as many pieces, each of them
 // nearly straight.
-std::vector<Vec2d> stretch_beside(const Panel& panel, std::size_t edge, bool is_after) {
+// ends: how far along it each of its edges ends, m.
+std::vector<Vec2d> stretch_beside(const Panel& panel, std::size_t edge, bool is_after,
+                                  std::vector<double>* ends = nullptr) {
     constexpr double kCorner = 28 * std::numbers::pi / 180;  // rad: turns by less are no corners
     const std::size_t count = panel.edges.size(), step = is_after ? 1 : count - 1;
     std::vector<Vec2d> points;
@@ -31,6 +33,7 @@ std::vector<Vec2d> stretch_beside(const Panel& panel, std::size_t edge, bool is_
             points.insert(points.end(), piece.begin(), piece.end());
         else
             points.insert(points.begin(), piece.begin(), piece.end());
+        if (ends) ends->push_back((ends->empty() ? 0 : ends->back()) + outline_length(panel, panel.edges[next]));
         at = next;
     }
     return points;
@@ -57,6 +60,7 @@ bool leaves_no_armhole(const OpenBoundary& boundary, const std::vector<PanelFact
                        const ChainView& b) {
     constexpr double kUp = 0.75, kStraight = 0.99, kShortest = 0.03;  // of the length; m
     constexpr double kAlike = 0.02, kMostWidth = 0.45;                // of the length; of the panel's width
+    constexpr double kInside = 1e-7;  // of a side, so that its end is on the edge that is meant
     const auto panel_of = [&](const ChainView& side) {
         return as_size(boundary.atom(place_on(boundary, side, 0.5).atom).span.panel);
     };
@@ -66,20 +70,24 @@ bool leaves_no_armhole(const OpenBoundary& boundary, const std::vector<PanelFact
         return false;
     const double rise_a = rise_along(boundary, a), rise_b = rise_along(boundary, b);
     if (std::abs(rise_a) < kUpright || std::abs(rise_b) < kUpright) return false;
-    // Outlines run counter-clockwise: a side that rises has its shoulder after it, one that falls before it.
-    const auto shoulder = [&](const ChainView& side, double rise) {
-        const EdgeSpan& span = boundary.atom(rise > 0 ? side.chain.atoms.back() : side.chain.atoms.front()).span;
-        return stretch_beside(boundary.pattern().panels[as_size(span.panel)], as_size(span.edge), rise > 0);
-    };
-    const std::vector<Vec2d> one = shoulder(a, rise_a), other = shoulder(b, rise_b);
-    const auto is_shoulder = [&](const std::vector<Vec2d>& points, const PanelFacts& panel) {
+    // Outlines run counter-clockwise: a side that rises has its shoulder after it, one that falls before it. A level
+    // shoulder may go on in the neckline, and end at one of the vertices of that line.
+    const auto shoulders = [&](const ChainView& side, double rise, const PanelFacts& facts_of_panel) {
+        const ChainPlace top = place_on(boundary, side, rise > 0 ? 1 - kInside : kInside);
+        const EdgeSpan& span = boundary.atom(top.atom).span;
+        std::vector<double> lengths;
+        const std::vector<Vec2d> points =
+            stretch_beside(boundary.pattern().panels[as_size(span.panel)], as_size(span.edge), rise > 0, &lengths);
         const double length = polyline_length(points);
-        return points.front().x() - points.back().x() > kUp * length && straightness(points) > kStraight &&
-               length > kShortest && length < kMostWidth * panel.width;
+        const bool is_top = points.front().x() - points.back().x() > kUp * length && straightness(points) > kStraight;
+        std::erase_if(
+            lengths, [&](double one) { return !is_top || one < kShortest || one > kMostWidth * facts_of_panel.width; });
+        return lengths;
     };
-    const double length = polyline_length(one);
-    return is_shoulder(one, of_a) && is_shoulder(other, of_b) &&
-           std::abs(polyline_length(other) - length) < kAlike * length;
+    const std::vector<double> one = shoulders(a, rise_a, of_a), other = shoulders(b, rise_b, of_b);
+    return std::ranges::any_of(one, [&](double length) {
+        return std::ranges::any_of(other, [&](double like) { return std::abs(like - length) < kAlike * length; });
+    });
 }
 
 }  // namespace selvedge::sim

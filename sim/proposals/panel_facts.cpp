@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kOuterWords = "side outside outer seiten fianco flanc zijpand бок боч";
 constexpr std::string_view kInnerWords = "inside inner cent middle mitte milieu средн";
-constexpr std::string_view kOpeningWords = "placket button zip knopf bouton boton планк застеж";
+constexpr std::string_view kOpeningWords = "placket button knopf bouton boton планк застеж";
 
 // The mean length of the lower edges of sleeves, or of legs if there is no sleeve, m; 0: there is none.
 double mean_hem(const Pattern& pattern, const std::vector<PanelRole>& roles) {
@@ -45,6 +45,23 @@ int number_of(std::string_view name) {
     int number = 0;
     for (const char digit : name.substr(word + 1)) number = 10 * number + (digit - '0');
     return number;
+}
+
+// The panels between front and back that a garment of more than two lengths of cloth has.
+void find_sides(std::vector<PanelFacts>& facts) {
+    constexpr double kLeastHeight = 0.5;  // of the highest front or back
+    double highest = 0;
+    for (const PanelFacts& one : facts) {
+        if (one.role.part == GarmentPart::Torso && one.role.face != Face::None) highest = std::max(highest, one.height);
+    }
+    bool is_any = false;
+    for (PanelFacts& one : facts) {
+        const bool is_of_trunk = one.role.part == GarmentPart::Torso || one.role.part == GarmentPart::Unknown;
+        one.is_side = is_of_trunk && one.is_outer && one.role.face == Face::None && highest > 0 &&
+                      one.height > kLeastHeight * highest;
+        is_any = is_any || one.is_side;
+    }
+    for (PanelFacts& one : facts) one.has_side_panel = is_any;
 }
 
 // Panels without a part that are called by one word and the numbers from 1 on, as those of a corset, lie side by side
@@ -101,6 +118,7 @@ std::vector<PanelFacts> facts_of(const Pattern& pattern, std::string_view hints)
         all.push_back(facts);
     }
     find_rows(pattern, all);
+    find_sides(all);
     const bool has_opening = std::ranges::any_of(
         pattern.panels, [](const Panel& panel) { return names_any(words_of_name(panel.name), kOpeningWords); });
     const double opening = mean_hem(pattern, roles);

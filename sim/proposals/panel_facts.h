@@ -17,7 +17,9 @@ struct PanelFacts {
     double opening = 0;            // of a cuff: the mean length of the hems that it can edge, m; 0: not known
     bool is_outer = false;         // by its name, as in "frontOutside" and "side back"
     bool is_inner = false;         // "frontInside", "centre back"
-    bool has_opening = false;      // the garment is closed by buttons or a zip
+    bool is_side = false;          // lies between front and back, as "side", at least half as high as they are
+    bool has_side_panel = false;   // some panel of the garment is such a one
+    bool has_opening = false;      // the garment is closed by buttons, its edges over each other; a zip joins them
     int rank = 0;                  // of panels that are numbered in a row, from 1 on: "panel3"; 0: it is of none
     int row_length = 0;            // how many these are, on one side of the body
 };

@@ -48,11 +48,31 @@ bool begins_to_curve(const OpenBoundary& boundary, int atom, int next) {
     return less < kStraight && more > kCurved;
 }
 
+// Whether the level top of a whole panel is divided by a vertex at which it does not turn, as the shoulder from the
+// neckline that goes on in one line with it, at one edge's length from a side.
+bool divides_a_level_line(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, int atom, int next) {
+    constexpr double kStraight = 0.002;  // bend
+    constexpr double kLevel = 0.97;      // least run of a level line over its length
+    constexpr double kAtSide = 0.02;     // of the width
+    const auto is_level = [&](int one) {
+        const double run = boundary.point(one, 0).x() - boundary.point(one, 1).x();  // at the top: to the left
+        return bend_of(boundary, one) < kStraight && run > kLevel * boundary.atom(one).length;
+    };
+    const EdgeSpan &before = boundary.atom(atom).span, &after = boundary.atom(next).span;
+    const PanelFacts& panel = facts[as_size(after.panel)];
+    const auto is_at_side = [&](const Vec2d& point) {
+        return std::abs(point.x() - panel.axis) > (0.5 - kAtSide) * panel.width;
+    };
+    return before.panel == after.panel && before.edge != after.edge && panel.is_symmetric && is_level(atom) &&
+           is_level(next) && is_at_side(boundary.point(atom, 0)) != is_at_side(boundary.point(next, 1));
+}
+
 // Whether a seam may also end where another one begins within a chain.
 enum class SeamEnds { AtCorners, AlsoAtSeams };
 
 // Places on a chain at which a seam may begin or end: where the outline turns a little, as from the back seam of an
-// upper sleeve to its cap, or a torso's begins to curve; and notches of strips, as on a waistband with an overlap.
+// upper sleeve to its cap, or a torso's begins to curve, or a vertex divides its level top; and notches of strips, as
+// on a waistband with an overlap.
 std::vector<double> stops_of(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const Chain& chain,
                              SeamEnds ends) {
     constexpr double kTurn = 8 * std::numbers::pi / 180;  // rad
@@ -73,7 +93,9 @@ std::vector<double> stops_of(const OpenBoundary& boundary, const std::vector<Pan
         }
         const bool turns = std::abs(step.angle - std::numbers::pi) > kTurn;
         const bool curves = part == GarmentPart::Torso && begins_to_curve(boundary, chain.atoms[k], chain.atoms[k + 1]);
-        if (turns || curves) stops.push_back(shares[k + 1]);
+        const bool divides =
+            part == GarmentPart::Torso && divides_a_level_line(boundary, facts, chain.atoms[k], chain.atoms[k + 1]);
+        if (turns || curves || divides) stops.push_back(shares[k + 1]);
     }
     const bool is_strip = part == GarmentPart::Waistband || part == GarmentPart::Cuff || part == GarmentPart::Collar ||
                           part == GarmentPart::CollarStand;

@@ -34,7 +34,9 @@ double odds_of_crotch(const OpenBoundary& boundary, int own, const std::vector<V
     const auto [low, high] = std::ranges::minmax(panel.vertices, {}, [](const Vec2d& v) { return v.y(); });
     const double least = low.y() + kLowest * (high.y() - low.y());
     if (points.front().y() < least || points.back().y() < least) return kNever;
-    constexpr double kDeep = -0.1, kBent = 0.6;  // bulge, straightness
+    // Bulge, straightness: a notch bulges the less, the narrower it is; of one that is four times as deep as it is wide
+    // -0.04.
+    constexpr double kDeep = -0.04, kBent = 0.6;
     if (bulge(points) < kDeep && straightness(points) < kBent) return kSure;
     return std::abs(rise(points)) < 0.4 ? kNever : kLikely;
 }
@@ -66,8 +68,12 @@ double odds_of_band(const OpenBoundary& boundary, const PanelFacts& facts, int o
 // A seam in the middle of the front or the back is upright, and the panel's other side has found its seam.
 double odds_of_middle(const OpenBoundary& boundary, const PanelFacts& facts, int own, int twin,
                       const std::vector<Vec2d>& points) {
-    if (facts.is_outer || std::abs(rise(points)) < kUpright) return kNever;
+    constexpr double kTorso = 0.94;  // rise, 20 degrees from upright: fronts that lie over each other slant more
+    const double least = facts.role.part == GarmentPart::Torso ? kTorso : kUpright;
+    if (facts.is_outer || std::abs(rise(points)) < least) return kNever;
     if (facts.rank > 1 && facts.rank < facts.row_length) return kNever;
+    constexpr double kShort = 0.15;  // of the panel's height: as the corner of a lapel
+    if (facts.role.part == GarmentPart::Torso && polyline_length(points) < kShort * facts.height) return kNever;
     if (facts.role.face == Face::Front && facts.role.part == GarmentPart::Torso && facts.has_opening) return -4;
     if (straightness(points) < 0.97 || bulge(points) < -0.02) return kNever;  // an armhole, or a neckline
     if (const auto is_middle = is_towards_middle(facts, points))

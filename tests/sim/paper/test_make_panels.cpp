@@ -288,6 +288,52 @@ TEST(MakePanels, pair_what_lies_beside_the_middle_of_a_garment_cut_on_the_fold) 
     EXPECT_EQ(make_panels(drawing, "").pattern.panels.size(), 2U);
 }
 
+// FreeSewing draws the fold of each part that has one, and says of some others, too, that they are cut on it.
+TEST(MakePanels, pair_a_half_whose_fold_only_its_text_names_where_the_folds_of_others_are_drawn) {
+    DrawnPart back{.name = "back", .paths = {rectangle(LineKind::Sew, {0, 0}, {250, 600})}};
+    back.paths.push_back(open_line(LineKind::FoldEdge, {{0, 50}, {0, 550}}));
+    DrawnPart front{.name = "front", .paths = {polygon({{0, 0}, {300, 0}, {300, 400}, {200, 600}, {80, 600}})}};
+    front.cut = {.pieces = 1, .are_mirrored = {}, .is_on_fold = true, .material = {}};
+    Drawing drawing = one_part(front);
+    EXPECT_EQ(make_panels(drawing, "").pattern.panels.size(), 1U) << "unfolded, if no fold is drawn at all";
+    drawing.parts.push_back(back);
+    const PanelsOfDrawing made = make_panels(drawing, "");
+    ASSERT_EQ(made.pattern.panels.size(), 3U);
+    EXPECT_EQ(made.pattern.panels[2].mirror_of, "front");
+    EXPECT_NEAR(outline_box(made.pattern.panels[0]).sizes().x(), 0.3, 1e-9);
+    EXPECT_NE(
+        std::ranges::find(made.notes,
+                          "front: cut on the fold by its text, but its fold is not drawn, as those of other parts "
+                          "are: not unfolded"),
+        made.notes.end());
+}
+
+TEST(MakePanels, pair_a_half_on_the_fold_that_has_no_edge_long_enough_to_be_it) {
+    DrawnPart front{.name = "front",
+                    .paths = {polygon({{0, 0}, {250, 0}, {250, 200}, {230, 400}, {180, 600}, {80, 610}, {60, 400}})}};
+    front.cut = {.pieces = 1, .are_mirrored = {}, .is_on_fold = true, .material = {}};
+    const PanelsOfDrawing made = make_panels(one_part(front), "");
+    ASSERT_EQ(made.pattern.panels.size(), 2U) << "a side below the armhole is no fold";
+    EXPECT_EQ(made.pattern.panels[1].mirror_of, "front");
+}
+
+TEST(MakePanels, lay_the_ribs_of_ribbing_across_its_band_unless_its_grain_is_drawn) {
+    DrawnPart band{.name = "waistband", .paths = {rectangle(LineKind::Sew, {0, 0}, {80, 800})}};
+    const auto is_across = [&] {
+        const Panel panel = make_panels(one_part(band), "").pattern.panels[0];
+        const Vec2d size = outline_box(panel).sizes();
+        const Vec2d grain(-std::sin(panel.grain_angle), std::cos(panel.grain_angle));
+        return std::abs(size.x() < size.y() ? grain.x() : grain.y()) > 0.999;
+    };
+    EXPECT_FALSE(is_across()) << "woven cloth runs up the paper";
+    band.cut.material = "ribbing";
+    EXPECT_TRUE(is_across());
+    band.paths[0] = rectangle(LineKind::Sew, {0, 0}, {800, 80});
+    EXPECT_TRUE(is_across());
+    band.paths.push_back(open_line(LineKind::Grain, {{100, 40}, {700, 40}}));
+    EXPECT_FALSE(is_across());
+}
+
 TEST(MakePanels, turn_pieces_upright_that_lie_on_their_sides) {
     Drawing drawing = one_part({.name = "back", .paths = {rectangle(LineKind::Sew, {0, 0}, {600, 400})}});
     drawing.parts[0].paths[0].vertices = {{0, 100}, {600, 0}, {600, 400}, {0, 300}};  // narrow on the left: the top

@@ -381,11 +381,13 @@ TEST(Drafts, with_long_and_short_sleeves_have_one_kind_sewn) {
 }
 
 TEST(Drafts, of_one_panel_round_the_leg_have_the_whole_crotch_sewn_at_once) {
-    Pattern pattern;
-    Panel pants = polygon("pants", {{0, 0}, {1, 0}, {1, 1}, {0.65, 1}, {0.35, 1}, {0, 1}});
-    bend(pants, 3, -0.25);
-    pattern.panels = {pants, mirror_image(pants)};
-    EXPECT_TRUE(are_sewn(sewn(pattern), {"pants", 3}, {"pants_mirrored", 3}));
+    for (const auto& [width, depth] : {std::pair(0.3, 0.25), {0.22, 0.4}}) {
+        Pattern pattern;
+        Panel pants = polygon("pants", {{0, 0}, {1, 0}, {1, 1}, {0.5 + width / 2, 1}, {0.5 - width / 2, 1}, {0, 1}});
+        bend(pants, 3, -depth);
+        pattern.panels = {pants, mirror_image(pants)};
+        EXPECT_TRUE(are_sewn(sewn(pattern), {"pants", 3}, {"pants_mirrored", 3})) << depth;
+    }
 }
 
 TEST(Drafts, have_no_cap_sewn_to_a_side_that_is_as_long) {
@@ -467,6 +469,118 @@ TEST(Drafts, of_a_tabard_have_its_shoulders_sewn_and_neither_its_sides_nor_its_h
     const Pairs pairs = sewn(pattern);
     EXPECT_TRUE(are_sewn(pairs, {"front", 5}, {"back", 7}));
     EXPECT_TRUE(are_sewn(pairs, {"front", 7}, {"back", 5}));
+    EXPECT_EQ(pairs.size(), 2U);
+}
+
+// The elbow is behind: seen from outside, on the right of a left sleeve.
+TEST(Drafts, of_sleeves_that_bend_at_the_elbow_have_each_on_the_arm_that_it_bends_with) {
+    // Hem 0, underarm 1 and 2, cap 3 and 4, underarm 5 and 6.
+    Panel left =
+        polygon("sleeve", {{-0.13, 0}, {0.07, 0}, {0.14, 0.22}, {0.18, 0.45}, {0, 0.56}, {-0.18, 0.45}, {-0.11, 0.22}});
+    bend(left, 3, 0.03);
+    bend(left, 4, 0.03);
+    Panel right = mirror_image(left);
+    right.mirror_of.clear();
+    right.name = "sleeve";
+    const auto sewn_with = [](const Panel& drawn) {
+        Pattern pattern;
+        pattern.panels = {whole("front"), whole("back"), drawn, mirror_image(drawn)};
+        for (const int sleeve : {2, 3}) {
+            pattern.seams.push_back({.first = {sleeve, 1}, .second = {sleeve, 6}});
+            pattern.seams.push_back({.first = {sleeve, 2}, .second = {sleeve, 5}});
+        }
+        return sewn(pattern);
+    };
+    const Pairs of_left = sewn_with(left), of_right = sewn_with(right);
+    EXPECT_TRUE(are_sewn(of_left, {"front", 2}, {"sleeve", 4}));
+    EXPECT_TRUE(are_sewn(of_left, {"back", 6}, {"sleeve", 3}));
+    EXPECT_TRUE(are_sewn(of_right, {"front", 6}, {"sleeve", 3}));
+    EXPECT_TRUE(are_sewn(of_right, {"back", 2}, {"sleeve", 4}));
+}
+
+// Edges with buttons lie over each other; those that a zip joins meet.
+TEST(Drafts, with_a_zip_have_the_fronts_sewn_in_the_middle_and_with_buttons_not) {
+    // Hem 0, side 1, armhole 2, shoulder 3, neck 4, middle 5.
+    Panel front = polygon("front", {{0, 0}, {0.25, 0}, {0.25, 0.4}, {0.2, 0.6}, {0.08, 0.64}, {0, 0.5}});
+    bend(front, 2, -0.03);
+    bend(front, 4, -0.03);
+    for (const auto& [name, is_sewn] : {std::pair("zipperGuard", true), {"buttonPlacket", false}}) {
+        Pattern pattern;
+        pattern.panels = {whole("back"), front, mirror_image(front),
+                          polygon(name, {{0, 0}, {0.03, 0}, {0.03, 0.31}, {0, 0.31}})};
+        EXPECT_EQ(are_sewn(sewn(pattern), {"front", 5}, {"front_mirrored", 1}), is_sewn) << name;
+    }
+}
+
+// As of a jacket.
+TEST(Drafts, with_a_side_panel_have_it_sewn_between_front_and_back) {
+    const auto trunk = [](const char* name, double low) {
+        Panel panel = polygon(
+            name,
+            {{-0.19, 0}, {0.19, 0}, {0.19, 0.4}, {0.2, 0.6}, {0.08, 0.64}, {-0.08, 0.64}, {-0.2, 0.6}, {-0.19, 0.4}});
+        bend(panel, 2, -0.03);
+        bend(panel, 6, -0.03);
+        bend(panel, 4, -low);
+        return panel;
+    };
+    Panel side = polygon("side", {{-0.06, 0}, {0.06, 0}, {0.06, 0.4}, {-0.06, 0.4}});
+    bend(side, 2, -0.02);
+    Pattern pattern;
+    pattern.panels = {trunk("front", 0.05), trunk("back", 0.01), side};
+    pattern.panels.push_back(mirror_image(side));
+    const Pairs pairs = sewn(pattern);
+    for (const char* face : {"front", "back"}) {
+        EXPECT_TRUE(are_panels_sewn(pairs, "side", face)) << face;
+        EXPECT_TRUE(are_panels_sewn(pairs, "side_mirrored", face)) << face;
+    }
+    EXPECT_FALSE(are_sewn(pairs, {"front", 1}, {"back", 7}));
+    EXPECT_FALSE(are_sewn(pairs, {"front", 7}, {"back", 1}));
+}
+
+// The upper edge of a lapel is short, and meets the other one nowhere.
+TEST(Drafts, with_lapels_have_the_corners_of_these_sewn_to_each_other_nowhere) {
+    // Hem 0, side 1, armhole 2, shoulder 3, upright edge of the neck 4, lapel 5 and 6.
+    Panel front =
+        polygon("front", {{-0.03, 0}, {0.25, 0}, {0.25, 0.4}, {0.2, 0.6}, {0.08, 0.64}, {0.075, 0.58}, {-0.03, 0.58}});
+    bend(front, 2, -0.03);
+    bend(front, 6, 0.02);
+    Pattern pattern;
+    pattern.panels = {whole("back"), front, mirror_image(front)};
+    const Pairs pairs = sewn(pattern);
+    EXPECT_TRUE(are_panels_sewn(pairs, "front", "back"));
+    EXPECT_FALSE(are_sewn(pairs, {"front", 4}, {"front_mirrored", 3}));
+}
+
+// Below its tip, the edge of a front that lies over the other slants away from the middle.
+TEST(Drafts, of_fronts_that_lie_over_each_other_have_them_open) {
+    // Hem 0, side 1, armhole 2, shoulder 3, edge 4 to the tip and 5 below it.
+    Panel front = polygon("front", {{-0.04, 0}, {0.25, 0}, {0.25, 0.4}, {0.2, 0.6}, {0.08, 0.64}, {-0.2, 0.36}});
+    bend(front, 2, -0.03);
+    Pattern pattern;
+    pattern.panels = {whole("back"), front, mirror_image(front)};
+    const Pairs pairs = sewn(pattern);
+    EXPECT_TRUE(are_panels_sewn(pairs, "front", "back"));
+    EXPECT_FALSE(are_panels_sewn(pairs, "front", "front_mirrored"));
+}
+
+// One line, which only vertices divide, is shoulder, neckline of the back and shoulder.
+TEST(Drafts, of_a_tabard_with_level_shoulders_have_them_sewn_beside_the_neck_and_its_sides_open) {
+    const Panel back =
+        polygon("back", {{-0.2, 0}, {0.2, 0}, {0.2, 0.8}, {0.14, 0.8}, {0, 0.8}, {-0.14, 0.8}, {-0.2, 0.8}});
+    const Panel front = polygon("front", {{-0.2, 0},
+                                          {0.2, 0},
+                                          {0.2, 0.8},
+                                          {0.14, 0.8},
+                                          {0.11, 0.8},
+                                          {0, 0.67},
+                                          {-0.11, 0.8},
+                                          {-0.14, 0.8},
+                                          {-0.2, 0.8}});
+    Pattern pattern;
+    pattern.panels = {front, back};
+    const Pairs pairs = sewn(pattern);
+    EXPECT_TRUE(are_sewn(pairs, {"front", 2}, {"back", 5}));
+    EXPECT_TRUE(are_sewn(pairs, {"front", 7}, {"back", 2}));
     EXPECT_EQ(pairs.size(), 2U);
 }
 
