@@ -34,9 +34,13 @@ TEST(DressMisfit, of_a_shirt_that_cannot_close_round_a_body_is_told_as_its_size_
     })) << list_faults(report);
 }
 
-TEST(DressMisfit, of_a_heap_of_cloth_ends_on_its_way_to_the_body_s_own_pose) {
-    const auto arms_down = std::make_shared<const PreparedBody>(
+std::shared_ptr<const PreparedBody> with_arms_down() {
+    return std::make_shared<const PreparedBody>(
         MadeBody{.body = std::make_shared<const Body>(posed(mannequin(), find_pose("arms_down", mannequin())))});
+}
+
+TEST(DressMisfit, of_a_heap_of_cloth_ends_on_its_way_to_the_body_s_own_pose) {
+    const std::shared_ptr<const PreparedBody> arms_down = with_arms_down();
     ASSERT_TRUE(arms_down->stands_otherwise());
     const Pattern skirt = tube(0.42, 0.3, 0.9, 0.2);
     DressOptions options;
@@ -46,6 +50,15 @@ TEST(DressMisfit, of_a_heap_of_cloth_ends_on_its_way_to_the_body_s_own_pose) {
     const DressReport report = dress(skirt, arms_down, options).report;
     EXPECT_EQ(report.stopped_because, "work limit");
     EXPECT_GT(report.work, fall);
+}
+
+TEST(DressMisfit, of_a_heap_whose_fall_was_given_up_moves_to_the_body_s_own_pose_without_contact_with_itself) {
+    DressOptions options;
+    options.max_level = 0;
+    options.most_work = 1;
+    const auto dressed = dress(tube(0.42, 0.3, 0.9, 0.2), with_arms_down(), options);
+    EXPECT_EQ(dressed.report.stopped_because, "work limit");
+    EXPECT_FALSE(dressed.simulation->options().self_contact);
 }
 
 }  // namespace
