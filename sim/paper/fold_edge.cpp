@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "sim/paper/cut_text.h"
@@ -30,9 +31,18 @@ double off_right_angle(const Vec2d& a, const Vec2d& b) {
     return std::abs(std::abs(std::atan2(cross2(a, b), a.dot(b))) - std::numbers::pi / 2);
 }
 
+double extent_along(const Panel& panel, const Vec2d& along) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vec2d& vertex : panel.vertices) {
+        low = std::min(low, vertex.dot(along));
+        high = std::max(high, vertex.dot(along));
+    }
+    return high - low;
+}
+
 std::optional<Candidate> candidate_of(const Panel& panel, std::size_t e) {
     constexpr double kAlong = 4 * kDegree, kSquare = 12 * kDegree;
-    constexpr double kLeast = 0.4;                          // of the panel's longer side
+    constexpr double kLeast = 0.4;                          // of the panel along it: the side of a bodice is less
     constexpr std::array<double, 3> kWeights{0.2, 0.6, 1};  // by the number of right angles
     const OutlineEdge& edge = panel.edges[e];
     if (edge.kind != CurveKind::Line) return std::nullopt;
@@ -41,7 +51,7 @@ std::optional<Candidate> candidate_of(const Panel& panel, std::size_t e) {
     const Vec2d grain(-std::sin(panel.grain_angle), std::cos(panel.grain_angle));
     const double length = (end - start).norm();
     if (std::abs(cross2(along, grain)) > std::sin(kAlong)) return std::nullopt;
-    if (length < kLeast * outline_box(panel).sizes().maxCoeff()) return std::nullopt;
+    if (length < kLeast * extent_along(panel, along)) return std::nullopt;
     const OutlineEdge& before = panel.edges[(e + panel.edges.size() - 1) % panel.edges.size()];
     const OutlineEdge& after = panel.edges[(e + 1) % panel.edges.size()];
     std::size_t right_angles = off_right_angle(direction_at(panel, before, 1), along) < kSquare ? 1 : 0;

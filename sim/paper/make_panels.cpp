@@ -150,10 +150,12 @@ class PanelMaker {
         return std::ranges::any_of(part.paths, [](const DrawnPath& path) { return path.kind == LineKind::FoldEdge; });
     }
 
-    // Where the folds of other parts are drawn, a part without one is no half, whatever its text says.
+    // FreeSewing writes "on the fold" beside parts that have none, and draws each fold that there is.
     DrawnPart without_false_fold(DrawnPart part) {
         const bool is_told_only = part.cut.is_on_fold.value_or(false) && !has_fold_edge(part);
-        if (!is_told_only || std::ranges::none_of(drawing_.parts, has_fold_edge)) return part;
+        if (!is_told_only || !drawing_.format.starts_with("FreeSewing") ||
+            std::ranges::none_of(drawing_.parts, has_fold_edge))
+            return part;
         part.cut.is_on_fold = false;
         out_.notes.push_back(part.name +
                              ": cut on the fold by its text, but its fold is not drawn, as those of other parts are: "

@@ -283,6 +283,12 @@ double least_blocked_lift(const GarmentMesh& unsewn, double as_placed, const Bod
             best = i * way;
         }
     }
+    // What bears the garment has to come to lie on the shoulders, also where that brings other seams nearer.
+    for (int i = 0; i < steps && best >= 0 && blocked_cost(unsewn, shoulders, best, body) > kGood * at_shoulders; ++i) {
+        const double higher = best + kLiftStep;
+        if (blocked_cost(unsewn, unsewn.links, higher, body) >= as_placed) break;
+        best = higher;
+    }
     return best;
 }
 

@@ -71,7 +71,7 @@ double odds_of_elbow(const OpenBoundary& boundary, const std::vector<PanelFacts>
         const Places &front = faces[Face::Front], &back = faces[Face::Back];
         if (std::min(front.count, back.count) < kLeastPlaces) continue;
         const double bend = bend_of_sleeve(boundary.pattern().panels[as_size(panel)], underarms[panel]);
-        if (std::abs(bend) < kLeastBend) continue;
+        if (!(std::abs(bend) >= kLeastBend) || !std::isfinite(bend)) continue;  // no elbow under so low an underarm
         odds += (bend > 0) == (back.mean() > front.mean()) ? kWorth : -kWorth;
     }
     return odds;

@@ -1,5 +1,6 @@
 #include "sim/repair/gltf_file.h"
 
+#include <cmath>
 #include <cstring>
 
 #include "sim/core/error.h"
@@ -99,7 +100,12 @@ const Json* element(const Json* value, std::optional<std::size_t> index) {
 std::optional<std::size_t> index_of(const Json* value) {
     constexpr double kMost = 4e9;
     if (!value || !value->is_number() || !(value->number() >= 0 && value->number() <= kMost)) return std::nullopt;
+    if (std::floor(value->number()) != value->number()) return std::nullopt;
     return std::size_t(value->number());
+}
+
+std::optional<std::size_t> index_or(const Json* value, std::size_t absent) {
+    return value ? index_of(value) : absent;
 }
 
 std::optional<std::size_t> component_bytes(std::size_t type) {
@@ -167,7 +173,9 @@ std::optional<std::string_view> File::view_bytes(const Json* view) {
     const std::optional<std::size_t> length = index_of(member(view, "byteLength"));
     if (!index || !length) return std::nullopt;
     const std::string_view bytes = buffer(*index);
-    const std::size_t start = index_of(member(view, "byteOffset")).value_or(0);
+    const std::optional<std::size_t> offset = index_or(member(view, "byteOffset"), 0);
+    if (!offset) return std::nullopt;
+    const std::size_t start = *offset;
     if (start > bytes.size() || *length > bytes.size() - start) return std::nullopt;
     return bytes.substr(start, *length);
 }
@@ -177,16 +185,17 @@ std::optional<Numbers> File::numbers(const Json* accessor) {
     const std::optional<std::size_t> width = width_of(member(accessor, "type"));
     const std::optional<std::size_t> count = index_of(member(accessor, "count"));
     const std::optional<std::size_t> type = index_of(member(accessor, "componentType"));
-    const std::optional<std::size_t> buffer_index = index_of(member(view, "buffer"));
+    const std::optional<std::size_t> offset = index_or(member(accessor, "byteOffset"), 0);
+    const std::optional<std::size_t> stride = index_or(member(view, "byteStride"), 0);
+    const std::optional<std::string_view> bytes = view_bytes(view);
     const std::optional<std::size_t> size = type ? component_bytes(*type) : std::nullopt;
-    if (!width || !count || *count == 0 || !size || !buffer_index || member(accessor, "sparse")) return std::nullopt;
-    Numbers numbers{.bytes = buffer(*buffer_index), .count = *count, .width = *width, .stride = 0, .type = *type};
+    if (!width || !count || *count == 0 || !size || !offset || !stride || !bytes || member(accessor, "sparse"))
+        return std::nullopt;
+    Numbers numbers{.bytes = *bytes, .count = *count, .width = *width, .stride = 0, .type = *type};
     const std::size_t bytes_each = *width * *size;
-    numbers.stride = index_of(member(view, "byteStride")).value_or(bytes_each);
-    const std::size_t start =
-        index_of(member(view, "byteOffset")).value_or(0) + index_of(member(accessor, "byteOffset")).value_or(0);
-    if (numbers.stride < bytes_each || start > numbers.bytes.size()) return std::nullopt;
-    numbers.bytes.remove_prefix(start);
+    numbers.stride = *stride == 0 ? bytes_each : *stride;  // 0: old exporters mean that there is none
+    if (numbers.stride < bytes_each || *offset > numbers.bytes.size()) return std::nullopt;
+    numbers.bytes.remove_prefix(*offset);
     if (numbers.bytes.size() < bytes_each || (numbers.bytes.size() - bytes_each) / numbers.stride < numbers.count - 1)
         return std::nullopt;
     return numbers;

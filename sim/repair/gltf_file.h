@@ -19,6 +19,9 @@ const Json* element(const Json* value, std::optional<std::size_t> index);
 // nullopt if it is not a whole number that may count something.
 std::optional<std::size_t> index_of(const Json* value);
 
+// The same of a member that has a default, which is taken where the member is absent.
+std::optional<std::size_t> index_or(const Json* value, std::size_t absent);
+
 // The bytes of a number in an accessor, by its componentType. nullopt: there is no such type.
 std::optional<std::size_t> component_bytes(std::size_t type);
 
@@ -48,7 +51,7 @@ class File {
     // Of a buffer view, or of the part of a buffer that an extension names in the same way. nullopt: it does not lie in
     // its buffer.
     std::optional<std::string_view> view_bytes(const Json* view);
-    // nullopt if the accessor is broken, sparse, or does not lie in its buffer.
+    // nullopt if the accessor is broken, sparse, or does not lie in its view.
     std::optional<Numbers> numbers(const Json* accessor);
 
  private:

@@ -32,7 +32,9 @@ class SkinCheck {
         const Json* attributes = primitive.find("attributes");
         const std::optional<gltf::Numbers> joints = fours_of(gltf::member(attributes, "JOINTS_0"));
         const std::optional<gltf::Numbers> weights = fours_of(gltf::member(attributes, "WEIGHTS_0"));
-        if (!joints || joints->type == gltf::Numbers::kFloat || !weights || weights->count < joints->count) return;
+        const bool are_joints =
+            joints && (joints->type == gltf::Numbers::kUnsignedByte || joints->type == gltf::Numbers::kUnsignedShort);
+        if (!are_joints || !weights || weights->count < joints->count) return;
         for (std::size_t v = 0; v < joints->count; ++v)
             for (std::size_t k = 0; k < 4; ++k)
                 if (weights->at(v, k) > 0 && !(joints->at(v, k) < double(joint_count)))

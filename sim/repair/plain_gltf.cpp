@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <set>
+#include <map>
 #include <utility>
 
 #include "sim/core/error.h"
@@ -17,18 +17,14 @@ using gltf::element;
 using gltf::index_of;
 using gltf::member;
 
-constexpr std::string_view kMeshopt = "EXT_meshopt_compression", kQuantization = "KHR_mesh_quantization",
-                           kDraco = "KHR_draco_mesh_compression";
+constexpr std::string_view kMeshopt = "EXT_meshopt_compression", kQuantization = "KHR_mesh_quantization";
 constexpr std::size_t kMostBytes = std::size_t(256) << 20;  // of all buffers together
 
-// Draco is assimp's to read. Materials, textures and lights change no shape, nor do the avatars' extensions of VRM.
-bool is_read_or_harmless(std::string_view extension) {
-    constexpr std::array<std::string_view, 3> kRead{kMeshopt, kQuantization, kDraco};
-    constexpr std::array<std::string_view, 8> kHarmless{"KHR_materials_", "KHR_texture_", "EXT_texture_",
-                                                        "MSFT_texture_",  "KHR_lights_",  "EXT_lights_",
-                                                        "KHR_xmp",        "VRM"};
-    return std::ranges::find(kRead, extension) != kRead.end() ||
-           std::ranges::any_of(kHarmless, [&](std::string_view start) { return extension.starts_with(start); });
+// Extensions of glTF that say what the shape is, or that pack it in a way that neither assimp nor we read.
+bool changes_shape_unread(std::string_view extension) {
+    constexpr std::array<std::string_view, 5> kNames{"EXT_mesh_gpu_instancing", "KHR_meshopt_compression",
+                                                     "KHR_gaussian_splatting", "KHR_node_visibility", "MSFT_lod"};
+    return std::ranges::find(kNames, extension) != kNames.end();
 }
 
 std::string place_of(std::string_view list, std::size_t index) {
@@ -39,7 +35,7 @@ std::size_t length_of(const Json* list) {
     return list && list->is_array() ? list->elements().size() : 0;
 }
 
-// What a whole number of the type stands for where it is normalized (glTF 2.0, 3.6.2.2).
+// The whole number that stands for 1 where it is normalized (glTF 2.0, 3.6.2.2; of 32 bits not allowed there).
 double largest_of(std::size_t type) {
     switch (type) {
         case gltf::Numbers::kByte:
@@ -60,6 +56,17 @@ struct Packed {
     std::size_t count = 0, stride = 0;
     std::string_view bytes;
 };
+
+struct Unpacked {
+    std::optional<std::string> bytes{};
+    std::size_t stride = 0;  // of vertices; 0: indices
+    std::string problem{};   // why there are no bytes
+};
+
+std::string text_or(const Json* value, const char* absent) {
+    if (!value) return absent;
+    return value->is_string() ? value->string() : "";
+}
 
 // Whether the view's elements are such that meshoptimizer may be asked for them.
 bool is_possible(const Packed& packed) {
@@ -97,9 +104,10 @@ class PlainGltf {
 
     std::optional<std::string> write() {
         check_extensions();
-        if (!is_packed() && whole_accessors(file_.root()).empty()) return std::nullopt;
-        const std::string with_plain_views = unpack_views();
-        if (whole_accessors(file_.root()).empty()) return with_plain_views;
+        const bool are_whole = !whole_accessors(file_.root()).empty();
+        if (!is_packed() && !are_whole) return std::nullopt;
+        std::string with_plain_views = unpack_views();
+        if (!are_whole) return with_plain_views;
         gltf::File plain(path_, with_plain_views);
         return with_floats(plain);
     }
@@ -113,7 +121,7 @@ class PlainGltf {
         const Json* required = file_.root().find("extensionsRequired");
         for (std::size_t i = 0; i < length_of(required); ++i) {
             const Json& name = required->elements()[i];
-            if (name.is_string() && !is_read_or_harmless(name.string()))
+            if (name.is_string() && changes_shape_unread(name.string()))
                 fail(place_of("extensionsRequired", i),
                      "the extension '" + name.string() + "' is not read: save the file without it");
         }
@@ -128,59 +136,60 @@ class PlainGltf {
         return false;
     }
 
-    // The accessors that assimp takes for floats, and that are whole numbers.
-    static std::set<std::size_t> whole_accessors(const Json& root) {
-        std::set<std::size_t> found;
-        const auto add = [&](const Json* index) {
+    // The accessors that assimp takes for floats, and that are whole numbers; true: positions.
+    static std::map<std::size_t, bool> whole_accessors(const Json& root) {
+        std::map<std::size_t, bool> found;
+        const auto add = [&](const Json* index, bool is_position) {
             const Json* accessor = element(root.find("accessors"), index_of(index));
             const auto type = index_of(member(accessor, "componentType"));
             if (type && *type != gltf::Numbers::kFloat && member(accessor, "bufferView"))
-                found.insert(*index_of(index));
-        };
-        const auto add_attributes = [&](const Json* attributes) {
-            if (!attributes || !attributes->is_object()) return;
-            for (const Json::Member& one : attributes->members())
-                if (one.key == "POSITION" || one.key == "NORMAL" || one.key == "TANGENT" ||
-                    one.key.starts_with("TEXCOORD_"))
-                    add(&one.value);
+                found[*index_of(index)] |= is_position;
         };
         const Json* meshes = root.find("meshes");
         for (std::size_t m = 0; m < length_of(meshes); ++m) {
             const Json* primitives = member(&meshes->elements()[m], "primitives");
             for (std::size_t p = 0; p < length_of(primitives); ++p) {
-                const Json& primitive = primitives->elements()[p];
-                add_attributes(member(&primitive, "attributes"));
-                const Json* targets = member(&primitive, "targets");
-                for (std::size_t t = 0; t < length_of(targets); ++t) add_attributes(&targets->elements()[t]);
+                const Json* attributes = member(&primitives->elements()[p], "attributes");
+                if (!attributes || !attributes->is_object()) continue;
+                for (const Json::Member& one : attributes->members()) {
+                    if (one.key == "POSITION" || one.key == "NORMAL" || one.key == "TANGENT" ||
+                        one.key.starts_with("TEXCOORD_"))
+                        add(&one.value, one.key == "POSITION");
+                }
             }
         }
         const Json* animations = root.find("animations");
         for (std::size_t a = 0; a < length_of(animations); ++a) {
             const Json* samplers = member(&animations->elements()[a], "samplers");
-            for (std::size_t s = 0; s < length_of(samplers); ++s) add(member(&samplers->elements()[s], "output"));
+            for (std::size_t s = 0; s < length_of(samplers); ++s)
+                add(member(&samplers->elements()[s], "output"), false);
         }
         return found;
     }
 
-    Packed packed_of(const Json& packing, std::size_t index) {
-        const Json *mode = member(&packing, "mode"), *filter = member(&packing, "filter");
-        Packed packed{.mode = mode && mode->is_string() ? mode->string() : "",
-                      .filter = filter && filter->is_string() ? filter->string() : "NONE",
-                      .count = index_of(member(&packing, "count")).value_or(0),
-                      .stride = index_of(member(&packing, "byteStride")).value_or(0),
-                      .bytes = {}};
+    Unpacked unpack(const Json& packing, const Json& view) {
+        const auto count = index_of(member(&packing, "count")), stride = index_of(member(&packing, "byteStride"));
         const auto bytes = file_.view_bytes(&packing);
-        if (!bytes) fail(place_of("bufferViews", index), "it does not lie in its buffer");
-        packed.bytes = *bytes;
-        if (!is_possible(packed)) fail(place_of("bufferViews", index), "such compressed elements are not read");
-        return packed;
+        if (!bytes) return {.problem = "it does not lie in its buffer"};
+        const Packed packed{.mode = text_or(member(&packing, "mode"), ""),
+                            .filter = text_or(member(&packing, "filter"), "NONE"),
+                            .count = count.value_or(0),
+                            .stride = stride.value_or(0),
+                            .bytes = *bytes};
+        if (!count || !is_possible(packed)) return {.problem = "such compressed elements are not read"};
+        if (packed.count > kMostBytes / packed.stride) return {.problem = "its buffers are larger than 256 MB"};
+        if (index_of(member(&view, "byteLength")) != packed.count * packed.stride)
+            return {.problem = "its length is not that of its compressed elements"};
+        Unpacked out{.bytes = unpacked(packed), .stride = packed.mode == "ATTRIBUTES" ? packed.stride : 0};
+        if (!out.bytes) out.problem = "its compressed bytes are broken";
+        return out;
     }
 
     // Appends a view's bytes to a buffer, and returns the view of them.
     Json appended(Json view, std::string_view bytes, std::string& buffer, std::size_t index) const {
-        if (bytes.size() > kMostBytes - buffer.size())
-            fail(place_of("bufferViews", index), "its buffers are larger than 256 MB");
         buffer.append((4 - buffer.size() % 4) % 4, '\0');
+        if (buffer.size() > kMostBytes || bytes.size() > kMostBytes - buffer.size())
+            fail(place_of("bufferViews", index), "its buffers are larger than 256 MB");
         view["buffer"] = 0;
         view["byteOffset"] = buffer.size();
         view["byteLength"] = bytes.size();
@@ -203,58 +212,77 @@ class PlainGltf {
         return gltf::glb_of(root, std::move(buffer));
     }
 
-    // The file as a .glb whose buffer views are not compressed.
+    // Nothing reads morph targets, and their numbers may be of any kind.
+    static void drop_targets(Json& root) {
+        Json* meshes = root.find("meshes");
+        for (std::size_t m = 0; m < length_of(meshes); ++m) {
+            Json& mesh = meshes->elements()[m];
+            if (!mesh.is_object()) continue;
+            Json* primitives = mesh.find("primitives");
+            for (std::size_t p = 0; p < length_of(primitives); ++p) {
+                Json& primitive = primitives->elements()[p];
+                if (primitive.is_object()) primitive.erase("targets");
+            }
+            mesh.erase("weights");
+        }
+    }
+
+    // The file as a .glb whose buffer views are not compressed. One that lies in no buffer becomes empty.
     std::string unpack_views() {
         Json root = file_.root();
+        drop_targets(root);
         std::string buffer;
         Json* views = root.find("bufferViews");
         for (std::size_t i = 0; i < length_of(views); ++i) {
             Json& view = views->elements()[i];
-            if (const Json* packing = packing_of(view)) {
-                const Packed packed = packed_of(*packing, i);
-                if (packed.count > kMostBytes / packed.stride)
-                    fail(place_of("bufferViews", i), "its buffers are larger than 256 MB");
-                const std::optional<std::string> bytes = unpacked(packed);
-                if (!bytes) fail(place_of("bufferViews", i), "its compressed bytes are broken");
-                if (packed.mode == "ATTRIBUTES") view["byteStride"] = packed.stride;
-                view.erase("extensions");
-                view = appended(std::move(view), *bytes, buffer, i);
-            } else if (const auto bytes = file_.view_bytes(&view)) {
-                view = appended(std::move(view), *bytes, buffer, i);
-            } else {
-                fail(place_of("bufferViews", i), "it does not lie in its buffer");
-            }
+            if (!view.is_object()) fail(place_of("bufferViews", i), "it is no object");
+            const Json* packing = packing_of(view);
+            const Unpacked out = packing && packing->is_object() ? unpack(*packing, view) : Unpacked{};
+            const auto own = file_.view_bytes(&view);  // of what is compressed too: for readers that cannot unpack it
+            if (!out.bytes && own.value_or("").empty() && !out.problem.empty())
+                fail(place_of("bufferViews", i), out.problem);
+            if (out.bytes && out.stride > 0) view["byteStride"] = out.stride;
+            view.erase("extensions");
+            view = appended(std::move(view), out.bytes ? std::string_view(*out.bytes) : own.value_or(""), buffer, i);
         }
         return in_one_buffer(std::move(root), std::move(buffer));
+    }
+
+    // nullopt: the accessor is broken, sparse, or does not lie in its view.
+    static std::optional<std::string> floats_of(gltf::File& plain, const Json& accessor) {
+        const auto numbers = plain.numbers(&accessor);
+        const Json* flag = accessor.find("normalized");
+        const bool is_normalized = flag && flag->is_bool() && flag->boolean();
+        if (!numbers || (flag && !flag->is_bool())) return std::nullopt;
+        if (numbers->count > kMostBytes / (numbers->width * sizeof(float))) return std::nullopt;
+        const double unit = is_normalized ? 1 / largest_of(numbers->type) : 1;
+        std::string bytes;
+        bytes.reserve(numbers->count * numbers->width * sizeof(float));
+        for (std::size_t i = 0; i < numbers->count; ++i) {
+            for (std::size_t k = 0; k < numbers->width; ++k) {
+                const double value = numbers->at(i, k) * unit;
+                const auto number = float(is_normalized ? std::max(value, -1.0) : value);
+                bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+            }
+        }
+        return bytes;
     }
 
     // Pre: a file as unpack_views() writes it.
     std::string with_floats(gltf::File& plain) const {
         Json root = plain.root();
         std::string buffer(plain.buffer(0));
-        for (const std::size_t index : whole_accessors(root)) {
+        for (const auto& [index, is_position] : whole_accessors(root)) {
             Json& accessor = root.find("accessors")->elements()[index];
-            const auto numbers = plain.numbers(&accessor);
-            if (!numbers) fail(place_of("accessors", index), "it is sparse, or does not lie in its buffer");
-            const Json* flag = accessor.find("normalized");
-            const bool is_normalized = flag && flag->is_bool() && flag->boolean();
-            const double unit = is_normalized ? 1 / largest_of(numbers->type) : 1;
-            std::string bytes;
-            if (numbers->count > kMostBytes / (numbers->width * sizeof(float)))
-                fail(place_of("accessors", index), "its buffers are larger than 256 MB");
-            bytes.reserve(numbers->count * numbers->width * sizeof(float));
-            for (std::size_t i = 0; i < numbers->count; ++i) {
-                for (std::size_t k = 0; k < numbers->width; ++k) {
-                    const double value = numbers->at(i, k) * unit;
-                    const auto number = float(is_normalized ? std::max(value, -1.0) : value);
-                    bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
-                }
-            }
+            const std::optional<std::string> bytes = floats_of(plain, accessor);
+            if (!bytes && is_position)
+                fail(place_of("accessors", index), "it is broken, sparse, or does not lie in its view");
+            if (!bytes) continue;
             Json& views = *root.find("bufferViews");
             accessor["bufferView"] = views.elements().size();
             accessor["componentType"] = gltf::Numbers::kFloat;
             for (const char* key : {"byteOffset", "normalized", "min", "max"}) accessor.erase(key);
-            views.push_back(appended(Json::object(), bytes, buffer, views.elements().size()));
+            views.push_back(appended(Json::object(), *bytes, buffer, views.elements().size()));
         }
         return in_one_buffer(std::move(root), std::move(buffer));
     }
@@ -266,7 +294,13 @@ class PlainGltf {
 }  // namespace
 
 std::optional<std::string> plain_gltf(const std::filesystem::path& path, std::string_view content) {
-    return PlainGltf(path, content).write();
+    std::optional<PlainGltf> file;
+    try {
+        file.emplace(path, content);
+    } catch (const InputError&) {
+        return std::nullopt;  // what is no JSON to us may be so to assimp, as with names that are not UTF-8
+    }
+    return file->write();
 }
 
 }  // namespace selvedge::sim

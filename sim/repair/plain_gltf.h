@@ -11,9 +11,10 @@
 
 namespace selvedge::sim {
 
-// The same file as a .glb with floats in one buffer; nullopt if it is plain already. Pre: the content of that .gltf or
-// .glb file, which may be malformed: call it in the guarded child process. Throws InputError with the JSON path of what
-// is broken, or if the file requires an extension that changes the shape and is not read.
+// The same file as a .glb with floats in one buffer, without morph targets; nullopt if it is plain already, or no JSON.
+// Pre: the content of that .gltf or .glb file, which may be malformed: call it in the guarded child process. Throws
+// InputError with the JSON path of what is broken, or if the file requires an extension that is known to change the
+// shape and is not read.
 std::optional<std::string> plain_gltf(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace selvedge::sim

@@ -112,6 +112,55 @@ TEST(PlainGltf, a_body_of_whole_numbers_has_its_true_size) {
     expect_tetrahedron(imported(tetrahedron(stored_views())));
 }
 
+// A triangle from the origin to two numbers of this type, the second of which is negative where the type has signs.
+template <class Number>
+std::string triangle_of(int type, bool is_normalized, Number first, Number second, const std::string& more = "") {
+    const std::array<Number, 12> corners{0, 0, 0, 0, first, 0, 0, 0, 0, second, 0, 0};
+    const std::string bytes = bytes_of(corners);
+    return gltf::glb_of(
+        parsed(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "accessors": [{"bufferView": 0, "componentType": )" +
+               std::to_string(type) + R"(, "normalized": )" + (is_normalized ? "true" : "false") +
+               R"(, "count": 3, "type": "VEC3"}],
+            "bufferViews": [{"buffer": 0, "byteStride": )" +
+               std::to_string(4 * sizeof(Number)) + R"(, "byteLength": )" + std::to_string(bytes.size()) +
+               R"(}], "buffers": [{"byteLength": )" + std::to_string(bytes.size()) + "}]" + more + "}"),
+        bytes);
+}
+
+TEST(PlainGltf, whole_numbers_of_each_type_stand_for_what_the_standard_says) {
+    const auto expect = [](const std::string& file, float first, float second) {
+        const ImportedScene scene = imported(file);
+        ASSERT_EQ(scene.meshes.size(), 1U);
+        EXPECT_NEAR(scene.meshes[0].x[1].x(), first, 1e-6F);
+        EXPECT_NEAR(scene.meshes[0].x[2].y(), second, 1e-6F);
+    };
+    expect(triangle_of<std::int8_t>(5120, true, 127, -128), 1, -1);
+    expect(triangle_of<std::uint8_t>(5121, true, 255, 51), 1, 0.2F);
+    expect(triangle_of<std::int16_t>(5122, true, 32767, -32768), 1, -1);
+    expect(triangle_of<std::uint16_t>(5123, true, 65535, 13107), 1, 0.2F);
+    expect(triangle_of<std::int8_t>(5120, false, 100, -3), 100, -3);
+    expect(triangle_of<std::uint8_t>(5121, false, 200, 3), 200, 3);
+    expect(triangle_of<std::int16_t>(5122, false, 300, -3), 300, -3);
+    expect(triangle_of<std::uint16_t>(5123, false, 60000, 3), 60000, 3);
+}
+
+TEST(PlainGltf, positions_that_do_not_lie_in_their_view_are_told) {
+    std::string file = triangle_of<std::int16_t>(5122, true, 3, 4);
+    const std::size_t at = file.find("24", file.find("byteLength"));  // of the view, which stands before the buffer
+    ASSERT_NE(at, std::string::npos);
+    file.replace(at, 2, "16");
+    EXPECT_EQ(problem_of(file), "cannot be read: accessors[0]: it is broken, sparse, or does not lie in its view");
+}
+
+TEST(PlainGltf, extensions_that_change_no_shape_or_are_unknown_do_not_matter) {
+    for (const std::string name : {"KHR_texture_transform", "KHR_materials_unlit", "VRM", "MOZ_hubs_components"}) {
+        const std::string required = R"(, "extensionsRequired": [")" + name + "\"]";
+        EXPECT_EQ(imported(triangle_of<std::uint8_t>(5121, true, 255, 255, required)).meshes.size(), 1U) << name;
+    }
+}
+
 TEST(PlainGltf, a_compressed_body_is_the_body_that_was_compressed) {
     expect_tetrahedron(imported(tetrahedron(compressed_views())));
 }
