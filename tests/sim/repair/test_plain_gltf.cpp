@@ -214,7 +214,7 @@ TEST(PlainGltf, compressed_bytes_that_are_broken_are_told_with_their_view) {
 
 TEST(PlainGltf, elements_that_meshoptimizer_must_not_be_asked_for_are_refused) {
     for (const std::string mode : {"ATTRIBUTES", "TRIANGLES", "INDICES", "OTHER"}) {
-        for (const std::size_t stride : {0, 3, 260}) {
+        for (const std::size_t stride : {std::size_t{0}, std::size_t{3}, std::size_t{260}}) {
             Views views = compressed_views();
             views.positions = packing(0, views.buffer, stride, 4, mode);
             EXPECT_EQ(problem_of(tetrahedron(views)),
