@@ -367,7 +367,8 @@ TEST(SeamClearingLift, clears_a_shoulder_seam_that_grazes_the_shoulder_although_
     EXPECT_NEAR(seam_clearing_lift(unsewn, BodyCollider(body, kCoarse)), 0.01, 1e-9);
 }
 
-// Shoulder seams 4 cm below the top of a column, and seams that enter an arm beside it from 1 cm on when they are lifted.
+// Shoulder seams 4 cm below the top of a column, and seams that enter an arm beside it from 1 cm on when they are
+// lifted.
 TEST(SeamClearingLift, brings_shoulder_seams_onto_the_shoulders_when_seams_under_the_arms_would_rather_stay) {
     Body body = shapes::box(Vec3d(-0.15, 1.0, -0.1), Vec3d(0.15, 1.39, 0.1), 8);
     const Body arm = shapes::box(Vec3d(0.5, 1.21, -0.1), Vec3d(0.8, 1.51, 0.1), 8);
@@ -375,7 +376,7 @@ TEST(SeamClearingLift, brings_shoulder_seams_onto_the_shoulders_when_seams_under
     body.x.insert(body.x.end(), arm.x.begin(), arm.x.end());
     for (const auto& t : arm.triangles) body.triangles.push_back({corner + t[0], corner + t[1], corner + t[2]});
     GarmentMesh unsewn = assemble(tabard(0.25, 0.4, 0.95, 0.2));  // its upper edges are at 1.35 m
-    constexpr int kUnderArms = 12;  // twice as many links as the tabard has
+    constexpr int kUnderArms = 12;                                // twice as many links as the tabard has
     const double as_placed = blocked_depth(unsewn, 0, BodyCollider(body, kCoarse));
     for (int i = 0; i < kUnderArms; ++i) {
         const int first = int(unsewn.x.size());

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <memory>
 
+#include "sim/body/yielding_flesh.h"
 #include "sim/dress/prepared_body.h"
 #include "sim/motion/motion_file.h"
 #include "sim/session/dress.h"
+#include "sim/simulation/simulation.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/sim/dress/support.h"
 #include "tests/support/mannequin.h"
