@@ -297,6 +297,8 @@ TEST(MakePanels, pair_a_half_whose_fold_only_its_text_names_where_the_folds_of_o
     Drawing drawing = one_part(front);
     EXPECT_EQ(make_panels(drawing, "").pattern.panels.size(), 1U) << "unfolded, if no fold is drawn at all";
     drawing.parts.push_back(back);
+    EXPECT_EQ(make_panels(drawing, "").pattern.panels.size(), 2U) << "other programs need not draw each fold";
+    drawing.format = "FreeSewing SVG";
     const PanelsOfDrawing made = make_panels(drawing, "");
     ASSERT_EQ(made.pattern.panels.size(), 3U);
     EXPECT_EQ(made.pattern.panels[2].mirror_of, "front");
@@ -306,6 +308,14 @@ TEST(MakePanels, pair_a_half_whose_fold_only_its_text_names_where_the_folds_of_o
                           "front: cut on the fold by its text, but its fold is not drawn, as those of other parts "
                           "are: not unfolded"),
         made.notes.end());
+}
+
+TEST(MakePanels, unfold_a_half_collar_over_its_short_side_when_no_fold_is_drawn) {
+    DrawnPart collar{.name = "collar", .paths = {polygon({{0, 0}, {210, 0}, {215, 70}, {0, 60}})}};
+    collar.cut = {.pieces = 1, .are_mirrored = {}, .is_on_fold = true, .material = {}};
+    const PanelsOfDrawing made = make_panels(one_part(collar), "");
+    ASSERT_EQ(made.pattern.panels.size(), 1U);
+    EXPECT_NEAR(outline_box(made.pattern.panels[0]).sizes().x(), 0.43, 1e-9);
 }
 
 TEST(MakePanels, pair_a_half_on_the_fold_that_has_no_edge_long_enough_to_be_it) {
