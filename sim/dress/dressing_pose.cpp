@@ -84,14 +84,12 @@ DrapeResult move_to_own_pose(Simulation& simulation, const Body& body, const Pos
     });
     WorkCount counted(simulation.cloth());
     double work = draped.work;
-    bool meets_itself = true;
     // A heap of cloth takes ever more work. The arms have to get to their end, so it goes on without contact with
     // itself, and is given up there.
     const auto bound_work = [&] {
-        if (!meets_itself || work <= options.most_work.value_or(most_work(simulation.cloth()))) return;
+        if (work <= options.most_work.value_or(most_work(simulation.cloth()))) return;
         if (!given_up) given_up = GiveUp::TooMuchWork;
         ignore_itself(simulation);
-        meets_itself = false;
     };
     bound_work();
     for (double seconds = kReport; seconds <= kToOwnPose + kReport / 2; seconds += kReport) {

@@ -13,6 +13,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/atomic_file.h"
 #include "sim/core/error.h"
+#include "sim/core/glb_container.h"
 #include "sim/exchange/glb_document.h"
 
 namespace selvedge::sim {
@@ -332,16 +333,7 @@ class GlbCache final : public MeshCache {
         std::string json = document_.finish(std::move(content));
         SELVEDGE_ASSERT(json.size() <= json_bytes_);
         json.resize(json_bytes_, ' ');
-        std::string head;
-        append_word(head, kMagic);
-        append_word(head, 2);
-        append_word(head, static_cast<std::uint32_t>(file_->size()));
-        append_word(head, static_cast<std::uint32_t>(json_bytes_));
-        append_word(head, kJsonChunk);
-        head += json;
-        append_word(head, static_cast<std::uint32_t>(document_.size()));
-        append_word(head, kBinChunk);
-        file_->overwrite(0, head);
+        file_->overwrite(0, head(std::move(json), document_.size()));
         file_->commit();
     }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/core/assert.h"
+#include "sim/core/glb_container.h"
 
 namespace selvedge::sim::glb {
 
@@ -187,35 +188,10 @@ std::string Document::finish(Json root) {
     return write_json(root, -1);
 }
 
-void append_word(std::string& bytes, std::uint32_t word) {
-    bytes.append(reinterpret_cast<const char*>(&word), sizeof word);
-}
-
-namespace {
-
-void append_chunk(std::string& bytes, std::uint32_t kind, std::string_view content, char padding) {
-    const std::size_t padded = (content.size() + 3) / 4 * 4;
-    append_word(bytes, std::uint32_t(padded));
-    append_word(bytes, kind);
-    bytes += content;
-    bytes.append(padded - content.size(), padding);
-}
-
-}  // namespace
-
 std::string container(Json root, Document document) {
     SELVEDGE_ASSERT(document.buffer().size() == document.size());
-    const std::string json = document.finish(std::move(root));
-    std::string chunks;
-    append_chunk(chunks, kJsonChunk, json, ' ');
-    append_chunk(chunks, kBinChunk, document.buffer(), '\0');
-    constexpr std::size_t kHeader = 12;
-    SELVEDGE_ASSERT(chunks.size() + kHeader <= UINT32_MAX);
-    std::string bytes;
-    append_word(bytes, kMagic);
-    append_word(bytes, 2);
-    append_word(bytes, std::uint32_t(chunks.size() + kHeader));
-    return bytes + chunks;
+    std::string json = document.finish(std::move(root));
+    return container(std::move(json), document.buffer());
 }
 
 Json root_object() {

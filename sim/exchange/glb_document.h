@@ -15,10 +15,6 @@
 
 namespace selvedge::sim::glb {
 
-inline constexpr std::uint32_t kMagic = 0x46546C67;      // "glTF"
-inline constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
-inline constexpr std::uint32_t kBinChunk = 0x004E4942;   // "BIN"
-
 enum class Component : int { UnsignedShort = 5123, UnsignedInt = 5125, Float = 5126 };
 enum class Target : int { None = 0, Vertices = 34962, Indices = 34963 };
 
@@ -100,8 +96,6 @@ class Document {
     std::uint64_t size_ = 0;
     bool is_plan_;
 };
-
-void append_word(std::string& bytes, std::uint32_t word);
 
 // The bytes of a file. Pre: no bytes of the document were cleared.
 std::string container(Json root, Document document);

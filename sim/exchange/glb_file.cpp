@@ -2,11 +2,11 @@
 
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <utility>
 
 #include "sim/core/assert.h"
+#include "sim/core/glb_container.h"
 #include "sim/core/json.h"
 #include "sim/exchange/glb_document.h"
 #include "sim/exchange/mesh_cache.h"
@@ -169,11 +169,9 @@ namespace {
 // Calls take(panel, value) for each primitive whose extras name a panel and have the key.
 template <class Take>
 void for_each_extra(std::string_view bytes, const std::string& file, std::string_view key, const Take& take) {
-    constexpr std::size_t kJsonStart = 20;
-    if (bytes.size() < kJsonStart) return;
-    std::uint32_t length = 0;
-    std::memcpy(&length, bytes.data() + 12, sizeof length);
-    const Json root = parse_json(bytes.substr(kJsonStart, length), file);
+    const std::string_view json = glb::split(bytes).json;
+    if (json.empty()) return;
+    const Json root = parse_json(json, file);
     const Json* meshes = root.find("meshes");
     if (!meshes || !meshes->is_array()) return;
     for (const Json& mesh : meshes->elements()) {

@@ -176,18 +176,17 @@ std::optional<LimbSegment> first_segment(const Limb& limb) {
     return segment;
 }
 
-// Where a line through a thigh meets the plane.
-Vec3d meets(const LimbSegment& thigh, const Plane& plane) {
-    const double slope = thigh.along.dot(plane.normal);
-    if (slope == 0) return thigh.from;
-    return thigh.from + (plane.point - thigh.from).dot(plane.normal) / slope * thigh.along;
+// Where the line through a segment meets the plane.
+Vec3d meets(const LimbSegment& segment, const Plane& plane) {
+    const double slope = segment.along.dot(plane.normal);
+    if (slope == 0) return segment.from;
+    return segment.from + (plane.point - segment.from).dot(plane.normal) / slope * segment.along;
 }
 
-bool goes_round_line(const BodyGirth& girth, const Vec3d& from, const Vec3d& to) {
-    const double before = (from - girth.plane.point).dot(girth.plane.normal);
-    const double after = (to - girth.plane.point).dot(girth.plane.normal);
-    if ((before > 0) == (after > 0)) return false;
-    return goes_round(girth.inside.points, girth.plane, from + before / (before - after) * (to - from));
+bool goes_round_segment(const BodyGirth& girth, const LimbSegment& segment) {
+    const auto is_beyond = [&](const Vec3d& x) { return (x - girth.plane.point).dot(girth.plane.normal) > 0; };
+    return is_beyond(segment.from) != is_beyond(segment.from + segment.along) &&
+           goes_round(girth.inside.points, girth.plane, meets(segment, girth.plane));
 }
 
 // Whether a section of a limb also goes round the torso, or round the limb on the other side: a coat that the arm lies
@@ -195,12 +194,11 @@ bool goes_round_line(const BodyGirth& girth, const Vec3d& from, const Vec3d& to)
 bool holds_another_part(const BodyLimbs& limbs, LimbKind limb, const BodyGirth& girth) {
     const std::vector<LimbJoint>& torso = limbs.torso;
     for (std::size_t i = 0; i + 1 < torso.size(); ++i) {
-        if (goes_round_line(girth, torso[i].centre, torso[i + 1].centre)) return true;
+        if (goes_round_segment(girth, {torso[i].centre, torso[i + 1].centre - torso[i].centre})) return true;
     }
     for (std::size_t i = 0; i < kLimbCount; ++i) {
         const auto other = first_segment(limbs.limbs[i]);
-        if (i != index_of(limb) && other && goes_round_line(girth, other->from, other->from + other->along))
-            return true;
+        if (i != index_of(limb) && other && goes_round_segment(girth, *other)) return true;
     }
     return false;
 }

@@ -217,10 +217,9 @@ bool is_on_wrong_side(const OpenBoundary& boundary, const std::vector<PanelFacts
 
 // Whether a level line at the top runs from the side of a whole panel inwards, and leaves room for the neck.
 bool is_level_shoulder(const PanelFacts& facts, const std::vector<Vec2d>& points) {
-    constexpr double kAtSide = 0.02, kMostWidth = 0.45;  // of the width
-    const double out = std::max(std::abs(points.front().x() - facts.axis), std::abs(points.back().x() - facts.axis));
-    return facts.is_symmetric && out > (0.5 - kAtSide) * facts.width &&
-           std::abs(points.front().x() - points.back().x()) < kMostWidth * facts.width;
+    const double from = points.front().x(), to = points.back().x();
+    return facts.is_symmetric && (is_at_side(facts, from) || is_at_side(facts, to)) &&
+           std::abs(from - to) < kWidestShoulder * facts.width;
 }
 
 // The shoulders of a front and a back or a yoke: straight, at the top, and sloping away from the neck, which meets the

@@ -13,14 +13,17 @@
 namespace selvedge::sim {
 namespace {
 
+struct Stretch {
+    std::vector<Vec2d> points;  // m
+    std::vector<double> ends;   // m, how far along it each of its edges ends, from the edge that it is next to
+};
+
 // The stretch of the outline next to an edge, up to the next corner: a curve may be drawn as many pieces, each of them
 // nearly straight.
-// ends: how far along it each of its edges ends, m.
-std::vector<Vec2d> stretch_beside(const Panel& panel, std::size_t edge, bool is_after,
-                                  std::vector<double>* ends = nullptr) {
+Stretch stretch_beside(const Panel& panel, std::size_t edge, bool is_after) {
     constexpr double kCorner = 28 * std::numbers::pi / 180;  // rad: turns by less are no corners
     const std::size_t count = panel.edges.size(), step = is_after ? 1 : count - 1;
-    std::vector<Vec2d> points;
+    Stretch stretch;
     std::size_t at = edge;
     for (std::size_t k = 0; k + 1 < count; ++k) {
         const std::size_t next = (at + step) % count;
@@ -29,14 +32,12 @@ std::vector<Vec2d> stretch_beside(const Panel& panel, std::size_t edge, bool is_
         const Vec2d out = curve_direction(panel, after, EdgeEnd::Start);
         if (k > 0 && std::abs(std::atan2(cross2(in, out), in.dot(out))) > kCorner) break;
         std::vector<Vec2d> piece = outline_polyline(panel, panel.edges[next], 1e-3);
-        if (is_after)
-            points.insert(points.end(), piece.begin(), piece.end());
-        else
-            points.insert(points.begin(), piece.begin(), piece.end());
-        if (ends) ends->push_back((ends->empty() ? 0 : ends->back()) + outline_length(panel, panel.edges[next]));
+        stretch.points.insert(is_after ? stretch.points.end() : stretch.points.begin(), piece.begin(), piece.end());
+        const double begin = stretch.ends.empty() ? 0 : stretch.ends.back();
+        stretch.ends.push_back(begin + outline_length(panel, panel.edges[next]));
         at = next;
     }
-    return points;
+    return stretch;
 }
 
 }  // namespace
@@ -51,7 +52,7 @@ bool is_sleeve_hem(const OpenBoundary& boundary, const ChainView& view) {
     const auto is_curved = [&](std::size_t edge, bool is_after) {
         const std::size_t next = (edge + (is_after ? 1 : count - 1)) % count;
         return std::abs(bulge(outline_polyline(panel, panel.edges[next], 1e-3))) > kCurved ||
-               std::abs(bulge(stretch_beside(panel, edge, is_after))) > kRound;
+               std::abs(bulge(stretch_beside(panel, edge, is_after).points)) > kRound;
     };
     return !is_curved(as_size(first.edge), false) && !is_curved(as_size(last.edge), true);
 }
@@ -59,7 +60,7 @@ bool is_sleeve_hem(const OpenBoundary& boundary, const ChainView& view) {
 bool leaves_no_armhole(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, const ChainView& a,
                        const ChainView& b) {
     constexpr double kUp = 0.75, kStraight = 0.99, kShortest = 0.03;  // of the length; m
-    constexpr double kAlike = 0.02, kMostWidth = 0.45;                // of the length; of the panel's width
+    constexpr double kAlike = 0.02;                                   // of the length
     constexpr double kInside = 1e-7;  // of a side, so that its end is on the edge that is meant
     const auto panel_of = [&](const ChainView& side) {
         return as_size(boundary.atom(place_on(boundary, side, 0.5).atom).span.panel);
@@ -75,13 +76,13 @@ bool leaves_no_armhole(const OpenBoundary& boundary, const std::vector<PanelFact
     const auto shoulders = [&](const ChainView& side, double rise, const PanelFacts& facts_of_panel) {
         const ChainPlace top = place_on(boundary, side, rise > 0 ? 1 - kInside : kInside);
         const EdgeSpan& span = boundary.atom(top.atom).span;
-        std::vector<double> lengths;
-        const std::vector<Vec2d> points =
-            stretch_beside(boundary.pattern().panels[as_size(span.panel)], as_size(span.edge), rise > 0, &lengths);
+        auto [points, lengths] =
+            stretch_beside(boundary.pattern().panels[as_size(span.panel)], as_size(span.edge), rise > 0);
         const double length = polyline_length(points);
         const bool is_top = points.front().x() - points.back().x() > kUp * length && straightness(points) > kStraight;
-        std::erase_if(
-            lengths, [&](double one) { return !is_top || one < kShortest || one > kMostWidth * facts_of_panel.width; });
+        std::erase_if(lengths, [&](double one) {
+            return !is_top || one < kShortest || one > kWidestShoulder * facts_of_panel.width;
+        });
         return lengths;
     };
     const std::vector<double> one = shoulders(a, rise_a, of_a), other = shoulders(b, rise_b, of_b);

@@ -90,6 +90,11 @@ void find_rows(const Pattern& pattern, std::vector<PanelFacts>& facts) {
 
 }  // namespace
 
+bool is_at_side(const PanelFacts& panel, double x) {
+    constexpr double kNear = 0.02;  // of the width
+    return std::abs(x - panel.axis) > (0.5 - kNear) * panel.width;
+}
+
 std::vector<PanelFacts> facts_of(const Pattern& pattern, std::string_view hints) {
     const std::vector<PanelRole> roles = roles_of(pattern, hints);
     std::vector<PanelFacts> all;

@@ -24,6 +24,11 @@ struct PanelFacts {
     int row_length = 0;            // how many these are, on one side of the body
 };
 
+inline constexpr double kWidestShoulder = 0.45;  // of the panel's width: what is left is for the neck
+
+// Whether a point at this x, m, is at one of the panel's sides.
+bool is_at_side(const PanelFacts& panel, double x);
+
 std::vector<PanelFacts> facts_of(const Pattern& pattern, std::string_view hints);
 
 }  // namespace selvedge::sim

@@ -53,18 +53,16 @@ bool begins_to_curve(const OpenBoundary& boundary, int atom, int next) {
 bool divides_a_level_line(const OpenBoundary& boundary, const std::vector<PanelFacts>& facts, int atom, int next) {
     constexpr double kStraight = 0.002;  // bend
     constexpr double kLevel = 0.97;      // least run of a level line over its length
-    constexpr double kAtSide = 0.02;     // of the width
     const auto is_level = [&](int one) {
         const double run = boundary.point(one, 0).x() - boundary.point(one, 1).x();  // at the top: to the left
         return bend_of(boundary, one) < kStraight && run > kLevel * boundary.atom(one).length;
     };
     const EdgeSpan &before = boundary.atom(atom).span, &after = boundary.atom(next).span;
     const PanelFacts& panel = facts[as_size(after.panel)];
-    const auto is_at_side = [&](const Vec2d& point) {
-        return std::abs(point.x() - panel.axis) > (0.5 - kAtSide) * panel.width;
-    };
+    const bool begins_at_side = is_at_side(panel, boundary.point(atom, 0).x());
+    const bool ends_at_side = is_at_side(panel, boundary.point(next, 1).x());
     return before.panel == after.panel && before.edge != after.edge && panel.is_symmetric && is_level(atom) &&
-           is_level(next) && is_at_side(boundary.point(atom, 0)) != is_at_side(boundary.point(next, 1));
+           is_level(next) && begins_at_side != ends_at_side;
 }
 
 // Whether a seam may also end where another one begins within a chain.

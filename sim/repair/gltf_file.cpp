@@ -2,42 +2,16 @@
 
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/glb_container.h"
 
 namespace selvedge::sim::gltf {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t(256) << 20;  // of a file of buffers
-constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2;  // "glTF"
-constexpr std::uint32_t kJson = 0x4E4F534A, kBinary = 0x004E4942;
-constexpr std::size_t kHeader = 12, kChunkHeader = 8;  // bytes
-
-std::uint32_t word_at(std::string_view bytes, std::size_t at) {
-    std::uint32_t word = 0;
-    if (at + sizeof word <= bytes.size()) std::memcpy(&word, bytes.data() + at, sizeof word);
-    return word;
-}
-
-struct Chunks {
-    std::string_view json;
-    std::string_view binary;  // of a .glb
-};
-
-Chunks split(std::string_view content) {
-    if (!content.starts_with("glTF")) return {.json = content, .binary = {}};
-    Chunks chunks;
-    for (std::size_t at = kHeader; at + kChunkHeader <= content.size();) {
-        const std::size_t length = word_at(content, at);
-        const std::string_view chunk = content.substr(at + kChunkHeader, length);
-        const std::uint32_t type = word_at(content, at + 4);
-        if (type == kJson && chunks.json.empty()) chunks.json = chunk;
-        if (type == kBinary && chunks.binary.empty()) chunks.binary = chunk;
-        at += kChunkHeader + length;
-    }
-    return chunks;
-}
 
 std::string from_base64(std::string_view text) {
     std::string bytes;
@@ -79,11 +53,6 @@ double number_at(const char* from) {
     Number value = 0;
     std::memcpy(&value, from, sizeof value);
     return double(value);
-}
-
-void append_word(std::string& bytes, std::size_t word) {
-    const auto value = std::uint32_t(word);
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
 }  // namespace
@@ -142,8 +111,10 @@ double Numbers::at(std::size_t element, std::size_t k) const {
     }
 }
 
+File::File(Json root, std::string_view buffer) : binary_(buffer), root_(std::move(root)) {}
+
 File::File(const std::filesystem::path& path, std::string_view content) : folder_(path.parent_path()) {
-    const Chunks chunks = split(content);
+    const glb::Chunks chunks = glb::split(content);
     binary_ = chunks.binary;
     root_ = parse_json(chunks.json, path.string());
 }
@@ -199,22 +170,6 @@ std::optional<Numbers> File::numbers(const Json* accessor) {
     if (numbers.bytes.size() < bytes_each || (numbers.bytes.size() - bytes_each) / numbers.stride < numbers.count - 1)
         return std::nullopt;
     return numbers;
-}
-
-std::string glb_of(const Json& root, std::string buffer) {
-    std::string json = write_json(root, 0);
-    json.append((4 - json.size() % 4) % 4, ' ');
-    buffer.append((4 - buffer.size() % 4) % 4, '\0');
-    std::string bytes;
-    append_word(bytes, kMagic);
-    append_word(bytes, kVersion);
-    append_word(bytes, kHeader + 2 * kChunkHeader + json.size() + buffer.size());
-    append_word(bytes, json.size());
-    append_word(bytes, kJson);
-    bytes += json;
-    append_word(bytes, buffer.size());
-    append_word(bytes, kBinary);
-    return bytes + buffer;
 }
 
 }  // namespace selvedge::sim::gltf

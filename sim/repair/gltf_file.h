@@ -44,6 +44,7 @@ class File {
  public:
     // Pre: the content of that .gltf or .glb file, which stays. Throws InputError if it has no JSON.
     File(const std::filesystem::path& path, std::string_view content);
+    File(Json root, std::string_view buffer);  // with one buffer, which stays
 
     const Json& root() const { return root_; }
     // Empty if it is not there. The files that a .gltf names are read when they are asked for.
@@ -62,8 +63,5 @@ class File {
     Json root_;
     std::map<std::size_t, std::string> buffers_;
 };
-
-// A .glb file with one buffer.
-std::string glb_of(const Json& root, std::string buffer);
 
 }  // namespace selvedge::sim::gltf

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/core/error.h"
+#include "sim/core/glb_container.h"
 #include "sim/repair/gltf_file.h"
 
 namespace selvedge::sim {
@@ -106,10 +107,9 @@ class PlainGltf {
         check_extensions();
         const bool are_whole = !whole_accessors(file_.root()).empty();
         if (!is_packed() && !are_whole) return std::nullopt;
-        std::string with_plain_views = unpack_views();
-        if (!are_whole) return with_plain_views;
-        gltf::File plain(path_, with_plain_views);
-        return with_floats(plain);
+        unpack_views();
+        if (are_whole) write_floats();
+        return in_one_buffer();
     }
 
  private:
@@ -185,36 +185,36 @@ class PlainGltf {
         return out;
     }
 
-    // Appends a view's bytes to a buffer, and returns the view of them.
-    Json appended(Json view, std::string_view bytes, std::string& buffer, std::size_t index) const {
-        buffer.append((4 - buffer.size() % 4) % 4, '\0');
-        if (buffer.size() > kMostBytes || bytes.size() > kMostBytes - buffer.size())
+    // Appends a view's bytes to the buffer, and returns the view of them.
+    Json appended(Json view, std::string_view bytes, std::size_t index) {
+        buffer_.append((4 - buffer_.size() % 4) % 4, '\0');
+        if (buffer_.size() > kMostBytes || bytes.size() > kMostBytes - buffer_.size())
             fail(place_of("bufferViews", index), "its buffers are larger than 256 MB");
         view["buffer"] = 0;
-        view["byteOffset"] = buffer.size();
+        view["byteOffset"] = buffer_.size();
         view["byteLength"] = bytes.size();
-        buffer += bytes;
+        buffer_ += bytes;
         return view;
     }
 
-    static std::string in_one_buffer(Json root, std::string buffer) {
+    std::string in_one_buffer() {
         Json only = Json::object();
-        only["byteLength"] = buffer.size();
-        root["buffers"] = Json::array({std::move(only)});
+        only["byteLength"] = buffer_.size();
+        root_["buffers"] = Json::array({std::move(only)});
         for (const char* list : {"extensionsRequired", "extensionsUsed"}) {
-            Json* names = root.find(list);
+            Json* names = root_.find(list);
             if (!names || !names->is_array()) continue;
             std::erase_if(names->elements(), [](const Json& name) {
                 return name.is_string() && (name.string() == kMeshopt || name.string() == kQuantization);
             });
-            if (names->elements().empty()) root.erase(list);
+            if (names->elements().empty()) root_.erase(list);
         }
-        return gltf::glb_of(root, std::move(buffer));
+        return glb::container(write_json(root_, -1), buffer_);
     }
 
     // Nothing reads morph targets, and their numbers may be of any kind.
-    static void drop_targets(Json& root) {
-        Json* meshes = root.find("meshes");
+    void drop_targets() {
+        Json* meshes = root_.find("meshes");
         for (std::size_t m = 0; m < length_of(meshes); ++m) {
             Json& mesh = meshes->elements()[m];
             if (!mesh.is_object()) continue;
@@ -227,12 +227,11 @@ class PlainGltf {
         }
     }
 
-    // The file as a .glb whose buffer views are not compressed. One that lies in no buffer becomes empty.
-    std::string unpack_views() {
-        Json root = file_.root();
-        drop_targets(root);
-        std::string buffer;
-        Json* views = root.find("bufferViews");
+    // All buffer views in one buffer, none compressed. One that lies in no buffer becomes empty.
+    void unpack_views() {
+        root_ = file_.root();
+        drop_targets();
+        Json* views = root_.find("bufferViews");
         for (std::size_t i = 0; i < length_of(views); ++i) {
             Json& view = views->elements()[i];
             if (!view.is_object()) fail(place_of("bufferViews", i), "it is no object");
@@ -243,9 +242,8 @@ class PlainGltf {
                 fail(place_of("bufferViews", i), out.problem);
             if (out.bytes && out.stride > 0) view["byteStride"] = out.stride;
             view.erase("extensions");
-            view = appended(std::move(view), out.bytes ? std::string_view(*out.bytes) : own.value_or(""), buffer, i);
+            view = appended(std::move(view), out.bytes ? std::string_view(*out.bytes) : own.value_or(""), i);
         }
-        return in_one_buffer(std::move(root), std::move(buffer));
     }
 
     // nullopt: the accessor is broken, sparse, or does not lie in its view.
@@ -268,27 +266,28 @@ class PlainGltf {
         return bytes;
     }
 
-    // Pre: a file as unpack_views() writes it.
-    std::string with_floats(gltf::File& plain) const {
-        Json root = plain.root();
-        std::string buffer(plain.buffer(0));
-        for (const auto& [index, is_position] : whole_accessors(root)) {
-            Json& accessor = root.find("accessors")->elements()[index];
+    // Pre: unpack_views().
+    void write_floats() {
+        const std::string whole_numbers = buffer_;
+        gltf::File plain(root_, whole_numbers);
+        for (const auto& [index, is_position] : whole_accessors(root_)) {
+            Json& accessor = root_.find("accessors")->elements()[index];
             const std::optional<std::string> bytes = floats_of(plain, accessor);
             if (!bytes && is_position)
                 fail(place_of("accessors", index), "it is broken, sparse, or does not lie in its view");
             if (!bytes) continue;
-            Json& views = *root.find("bufferViews");
+            Json& views = *root_.find("bufferViews");
             accessor["bufferView"] = views.elements().size();
             accessor["componentType"] = gltf::Numbers::kFloat;
             for (const char* key : {"byteOffset", "normalized", "min", "max"}) accessor.erase(key);
-            views.push_back(appended(Json::object(), *bytes, buffer, views.elements().size()));
+            views.push_back(appended(Json::object(), *bytes, views.elements().size()));
         }
-        return in_one_buffer(std::move(root), std::move(buffer));
     }
 
     std::filesystem::path path_;
     gltf::File file_;
+    Json root_;           // of the file that is written
+    std::string buffer_;  // its only one
 };
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(ClipJumps, to_a_t_pose_at_the_end_are_left_out) {
     EXPECT_TRUE(clip.notes[0].ends_with(" to a pose at its end: its last 0.05 s are left out")) << clip.notes[0];
 }
 
-TEST(ClipJumps, leave_the_kept_motion_as_it_is_when_they_lie_in_a_start_that_is_left_out) {
+TEST(ClipJumps, are_not_blended_into_the_motion_when_they_lie_in_a_start_that_is_left_out) {
     const std::vector<FigureFrame> kept = swaying(2, 30, {100, 90, 0});
     std::vector<FigureFrame> frames(9, t_pose());
     for (std::size_t k = 3; k < frames.size(); ++k) frames[k].turns[kLeftArm] = {0, 0, -80};  // one arm flips

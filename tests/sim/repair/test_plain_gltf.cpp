@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "sim/core/error.h"
-#include "sim/core/json.h"
-#include "sim/repair/gltf_file.h"
+#include "sim/core/glb_container.h"
 #include "sim/repair/guarded_import.h"
 #include "sim/repair/plain_gltf.h"
 #include "tests/support/temporary_folder.h"
@@ -29,10 +28,6 @@ constexpr std::array<std::uint16_t, 12> kTriangles{0, 2, 1, 0, 1, 3, 0, 3, 2, 1,
 template <class Array>
 std::string bytes_of(const Array& values) {
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0])};
-}
-
-Json parsed(const std::string& text) {
-    return parse_json(text, "test");
 }
 
 std::string range(std::size_t offset, std::size_t length) {
@@ -71,16 +66,16 @@ Views compressed_views() {
 
 // A tetrahedron whose node enlarges it to 2 m, which its normalized shorts are fractions of.
 std::string tetrahedron(const Views& views, const std::string& more = "") {
-    return gltf::glb_of(parsed(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+    return glb::container(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
         "nodes": [{"mesh": 0, "scale": [2, 2, 2]}],
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
         "accessors": [{"bufferView": 0, "componentType": 5122, "normalized": true, "count": 4, "type": "VEC3",
                        "min": [0, 0, 0], "max": [16384, 16384, 16384]},
                       {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}],
         "bufferViews": [)" + views.positions +
-                               ", " + views.triangles + R"(], "buffers": [{"byteLength": )" +
-                               std::to_string(views.buffer.size()) + R"(}, {"byteLength": 56}])" + more + "}"),
-                        views.buffer);
+                              ", " + views.triangles + R"(], "buffers": [{"byteLength": )" +
+                              std::to_string(views.buffer.size()) + R"(}, {"byteLength": 56}])" + more + "}",
+                          views.buffer);
 }
 
 ImportedScene imported(const std::string& content, ImportKind kind = ImportKind::Surface) {
@@ -108,7 +103,7 @@ void expect_tetrahedron(const ImportedScene& scene) {
     for (const Vec3f& x : mesh.x) EXPECT_LT(x.maxCoeff(), 1.0001F);
 }
 
-TEST(PlainGltf, a_body_of_whole_numbers_has_its_true_size) {
+TEST(PlainGltf, reads_a_body_at_its_true_size_when_its_positions_are_whole_numbers) {
     expect_tetrahedron(imported(tetrahedron(stored_views())));
 }
 
@@ -117,19 +112,19 @@ template <class Number>
 std::string triangle_of(int type, bool is_normalized, Number first, Number second, const std::string& more = "") {
     const std::array<Number, 12> corners{0, 0, 0, 0, first, 0, 0, 0, 0, second, 0, 0};
     const std::string bytes = bytes_of(corners);
-    return gltf::glb_of(
-        parsed(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    return glb::container(
+        R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
             "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
             "accessors": [{"bufferView": 0, "componentType": )" +
-               std::to_string(type) + R"(, "normalized": )" + (is_normalized ? "true" : "false") +
-               R"(, "count": 3, "type": "VEC3"}],
+            std::to_string(type) + R"(, "normalized": )" + (is_normalized ? "true" : "false") +
+            R"(, "count": 3, "type": "VEC3"}],
             "bufferViews": [{"buffer": 0, "byteStride": )" +
-               std::to_string(4 * sizeof(Number)) + R"(, "byteLength": )" + std::to_string(bytes.size()) +
-               R"(}], "buffers": [{"byteLength": )" + std::to_string(bytes.size()) + "}]" + more + "}"),
+            std::to_string(4 * sizeof(Number)) + R"(, "byteLength": )" + std::to_string(bytes.size()) +
+            R"(}], "buffers": [{"byteLength": )" + std::to_string(bytes.size()) + "}]" + more + "}",
         bytes);
 }
 
-TEST(PlainGltf, whole_numbers_of_each_type_stand_for_what_the_standard_says) {
+TEST(PlainGltf, reads_the_numbers_that_are_meant_when_positions_are_whole_numbers_of_any_type) {
     const auto expect = [](const std::string& file, float first, float second) {
         const ImportedScene scene = imported(file);
         ASSERT_EQ(scene.meshes.size(), 1U);
@@ -146,7 +141,7 @@ TEST(PlainGltf, whole_numbers_of_each_type_stand_for_what_the_standard_says) {
     expect(triangle_of<std::uint16_t>(5123, false, 60000, 3), 60000, 3);
 }
 
-TEST(PlainGltf, positions_that_do_not_lie_in_their_view_are_told) {
+TEST(PlainGltf, names_the_accessor_when_positions_do_not_lie_in_their_view) {
     std::string file = triangle_of<std::int16_t>(5122, true, 3, 4);
     const std::size_t at = file.find("24", file.find("byteLength"));  // of the view, which stands before the buffer
     ASSERT_NE(at, std::string::npos);
@@ -154,41 +149,41 @@ TEST(PlainGltf, positions_that_do_not_lie_in_their_view_are_told) {
     EXPECT_EQ(problem_of(file), "cannot be read: accessors[0]: it is broken, sparse, or does not lie in its view");
 }
 
-TEST(PlainGltf, extensions_that_change_no_shape_or_are_unknown_do_not_matter) {
+TEST(PlainGltf, reads_a_body_when_the_required_extensions_change_no_shape_or_are_unknown) {
     for (const std::string name : {"KHR_texture_transform", "KHR_materials_unlit", "VRM", "MOZ_hubs_components"}) {
         const std::string required = R"(, "extensionsRequired": [")" + name + "\"]";
         EXPECT_EQ(imported(triangle_of<std::uint8_t>(5121, true, 255, 255, required)).meshes.size(), 1U) << name;
     }
 }
 
-TEST(PlainGltf, a_compressed_body_is_the_body_that_was_compressed) {
+TEST(PlainGltf, reads_the_body_that_was_compressed_when_its_buffers_are_packed) {
     expect_tetrahedron(imported(tetrahedron(compressed_views())));
 }
 
-TEST(PlainGltf, a_file_of_floats_is_left_as_it_is) {
+TEST(PlainGltf, writes_no_other_file_when_all_numbers_are_floats) {
     std::array<std::array<float, 3>, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
-    const std::string file = gltf::glb_of(
-        parsed(R"({"asset": {"version": "2.0"}, "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    const std::string file = glb::container(
+        R"({"asset": {"version": "2.0"}, "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
             "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
             "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36}],
-            "extensionsRequired": ["KHR_texture_transform", "KHR_draco_mesh_compression"]})"),
+            "extensionsRequired": ["KHR_texture_transform", "KHR_draco_mesh_compression"]})",
         bytes_of(corners));
     EXPECT_FALSE(plain_gltf("body.glb", file));
 }
 
-TEST(PlainGltf, turns_of_an_animation_in_whole_numbers_are_turns) {
+TEST(PlainGltf, reads_the_turns_of_an_animation_when_they_are_whole_numbers) {
     const std::array<float, 2> times{0, 1};
     const std::array<std::int16_t, 8> turns{0, 0, 0, 32767, 0, 23170, 0, 23170};  // none, a quarter round y
     const ImportedScene scene =
-        imported(gltf::glb_of(parsed(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+        imported(glb::container(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
             "nodes": [{"name": "hips"}],
             "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "rotation"}}],
                             "samplers": [{"input": 0, "output": 1}]}],
             "accessors": [{"bufferView": 0, "componentType": 5126, "count": 2, "type": "SCALAR"},
                           {"bufferView": 1, "componentType": 5122, "normalized": true, "count": 2, "type": "VEC4"}],
             "bufferViews": [{"buffer": 0, "byteLength": 8}, {"buffer": 0, "byteOffset": 8, "byteLength": 16}],
-            "buffers": [{"byteLength": 24}]})"),
-                              bytes_of(times) + bytes_of(turns)),
+            "buffers": [{"byteLength": 24}]})",
+                                bytes_of(times) + bytes_of(turns)),
                  ImportKind::Motion);
     ASSERT_EQ(scene.clips.size(), 1U);
     ASSERT_EQ(scene.clips[0].tracks.size(), 1U);
@@ -196,14 +191,14 @@ TEST(PlainGltf, turns_of_an_animation_in_whole_numbers_are_turns) {
     EXPECT_NEAR(last.angularDistance(Eigen::Quaterniond(Eigen::AngleAxisd(M_PI / 2, Vec3d::UnitY()))), 0, 1e-3);
 }
 
-TEST(PlainGltf, an_extension_that_changes_the_shape_and_is_not_read_is_named) {
+TEST(PlainGltf, names_a_required_extension_when_it_changes_the_shape_and_is_not_read) {
     EXPECT_EQ(
         problem_of(tetrahedron(stored_views(), R"(, "extensionsRequired": ["EXT_mesh_gpu_instancing"])")),
         "cannot be read: extensionsRequired[0]: the extension 'EXT_mesh_gpu_instancing' is not read: save the file "
         "without it");
 }
 
-TEST(PlainGltf, compressed_bytes_that_are_broken_are_told_with_their_view) {
+TEST(PlainGltf, names_the_view_when_its_compressed_bytes_are_broken) {
     Views views = compressed_views();
     views.buffer[0] = 'x';  // the codec's mark
     EXPECT_EQ(problem_of(tetrahedron(views)), "cannot be read: bufferViews[0]: its compressed bytes are broken");
@@ -212,7 +207,7 @@ TEST(PlainGltf, compressed_bytes_that_are_broken_are_told_with_their_view) {
     EXPECT_EQ(problem_of(tetrahedron(far)), "cannot be read: bufferViews[0]: it does not lie in its buffer");
 }
 
-TEST(PlainGltf, elements_that_meshoptimizer_must_not_be_asked_for_are_refused) {
+TEST(PlainGltf, refuses_a_view_when_meshoptimizer_must_not_be_asked_for_its_elements) {
     for (const std::string mode : {"ATTRIBUTES", "TRIANGLES", "INDICES", "OTHER"}) {
         for (const std::size_t stride : {std::size_t{0}, std::size_t{3}, std::size_t{260}}) {
             Views views = compressed_views();
