@@ -153,7 +153,7 @@ class PlainGltf {
                 if (!attributes || !attributes->is_object()) continue;
                 for (const Json::Member& one : attributes->members()) {
                     if (one.key == "POSITION" || one.key == "NORMAL" || one.key == "TANGENT" ||
-                        one.key.starts_with("TEXCOORD_"))
+                        one.key.starts_with("TEXCOORD_") || one.key.starts_with("WEIGHTS_"))
                         add(&one.value, one.key == "POSITION");
                 }
             }

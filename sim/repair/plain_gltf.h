@@ -3,7 +3,8 @@
 // numbers for floats:
 // - EXT_meshopt_compression (Khronos, vendor extension; decoded by meshoptimizer),
 // - KHR_mesh_quantization: positions, normals and texture coordinates as whole numbers, normalized or not,
-// - the normalized values of animations, which glTF 2.0 itself allows.
+// - the normalized weights of skins and values of animations, which glTF 2.0 itself allows; of weights in bytes, assimp
+//   leaves most unset.
 #include <filesystem>
 #include <optional>
 #include <string>

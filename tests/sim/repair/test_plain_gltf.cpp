@@ -191,6 +191,39 @@ TEST(PlainGltf, reads_the_turns_of_an_animation_when_they_are_whole_numbers) {
     EXPECT_NEAR(last.angularDistance(Eigen::Quaterniond(Eigen::AngleAxisd(M_PI / 2, Vec3d::UnitY()))), 0, 1e-3);
 }
 
+TEST(PlainGltf, reads_the_weights_of_a_skin_when_they_are_bytes) {
+    const std::array<std::array<float, 3>, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+    const std::array<std::uint8_t, 12> joints{0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0};
+    const std::array<std::uint8_t, 12> weights{255, 0, 0, 0, 204, 51, 0, 0, 51, 204, 0, 0};
+    const std::array<Eigen::Matrix4f, 2> inverse_binds{Eigen::Matrix4f::Identity(), Eigen::Matrix4f::Identity()};
+    const ImportedScene scene =
+        imported(glb::container(R"({"asset": {"version": "2.0"}, "scene": 0,
+            "scenes": [{"nodes": [0, 1]}], "nodes": [{"mesh": 0, "skin": 0}, {"name": "hips", "children": [2]},
+            {"name": "spine"}], "skins": [{"joints": [1, 2], "inverseBindMatrices": 3}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 2}}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+                          {"bufferView": 1, "componentType": 5121, "count": 3, "type": "VEC4"},
+                          {"bufferView": 2, "componentType": 5121, "normalized": true, "count": 3, "type": "VEC4"},
+                          {"bufferView": 3, "componentType": 5126, "count": 2, "type": "MAT4"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 12},
+                            {"buffer": 0, "byteOffset": 48, "byteLength": 12},
+                            {"buffer": 0, "byteOffset": 60, "byteLength": 128}],
+            "buffers": [{"byteLength": 188}]})",
+                                bytes_of(corners) + bytes_of(joints) + bytes_of(weights) + bytes_of(inverse_binds)));
+    ASSERT_EQ(scene.meshes.size(), 1U);
+    ASSERT_EQ(scene.meshes[0].skin.size(), 3U);
+    const auto weight_of_spine = [&](std::size_t vertex) {
+        const SkinWeights& skin = scene.meshes[0].skin[vertex];
+        float sum = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+            if (skin.weights[k] > 0 && scene.bones[skin.bones[k]].name == "spine") sum += skin.weights[k];
+        return sum;
+    };
+    EXPECT_NEAR(weight_of_spine(0), 0, 1e-6F);
+    EXPECT_NEAR(weight_of_spine(1), 0.2F, 1e-6F);
+    EXPECT_NEAR(weight_of_spine(2), 0.8F, 1e-6F);
+}
+
 TEST(PlainGltf, names_a_required_extension_when_it_changes_the_shape_and_is_not_read) {
     EXPECT_EQ(
         problem_of(tetrahedron(stored_views(), R"(, "extensionsRequired": ["EXT_mesh_gpu_instancing"])")),
