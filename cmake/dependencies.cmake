@@ -13,13 +13,16 @@ endif()
 if(NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
   set(Python3_EXECUTABLE /usr/bin/python3)  # Debian's, for which it has NumPy; another one by -DPython3_EXECUTABLE=
 endif()
+if(POLICY CMP0167)
+  cmake_policy(SET CMP0167 NEW)  # CGAL finds Boost by Boost's own package
+endif()
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)    # sim/core
 find_package(nlohmann_json 3.11 REQUIRED)      # sim/core/json
 find_package(TBB REQUIRED)                     # sim/core/parallel
 find_package(CGAL 5.5 REQUIRED)                # sim/mesh
 find_package(assimp 5.2 REQUIRED)              # sim/repair, in a child process
-find_package(meshoptimizer 0.18 REQUIRED)       # sim/repair/plain_gltf
+find_package(meshoptimizer REQUIRED)           # sim/repair/plain_gltf; 0.18 to 0.22 (each calls itself incompatible with the last)
 find_package(PNG REQUIRED)                     # render/image
 find_path(SELVEDGE_STB_FOLDER stb_truetype.h PATH_SUFFIXES stb REQUIRED)  # render/image/outline_font
 find_package(CLI11 REQUIRED)                   # app/arguments
@@ -41,8 +44,8 @@ pkg_check_modules(poppler REQUIRED IMPORTED_TARGET poppler>=22.12)  # sim/paper/
 pkg_check_modules(yaml-cpp REQUIRED IMPORTED_TARGET yaml-cpp>=0.7)  # sim/paper
 pkg_check_modules(pangocairo REQUIRED IMPORTED_TARGET pangocairo>=1.50)  # sim/print, with Cairo
 find_package(ZLIB REQUIRED)                    # sim/print/pdf_layers
-# Its -pthread would define _REENTRANT, with which the precompiled header was not made.
-set_target_properties(PkgConfig::pangocairo PROPERTIES INTERFACE_COMPILE_OPTIONS "")
 pkg_check_modules(glib REQUIRED IMPORTED_TARGET glib-2.0>=2.74)  # sim/proposals: letters of any script
+# Their -pthread would define _REENTRANT, with which the precompiled header was not made.
+set_target_properties(PkgConfig::pangocairo PkgConfig::glib PROPERTIES INTERFACE_COMPILE_OPTIONS "")
 pkg_check_modules(fontconfig REQUIRED IMPORTED_TARGET fontconfig)  # app/fallback_fonts
 pkg_check_modules(glfw REQUIRED IMPORTED_TARGET glfw3>=3.3)    # app/window
