@@ -37,6 +37,18 @@ void show_tip(const std::string& text, float width) {
     ImGui::EndTooltip();
 }
 
+void press_area(const char* id, const Vec2f& size_px, Cover cover) {
+    constexpr ImGuiButtonFlags kAll =
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
+#if IMGUI_VERSION_NUM >= 18970
+    if (cover == Cover::ByLaterItems) ImGui::SetNextItemAllowOverlap();
+#endif
+    ImGui::InvisibleButton(id, {size_px.x(), size_px.y()}, kAll);
+#if IMGUI_VERSION_NUM < 18970
+    if (cover == Cover::ByLaterItems) ImGui::SetItemAllowOverlap();
+#endif
+}
+
 std::string elided(std::string_view text, float width, Elide what,
                    const std::function<float(std::string_view)>& width_of) {
     if (width_of(text) <= width) return std::string(text);

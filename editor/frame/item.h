@@ -15,6 +15,11 @@ void note_widget(WidgetMap& widgets, const std::string& name);
 // Tooltip of the last item, also if the item is disabled. `width`: of its lines, font heights.
 void show_tip(const std::string& text, float width = 22);
 
+// An area of this size in px that is pressed as a button is, by any mouse button; with ByLaterItems, those that lie
+// over it are pressed instead.
+enum class Cover { Never, ByLaterItems };
+void press_area(const char* id, const Vec2f& size_px, Cover cover);
+
 // Text that does not fit: an ellipsis replaces a part of it.
 
 // The part that is omitted: the end of a sentence, or the middle of a text with a file path.

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <span>
 
+#include "editor/frame/keyboard.h"
 #include "editor/geometry/expression.h"
 #include "editor/inspectors/controls.h"
 
@@ -29,16 +30,12 @@ std::string text_of(const NumberBox& box, std::optional<double> value) {
     return box.has_unit ? quantity_text(*value, box.unit) : quantity_number(*value, box.unit);
 }
 
-bool is_key_pressed(ImGuiKey key) {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
-}
-
 bool is_escape_pressed() {
-    return is_key_pressed(ImGuiKey_Escape);
+    return is_key_repeated(Key::Escape);
 }
 
 bool is_enter_pressed() {
-    return is_key_pressed(ImGuiKey_Enter) || is_key_pressed(ImGuiKey_KeyPadEnter);
+    return is_key_repeated(Key::Enter) || is_key_repeated(Key::KeypadEnter);
 }
 
 struct ArrowKeys {

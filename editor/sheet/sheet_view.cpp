@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "editor/frame/item.h"
+#include "editor/frame/keyboard.h"
 #include "editor/sheet/panel_faces.h"
 #include "editor/sheet/sheet_labels.h"
 #include "editor/sheet/sheet_paint.h"
@@ -29,7 +30,7 @@ bool is_repeating(Key key) {
 std::vector<Key> pressed_keys() {
     std::vector<Key> keys;
     const auto look_at = [&](Key key) {
-        if (ImGui::IsKeyPressed(static_cast<int>(key), is_repeating(key))) keys.push_back(key);
+        if (is_repeating(key) ? is_key_repeated(key) : is_key_pressed(key)) keys.push_back(key);
     };
     for (char letter = 'A'; letter <= 'Z'; ++letter) look_at(key_of(letter));
     for (const Key key : {Key::Escape, Key::Enter, Key::KeypadEnter, Key::Backspace, Key::Delete, Key::Tab, Key::Left,
@@ -148,9 +149,8 @@ void SheetView::move_key_cursor(SheetContext& context, Mouse& mouse) {
     if (may_move) {
         constexpr double kFineStep = 0.001, kLeastPx = 5;  // m; px between two steps
         const double step = mouse.modifiers.shift ? kFineStep : grid_step(camera_, kLeastPx * context.ui_scale);
-        const auto is_pressed = [](Key key) { return ImGui::IsKeyPressed(static_cast<int>(key), true); };
-        const Vec2d by(double(is_pressed(Key::Right)) - double(is_pressed(Key::Left)),
-                       double(is_pressed(Key::Up)) - double(is_pressed(Key::Down)));
+        const Vec2d by(double(is_key_repeated(Key::Right)) - double(is_key_repeated(Key::Left)),
+                       double(is_key_repeated(Key::Up)) - double(is_key_repeated(Key::Down)));
         if (by.norm() > 0) {
             const Vec2d from =
                 to_sheet(camera_, key_cursor_.value_or(mouse.is_over ? mouse.at : to_px(camera_, camera_.centre)));
@@ -160,8 +160,7 @@ void SheetView::move_key_cursor(SheetContext& context, Mouse& mouse) {
     if (!key_cursor_) return;
     mouse.at = *key_cursor_;
     mouse.is_over = true;
-    const bool clicks = may_move && (ImGui::IsKeyPressed(static_cast<int>(Key::Enter), false) ||
-                                     ImGui::IsKeyPressed(static_cast<int>(Key::KeypadEnter), false));
+    const bool clicks = may_move && (is_key_pressed(Key::Enter) || is_key_pressed(Key::KeypadEnter));
     mouse.modifiers.alt = false;  // it says that the keys move the cursor
     if (!clicks) return;
     context.tools.press(context.host, mouse.at, mouse.modifiers);

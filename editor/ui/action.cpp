@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "editor/frame/keyboard.h"
 #include "editor/ui/actions.h"
 #include "editor/ui/app_state.h"
 #include "editor/ui/widgets.h"
@@ -154,10 +155,6 @@ namespace {
 
 constexpr std::size_t kMostFound = 12;
 
-bool is_key_pressed(Key key) {
-    return ImGui::IsKeyPressed(static_cast<int>(key));
-}
-
 }  // namespace
 
 void ActionFinder::open() {
@@ -185,8 +182,8 @@ void ActionFinder::show(AppState& state) {
     std::vector<const Action*> found = search(state.actions, wanted_);
     if (found.size() > kMostFound) found.resize(kMostFound);
     const int count = static_cast<int>(found.size());
-    if (is_key_pressed(Key::Down)) ++chosen_;
-    if (is_key_pressed(Key::Up)) --chosen_;
+    if (is_key_repeated(Key::Down)) ++chosen_;
+    if (is_key_repeated(Key::Up)) --chosen_;
     chosen_ = count == 0 ? 0 : (chosen_ + count) % count;
     const Action* wants = nullptr;
     for (int i = 0; i < count; ++i) {
@@ -194,9 +191,9 @@ void ActionFinder::show(AppState& state) {
         if (action_row(state, action, i == chosen_)) wants = &action;
     }
     if (count == 0) ImGui::TextDisabled("No action has this name.");
-    const bool is_confirmed = is_key_pressed(Key::Enter) || is_key_pressed(Key::KeypadEnter);
+    const bool is_confirmed = is_key_repeated(Key::Enter) || is_key_repeated(Key::KeypadEnter);
     if (is_confirmed && count > 0) wants = found[static_cast<std::size_t>(chosen_)];
-    if (is_key_pressed(Key::Escape) || wants != nullptr) is_open_ = false;
+    if (is_key_repeated(Key::Escape) || wants != nullptr) is_open_ = false;
     ImGui::End();
     if (wants != nullptr && !run_action(state, *wants)) {
         state.workspace.messages.warn("'" + wants->title + "' cannot be done now");

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "editor/frame/item.h"
+#include "editor/frame/keyboard.h"
 #include "editor/tools/tool_host.h"
 #include "editor/ui/actions.h"
 #include "editor/ui/app_state.h"
@@ -387,7 +388,7 @@ void show_start_page(AppState& state) {
         show_keys(state);
         const bool is_over = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
         const bool is_left = !ImGui::IsWindowAppearing() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !is_over;
-        if (is_left || ImGui::IsKeyPressed(static_cast<int>(Key::Escape), false)) state.shows_start_page = false;
+        if (is_left || is_key_pressed(Key::Escape)) state.shows_start_page = false;
     }
     ImGui::End();
     ImGui::PopStyleVar();

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "editor/frame/item.h"
+#include "editor/frame/keyboard.h"
 #include "editor/frame/theme.h"
 #include "editor/inspectors/inspectors.h"
 #include "editor/sheet/sheet_view.h"
@@ -102,7 +103,7 @@ float splitter(AppState& state, const char* name, float x, const Rectangle& besi
 bool is_pressed(const Chord& chord) {
     const ImGuiIO& io = ImGui::GetIO();
     const Modifiers held{.ctrl = io.KeyCtrl, .shift = io.KeyShift, .alt = io.KeyAlt};
-    return held == chord.modifiers && ImGui::IsKeyPressed(static_cast<int>(chord.key), false);
+    return held == chord.modifiers && is_key_pressed(chord.key);
 }
 
 // Keeps the last request of each texture.
@@ -171,7 +172,7 @@ struct Editor::Impl {
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
         io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
         io.ConfigInputTextCursorBlink = !options.is_steady;
-        UiInput::map_keys(io);
+        map_keys(io);
         state.shows_times = !options.is_steady;
         state.inspectors.boxes.gives_keys_back = true;  // the first keys are for the sheet
         begin_journal(state);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "editor/frame/item.h"
+#include "editor/frame/keyboard.h"
 #include "editor/ui/app_state.h"
 #include "editor/ui/files.h"
 #include "editor/ui/widgets.h"
@@ -97,7 +98,7 @@ void FileBrowser::show(AppState& state) {
         ImGui::SameLine();
         if (button(state, "browser.cancel", "Cancel")) is_open_ = false;
         const bool has_focus = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
-        if (has_focus && ImGui::IsKeyPressed(static_cast<int>(Key::Escape))) is_open_ = false;
+        if (has_focus && is_key_repeated(Key::Escape)) is_open_ = false;
     }
     ImGui::End();
 }

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "editor/frame/item.h"
+#include "editor/frame/keyboard.h"
 #include "editor/inspectors/material_inspector.h"
 #include "editor/tools/tool_host.h"
 #include "editor/ui/actions.h"
@@ -107,7 +108,7 @@ bool begin_window(const char* title, bool& is_open, const ImVec2& size) {
     ImGui::SetNextWindowSize(fitting, ImGuiCond_Appearing);
     const bool is_drawn = ImGui::Begin(title, &is_open, kFlags);
     const bool has_focus = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
-    if (has_focus && ImGui::IsKeyPressed(static_cast<int>(Key::Escape), false)) is_open = false;
+    if (has_focus && is_key_pressed(Key::Escape)) is_open = false;
     return is_drawn;
 }
 

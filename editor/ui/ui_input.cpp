@@ -1,4 +1,5 @@
 #include "editor/ui/ui_input.h"
+#include "editor/frame/keyboard.h"
 
 #include <imgui.h>
 
@@ -69,7 +70,7 @@ void hand_over(ImGuiIO& io, const InputEvent& event, Taken& taken) {
             taken.wheel = true;
             break;
         case Kind::Key:
-            if (event.key != Key::None) io.KeysDown[static_cast<int>(event.key)] = event.is_down;
+            set_key(io, event.key, event.is_down);
             set_modifiers(io, event.modifiers);
             taken.key = true;
             break;
@@ -87,22 +88,6 @@ void hand_over(ImGuiIO& io, const InputEvent& event, Taken& taken) {
 }
 
 }  // namespace
-
-void UiInput::map_keys(ImGuiIO& io) {
-    constexpr std::array<std::pair<ImGuiKey, Key>, 22> keys{
-        {{ImGuiKey_Tab, Key::Tab},           {ImGuiKey_LeftArrow, Key::Left},
-         {ImGuiKey_RightArrow, Key::Right},  {ImGuiKey_UpArrow, Key::Up},
-         {ImGuiKey_DownArrow, Key::Down},    {ImGuiKey_PageUp, Key::PageUp},
-         {ImGuiKey_PageDown, Key::PageDown}, {ImGuiKey_Home, Key::Home},
-         {ImGuiKey_End, Key::End},           {ImGuiKey_Insert, Key::Insert},
-         {ImGuiKey_Delete, Key::Delete},     {ImGuiKey_Backspace, Key::Backspace},
-         {ImGuiKey_Space, Key::Space},       {ImGuiKey_Enter, Key::Enter},
-         {ImGuiKey_Escape, Key::Escape},     {ImGuiKey_KeyPadEnter, Key::KeypadEnter},
-         {ImGuiKey_A, key_of('A')},          {ImGuiKey_C, key_of('C')},
-         {ImGuiKey_V, key_of('V')},          {ImGuiKey_X, key_of('X')},
-         {ImGuiKey_Y, key_of('Y')},          {ImGuiKey_Z, key_of('Z')}}};
-    for (const auto& [theirs, ours] : keys) io.KeyMap[theirs] = static_cast<int>(ours);
-}
 
 void UiInput::add(const std::vector<InputEvent>& events) {
     for (const InputEvent& event : events) {

@@ -12,9 +12,6 @@ namespace selvedge::editor {
 
 class UiInput {
  public:
-    // Sets ImGui's key map. Call once per context.
-    static void map_keys(ImGuiIO& io);
-
     void add(const std::vector<InputEvent>& events);
 
     // Passes as many events as one frame can take. Returns the events that ImGui does not handle: dropped files, close

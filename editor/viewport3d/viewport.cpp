@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "editor/frame/item.h"
+#include "editor/frame/keyboard.h"
 #include "editor/viewport3d/viewport_overlay.h"
 
 namespace selvedge::editor {
@@ -29,7 +30,7 @@ std::vector<Key> pressed_keys(KeyMap map, bool is_over) {
     std::vector<Key> keys;
     const auto take = [&](Key key) {
         const bool is_new = std::ranges::find(keys, key) == keys.end();
-        if (is_new && ImGui::IsKeyPressed(static_cast<int>(key), false)) keys.push_back(key);
+        if (is_new && is_key_pressed(key)) keys.push_back(key);
     };
     for (const Key key : kDragKeys) take(key);
     for (const ViewKey& known : view_keys(map)) {
@@ -166,10 +167,7 @@ void Viewport::show(const ViewportContext& context) {
     if (room.x < kMinSide || room.y < kMinSide) return;
     low_px_ = {std::floor(low.x), std::floor(low.y)};
     size_px_ = {std::floor(room.x), std::floor(room.y)};
-    constexpr ImGuiButtonFlags kAll =
-        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
-    ImGui::InvisibleButton("viewport", {size_px_.x(), size_px_.y()}, kAll);
-    if (context.show_findings) ImGui::SetItemAllowOverlap();
+    press_area("viewport", size_px_, context.show_findings ? Cover::ByLaterItems : Cover::Never);
     controller_.update(context.workspace, take_input(context), context.choice);
     context.workspace.drape.look_from(camera().eye);
     make_scene(context);

@@ -13,11 +13,13 @@
 #include <poppler/Stream.h>
 #include <poppler/UTF.h>
 #include <poppler/XRef.h>
+#include <poppler/goo/GooString.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <stdexcept>
@@ -46,14 +48,27 @@ void append_utf8(std::uint32_t letter, std::string& text) {
     put(0x80 | (letter & 0x3FU));
 }
 
+// poppler 22 allocates an array; since 23 it returns a vector.
+template <class String>
+std::vector<Unicode> letters_of(const String& text) {
+    if constexpr (requires(Unicode * *letters) { TextStringToUCS4(text, letters); }) {
+        Unicode* letters = nullptr;
+        const int count = TextStringToUCS4(text, &letters);
+        const std::unique_ptr<Unicode, decltype(&std::free)> owner(letters, &std::free);
+        return {letters, letters + count};
+    } else {
+        return TextStringToUCS4(text);
+    }
+}
+
 std::string utf8_of(const GooString* text) {
     if (text == nullptr) return {};
-    Unicode* letters = nullptr;
-    const int count = TextStringToUCS4(text->toStr(), &letters);
     std::string out;
     constexpr std::size_t kLongest = 200;  // bytes, about
-    for (int i = 0; i < count && out.size() < kLongest; ++i) append_utf8(letters[i], out);
-    gfree(letters);
+    for (const Unicode letter : letters_of(text->toStr())) {
+        if (out.size() >= kLongest) break;
+        append_utf8(letter, out);
+    }
     return out;
 }
 
@@ -352,7 +367,7 @@ class FileRecorder {
  private:
     // By their numbers in the file: poppler has them in the order of a hash.
     void find_layers() {
-        OCGs* all = doc_.getCatalog()->getOptContentConfig();
+        const OCGs* all = doc_.getCatalog()->getOptContentConfig();
         if (all == nullptr || !all->isOk()) return;
         for (const auto& [ref, group] : all->getOCGs()) groups_.push_back(group.get());
         std::ranges::sort(groups_, {}, [](const OptionalContentGroup* group) { return group->getRef().num; });

@@ -1,4 +1,5 @@
 #include "tests/app/edit_stand_in.h"
+#include "editor/frame/keyboard.h"
 
 #include <imgui.h>
 
@@ -27,8 +28,7 @@ FakeEditor::FakeEditor(render::Scene scene, float turn, const std::string& font,
         io.Fonts->AddFontFromFileTTF(font.c_str(), 15);
     }
     io.Fonts->Build();
-    io.KeyMap[ImGuiKey_Backspace] = static_cast<int>(editor::Key::Backspace);
-    io.KeyMap[ImGuiKey_Enter] = static_cast<int>(editor::Key::Enter);
+    editor::map_keys(io);
 }
 
 FakeEditor::~FakeEditor() {

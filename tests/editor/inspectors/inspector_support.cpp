@@ -3,6 +3,7 @@
 #include <imgui_internal.h>
 #include <filesystem>
 
+#include "editor/frame/keyboard.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/support/checkout.h"
 
@@ -22,7 +23,7 @@ InspectorFixture::InspectorFixture(sim::PatternDocument source, Draw draw, const
     io.DisplaySize = {size.width_px * size.scale, 4000 * size.scale};
     io.DeltaTime = 1.0F / 60;
     io.MousePos = {-1000, -1000};
-    for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
+    map_keys(io);
     ImFontConfig font;
     font.SizePixels = 13 * size.scale;
     io.Fonts->AddFontDefault(&font);
@@ -91,10 +92,10 @@ void InspectorFixture::type(const std::string& text) {
     frame();
 }
 
-void InspectorFixture::key(ImGuiKey key) {
-    ImGui::GetIO().KeysDown[key] = true;
+void InspectorFixture::key(Key key) {
+    set_key(ImGui::GetIO(), key, true);
     frame();
-    ImGui::GetIO().KeysDown[key] = false;
+    set_key(ImGui::GetIO(), key, false);
     frame();
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/frame/frame.h"
 #include "editor/inspectors/inspectors.h"
 
 namespace selvedge::editor {
@@ -33,7 +34,7 @@ class InspectorFixture {
     void drag(const std::string& name, float by_px);  // presses and moves; keeps the button down
     void let_go();
     void type(const std::string& text);
-    void key(ImGuiKey key);
+    void key(Key key);
 
     Workspace workspace;
     FrameOutput output;

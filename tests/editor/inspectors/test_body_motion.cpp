@@ -78,7 +78,7 @@ class JointsInInspector : public testing::Test {
     void type(const std::string& box, const std::string& text) {
         inspector_.click(box);
         inspector_.type(text);
-        inspector_.key(ImGuiKey_Enter);
+        inspector_.key(Key::Enter);
         inspector_.frame();
     }
 

@@ -28,7 +28,7 @@ class FabricInspector : public testing::Test {
     void set(const std::string& widget, const std::string& text) {
         inspector_.click(widget);
         inspector_.type(text);
-        inspector_.key(ImGuiKey_Enter);
+        inspector_.key(Key::Enter);
     }
     void choose(const std::string& list, const std::string& item) {
         inspector_.click(list);
@@ -82,7 +82,7 @@ TEST_F(FabricInspector, follows_a_label_that_is_dragged_and_goes_back_with_escap
     const double before = draft(fabric_).friction;
     inspector_.drag("drag fabric.friction", 40);
     EXPECT_GT(draft(fabric_).friction, before);
-    inspector_.key(ImGuiKey_Escape);
+    inspector_.key(Key::Escape);
     inspector_.let_go();
     EXPECT_EQ(draft(fabric_).friction, before);
 }

@@ -13,7 +13,7 @@ namespace {
 void set(InspectorFixture& inspector, const std::string& widget, const std::string& text) {
     inspector.click(widget);
     inspector.type(text);
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     inspector.frame();
 }
 
@@ -49,8 +49,8 @@ TEST(FieldRows, clear_a_number_that_may_be_empty) {
     inspector.document().select(selected);
     inspector.frame();
     inspector.click("edge.allowance");
-    inspector.key(ImGuiKey_Delete);
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Delete);
+    inspector.key(Key::Enter);
     EXPECT_FALSE(inspector.panel(0).edges[1].allowance);
 }
 

@@ -174,7 +174,7 @@ TEST(EdgeLength, moves_the_end_of_the_edge_that_is_chosen_in_the_list) {
     inspector.frame();
     inspector.click("edge.length");
     inspector.type("50");
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     inspector.frame();
     EXPECT_NEAR(inspector.panel(0).vertices[0].x(), -0.1, 1e-9);
     EXPECT_NEAR(inspector.panel(0).vertices[1].x(), 0.4, 1e-9);
@@ -238,7 +238,7 @@ TEST(MaterialInspector, a_threadcount_is_tried_in_the_preview_and_told_when_it_i
     inspector.frame();
     EXPECT_EQ(inspector.state.material.previewed.substr(0, 5), "K8 W8");
     EXPECT_NE(inspector.document().pattern().tartan, "K8 W8") << "not before Enter";
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     EXPECT_EQ(inspector.document().pattern().tartan, "K8 W8");
 }
 
@@ -271,7 +271,7 @@ TEST(BodyInspector, a_measure_becomes_the_documents_with_the_panels_moved_along)
     const double before = inspector.panel(0).translation.y();
     inspector.click("body.height");
     inspector.type("175");
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     EXPECT_EQ(inspector.state.body.pending, "mannequin:sex=female,height=175");
     inspector.workspace.drape.update(inspector.document(), inspector.workspace.messages);
     inspector.frame();
@@ -300,7 +300,7 @@ TEST(BodyInspector, a_measure_that_no_body_has_is_told_and_not_worn) {
     InspectorFixture inspector(shipped_pattern("tshirt.json"), draw_body);
     inspector.click("body.bust");
     inspector.type("12");
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     EXPECT_NE(inspector.state.body.wrong.find("bust"), std::string::npos);
     EXPECT_TRUE(inspector.state.body.pending.empty());
     EXPECT_TRUE(inspector.document().history().empty());
@@ -310,7 +310,7 @@ TEST(DrapeInspector, options_are_typed_and_switched) {
     InspectorFixture inspector(shipped_pattern("skirt.json"), draw_drape);
     inspector.click("drape.max_level");
     inspector.type("2");
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     EXPECT_EQ(inspector.workspace.drape.options().max_level, 2);
     inspector.click("drape.gravity");
     EXPECT_FALSE(inspector.workspace.drape.options().has_gravity);
@@ -321,7 +321,7 @@ TEST(DrapeInspector, options_are_typed_and_switched) {
     EXPECT_TRUE(inspector.workspace.drape.options().self_collision);
     inspector.click("drape.budget");
     inspector.type("2500");
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     EXPECT_EQ(inspector.workspace.drape.options().triangle_budget, std::optional<int>(2500));
 }
 

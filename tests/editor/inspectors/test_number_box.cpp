@@ -30,7 +30,7 @@ TEST_F(NumberBoxes, enter_applies_an_expression_as_one_entry_of_the_history) {
     inspector.click("panel.translation.y");
     inspector.type("92/4+1");
     EXPECT_EQ(inspector.document().history().size(), 0U) << "not before Enter";
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     EXPECT_NEAR(inspector.panel(0).translation.y(), 0.24, kNear);
     EXPECT_EQ(inspector.document().history().size(), 1U);
 }
@@ -38,7 +38,7 @@ TEST_F(NumberBoxes, enter_applies_an_expression_as_one_entry_of_the_history) {
 TEST_F(NumberBoxes, esc_takes_back_what_was_typed) {
     inspector.click("panel.translation.y");
     inspector.type("12");
-    inspector.key(ImGuiKey_Escape);
+    inspector.key(Key::Escape);
     EXPECT_NEAR(inspector.panel(0).translation.y(), 0.785, kNear);
     EXPECT_TRUE(inspector.document().history().empty());
     EXPECT_EQ(inspector.state.boxes.typed.box, 0U);
@@ -55,19 +55,19 @@ TEST_F(NumberBoxes, what_is_no_number_is_marked_and_not_applied) {
     inspector.click("panel.translation.y");
     inspector.type("12 apples");
     EXPECT_FALSE(inspector.state.boxes.typed.wrong.empty());
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     EXPECT_NEAR(inspector.panel(0).translation.y(), 0.785, kNear);
     EXPECT_TRUE(inspector.document().history().empty());
 }
 
 TEST_F(NumberBoxes, arrow_keys_step_and_are_one_entry_together) {
     inspector.click("panel.translation.y");
-    inspector.key(ImGuiKey_UpArrow);
-    inspector.key(ImGuiKey_UpArrow);
-    inspector.key(ImGuiKey_UpArrow);
+    inspector.key(Key::Up);
+    inspector.key(Key::Up);
+    inspector.key(Key::Up);
     EXPECT_NEAR(inspector.panel(0).translation.y(), 0.788, kNear) << "seen at once";
     EXPECT_TRUE(inspector.document().is_previewing());
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     EXPECT_FALSE(inspector.document().is_previewing());
     EXPECT_EQ(inspector.document().history().size(), 1U);
     EXPECT_NEAR(inspector.panel(0).translation.y(), 0.788, kNear);
@@ -75,8 +75,8 @@ TEST_F(NumberBoxes, arrow_keys_step_and_are_one_entry_together) {
 
 TEST_F(NumberBoxes, steps_are_taken_back_by_esc) {
     inspector.click("panel.translation.y");
-    inspector.key(ImGuiKey_DownArrow);
-    inspector.key(ImGuiKey_Escape);
+    inspector.key(Key::Down);
+    inspector.key(Key::Escape);
     EXPECT_NEAR(inspector.panel(0).translation.y(), 0.785, kNear);
     EXPECT_FALSE(inspector.document().is_previewing());
     EXPECT_TRUE(inspector.document().history().empty());
@@ -85,7 +85,7 @@ TEST_F(NumberBoxes, steps_are_taken_back_by_esc) {
 TEST_F(NumberBoxes, what_is_no_number_is_not_taken_and_why_is_said) {
     inspector.click("panel.translation.y");
     inspector.type("12 apples");
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     EXPECT_TRUE(inspector.document().history().empty());
     const Message* message = inspector.workspace.messages.shown();
     ASSERT_NE(message, nullptr);
@@ -104,7 +104,7 @@ TEST_F(NumberBoxes, a_label_is_dragged_and_its_change_kept_when_it_is_let_go) {
 
 TEST_F(NumberBoxes, esc_gives_a_drag_up) {
     inspector.drag("drag panel.translation.y", 40);
-    inspector.key(ImGuiKey_Escape);
+    inspector.key(Key::Escape);
     inspector.let_go();
     EXPECT_NEAR(inspector.panel(0).translation.y(), 0.785, kNear);
     EXPECT_TRUE(inspector.document().history().empty());
@@ -112,7 +112,7 @@ TEST_F(NumberBoxes, esc_gives_a_drag_up) {
 
 TEST_F(NumberBoxes, a_box_that_goes_away_while_it_is_stepped_keeps_what_is_seen) {
     inspector.click("panel.translation.y");
-    inspector.key(ImGuiKey_UpArrow);
+    inspector.key(Key::Up);
     inspector.document().select({});
     for (int i = 0; i < 4; ++i) inspector.frame();
     EXPECT_FALSE(inspector.document().is_previewing());
@@ -122,7 +122,7 @@ TEST_F(NumberBoxes, a_box_that_goes_away_while_it_is_stepped_keeps_what_is_seen)
 TEST_F(NumberBoxes, a_typed_angle_turns_the_panel_and_stays_as_it_was_typed) {
     inspector.click("panel.rotation.y");
     inspector.type("120");
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     EXPECT_NEAR(inspector.panel(0).rotation(0, 0), -0.5, kNear);
     EXPECT_EQ(inspector.state.angles.at("front").angles.x(), 0) << "not 180, 60, 180";
 }
@@ -131,7 +131,7 @@ TEST_F(NumberBoxes, a_factor_scales_the_panel_about_its_middle) {
     const double width = inspector.panel(0).vertices[1].x() - inspector.panel(0).vertices[0].x();
     inspector.click("panel.scale.x");
     inspector.type("150%");
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     EXPECT_NEAR(inspector.panel(0).vertices[1].x() - inspector.panel(0).vertices[0].x(), 1.5 * width, kNear);
 }
 
@@ -140,7 +140,7 @@ TEST_F(NumberBoxes, a_typed_scale_changes_the_area_that_is_shown) {
     const double area = inspector.state.panels.at("front").area;
     inspector.click("panel.scale.x");
     inspector.type("60%");
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     inspector.frame();
     EXPECT_NEAR(inspector.state.panels.at("front").area, 0.6 * area, kNear);
 }
@@ -148,7 +148,7 @@ TEST_F(NumberBoxes, a_typed_scale_changes_the_area_that_is_shown) {
 TEST_F(NumberBoxes, a_panel_gets_another_name_and_stays_selected) {
     inspector.click("panel.name");
     inspector.type("bodice");
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     EXPECT_EQ(inspector.panel(0).name, "bodice");
     EXPECT_TRUE(inspector.document().selection().panels.contains("bodice"));
 }
@@ -161,7 +161,7 @@ TEST_F(NumberBoxes, a_length_that_is_typed_moves_the_end_of_an_edge) {
     inspector.frame();
     inspector.click("edge.length");
     inspector.type("30");
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     EXPECT_NEAR((inspector.panel(0).vertices[2] - inspector.panel(0).vertices[1]).norm(), 0.3, kNear);
 }
 

@@ -166,7 +166,7 @@ TEST_F(ObjectInspector, a_double_click_on_a_name_lets_it_be_typed) {
     double_click("objects.panel.front.title");
     ASSERT_TRUE(inspector.widgets.contains("objects.panel.front.name"));
     inspector.type("vorn");
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     inspector.frame();
     EXPECT_EQ(inspector.panel(0).name, "vorn");
     EXPECT_TRUE(inspector.widgets.contains("objects.panel.vorn"));
@@ -176,7 +176,7 @@ TEST_F(ObjectInspector, a_double_click_on_a_name_lets_it_be_typed) {
 TEST_F(ObjectInspector, escape_keeps_the_name) {
     double_click("objects.panel.front.title");
     inspector.type("vorn");
-    inspector.key(ImGuiKey_Escape);
+    inspector.key(Key::Escape);
     settle();
     EXPECT_EQ(inspector.panel(0).name, "front");
     EXPECT_TRUE(inspector.widgets.contains("objects.panel.front"));
@@ -190,7 +190,7 @@ TEST_F(ObjectInspector, the_selected_seam_gets_a_name) {
     for (int i = 0; i < 5; ++i) inspector.frame();
     ASSERT_TRUE(inspector.widgets.contains("objects.seam.2.name"));
     inspector.type("side");
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     EXPECT_EQ(inspector.document().pattern().seams[2].name, "side");
 }
 
@@ -208,14 +208,14 @@ TEST_F(ObjectInspector, what_is_to_be_named_is_shown_though_its_panel_is_closed_
     begin_naming({.panels = {}, .vertices = {}, .edges = {}, .internal_lines = {}, .notches = {}, .seams = {dart}});
     ASSERT_TRUE(inspector.widgets.contains("objects.seam." + std::to_string(dart) + ".name"));
     inspector.type("bust dart");
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     EXPECT_EQ(inspector.document().pattern().seams.back().name, "bust dart");
     inspector.state.objects.wanted = "back";
     settle();
     ASSERT_FALSE(inspector.widgets.contains("objects.panel.front"));
     begin_naming({.panels = {"front"}, .vertices = {}, .edges = {}, .internal_lines = {}, .notches = {}, .seams = {}});
     EXPECT_TRUE(inspector.widgets.contains("objects.panel.front.name"));
-    inspector.key(ImGuiKey_Escape);
+    inspector.key(Key::Escape);
     inspector.state.objects.wanted = "front";
     begin_naming({.panels = {"front"}, .vertices = {}, .edges = {}, .internal_lines = {}, .notches = {}, .seams = {}});
     EXPECT_EQ(inspector.state.objects.wanted, "front") << "it finds the panel";
@@ -229,7 +229,7 @@ TEST_F(ObjectInspector, lists_only_what_is_found_while_it_is_typed) {
     inspector.frame();
     EXPECT_TRUE(inspector.widgets.contains("objects.panel.front"));
     EXPECT_FALSE(inspector.widgets.contains("objects.panel.back"));
-    inspector.key(ImGuiKey_Enter);
+    inspector.key(Key::Enter);
     inspector.frame();
     EXPECT_EQ(inspector.state.objects.wanted, "Fron");
     EXPECT_FALSE(inspector.widgets.contains("objects.panel.back"));

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/ui_draw.h"
+#include "editor/frame/keyboard.h"
 #include "tests/support/checkout.h"
 
 namespace selvedge::editor {
@@ -107,9 +108,9 @@ void SheetFixture::key(Key key, const Modifiers& modifiers) {
     io.KeyCtrl = modifiers.ctrl;
     io.KeyShift = modifiers.shift;
     io.KeyAlt = modifiers.alt;
-    io.KeysDown[static_cast<int>(key)] = true;
+    set_key(io, key, true);
     frame();
-    io.KeysDown[static_cast<int>(key)] = false;
+    set_key(io, key, false);
     io.KeyCtrl = io.KeyShift = io.KeyAlt = false;
     frame();
 }

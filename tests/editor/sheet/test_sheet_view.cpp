@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "editor/frame/keyboard.h"
 #include "editor/sheet/panel_faces.h"
 #include "editor/sheet/sheet_labels.h"
 #include "editor/sheet/sheet_paint.h"
@@ -88,13 +89,13 @@ TEST(SheetView, a_dragged_vertex_is_one_entry_of_the_history) {
 TEST(SheetView, keys_that_it_uses_are_named_and_others_are_left) {
     SheetFixture stage(shipped_pattern("tshirt"));
     stage.move({0, 0});
-    ImGui::GetIO().KeysDown[static_cast<int>(key_of('H'))] = true;
+    set_key(ImGui::GetIO(), key_of('H'), true);
     stage.frame();
     EXPECT_EQ(stage.answer.used_keys, (std::vector<Key>{key_of('H')}));
     EXPECT_EQ(stage.tools.info().id, "polygon");
-    ImGui::GetIO().KeysDown[static_cast<int>(key_of('H'))] = false;
+    set_key(ImGui::GetIO(), key_of('H'), false);
     ImGui::GetIO().KeyCtrl = true;
-    ImGui::GetIO().KeysDown[static_cast<int>(key_of('Z'))] = true;
+    set_key(ImGui::GetIO(), key_of('Z'), true);
     stage.frame();
     EXPECT_TRUE(stage.answer.used_keys.empty());
     EXPECT_EQ(stage.tools.info().id, "polygon");

@@ -8,6 +8,7 @@
 
 #include "app/edit_loop.h"
 #include "app/interface_fonts.h"
+#include "editor/frame/keyboard.h"
 #include "editor/ui/ui_input.h"
 #include "editor/viewport3d/viewport.h"
 #include "render/image/image.h"
@@ -28,7 +29,7 @@ class ViewportSurface : public app::EditSurface {
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
         io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-        UiInput::map_keys(io);
+        map_keys(io);
         const std::filesystem::path font = app::find_fonts().regular;
         if (!font.empty()) io.Fonts->AddFontFromFileTTF(font.c_str(), 15 * scale);
         io.Fonts->Build();
