@@ -75,7 +75,6 @@ DrapeResult move_to_own_pose(Simulation& simulation, const Body& body, const Pos
                              const DressOptions& options, const DrapeResult& draped, const Progress& progress) {
     std::optional<GiveUp> given_up = draped.given_up;
     constexpr double kToOwnPose = 1.5;  // s, that the body takes
-    constexpr double kReport = 0.1;     // s
     MovingFlesh flesh(body);
     const Pose rest = rest_pose(body);
     MotionRun moving(simulation, body, [&](double seconds, const Region& region, std::vector<Vec3f>& x) {
@@ -92,11 +91,14 @@ DrapeResult move_to_own_pose(Simulation& simulation, const Body& body, const Pos
         ignore_itself(simulation);
     };
     bound_work();
-    for (double seconds = kReport; seconds <= kToOwnPose + kReport / 2; seconds += kReport) {
-        const int steps = moving.advance_to(simulation, seconds).steps;
-        work += counted.of_steps(simulation.cloth(), steps);
+    // Step by step: within a tenth of a second, the work of a heap can grow a hundredfold.
+    const double step = moving.options().step_seconds;
+    const long steps = std::lround(kToOwnPose / step);
+    for (long done = 1; done <= steps; ++done) {
+        moving.advance_to(simulation, static_cast<double>(done) * step);
+        work += counted.of_steps(simulation.cloth(), 1);
         bound_work();
-        report(progress, "moving", seconds / kToOwnPose);
+        report(progress, "moving", static_cast<double>(done) / static_cast<double>(steps));
     }
     forget_contacts(simulation.cloth());
     DrapeOptions draping = drape_options(options);

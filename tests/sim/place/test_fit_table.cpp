@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 #include <string>
+#include <string_view>
 
 #include "sim/body/landmarks.h"
 #include "sim/mannequin/mannequin.h"
@@ -24,7 +25,7 @@ std::vector<FitRow> fit_on(const DrawMesh& garment, const Body& body) {
     return measure_fit(garment, MeasuredBody(body));
 }
 
-const FitRow& row(const std::vector<FitRow>& rows, const std::string& measure) {
+const FitRow& row(const std::vector<FitRow>& rows, std::string_view measure) {
     for (const FitRow& one : rows) {
         if (one.measure == measure) return one;
     }
