@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,7 +26,7 @@
 namespace selvedge::bench {
 namespace {
 
-const Table& table_named(const ThesisResult& result, const std::string& name) {
+const Table& table_named(const ThesisResult& result, std::string_view name) {
     const auto is_it = [&](const Table& table) { return table.name == name; };
     return *std::find_if(result.tables.begin(), result.tables.end(), is_it);
 }

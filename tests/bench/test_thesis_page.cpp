@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "bench/thesis/captions.h"
 #include "bench/thesis/page.h"
@@ -17,7 +18,7 @@ constexpr auto kTable = CaptionKind::Table;
 constexpr auto kFigure = CaptionKind::Figure;
 constexpr auto kListing = CaptionKind::Listing;
 
-const Caption& caption_named(const std::string& name) {
+const Caption& caption_named(std::string_view name) {
     const auto found = std::ranges::find_if(thesis_captions(), [&](const Caption& c) { return short_name(c) == name; });
     EXPECT_NE(found, thesis_captions().end()) << name;
     return *found;

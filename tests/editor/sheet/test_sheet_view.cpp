@@ -168,7 +168,8 @@ TEST(SheetLabels, the_whole_name_is_a_tooltip_of_its_panel) {
     stage.frame();
     const auto has_tooltip = [] {
         const ImDrawData& drawn = *ImGui::GetDrawData();
-        return std::any_of(drawn.CmdLists, drawn.CmdLists + drawn.CmdListsCount, [](const ImDrawList* list) {
+        ImDrawList* const* lists = &drawn.CmdLists[0];  // an array, or since 1.89.8 a vector
+        return std::any_of(lists, lists + drawn.CmdListsCount, [](const ImDrawList* list) {
             return std::string_view(list->_OwnerName).starts_with("##Tooltip");
         });
     };
