@@ -1,5 +1,6 @@
 #pragma once
-// The interface's fonts, searched among what is shipped and the system's packages at run time, and the font of legends, which is the same.
+// The interface's fonts, searched among what is shipped and the system's packages at run time, and the font of legends,
+// which is the same.
 #include <filesystem>
 #include <memory>
 #include <vector>

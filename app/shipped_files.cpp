@@ -37,7 +37,8 @@ std::filesystem::path shipped_folder() {
 
 void use_shipped_fonts() {
     const std::filesystem::path folder = shipped_folder();
-    if (folder.empty() || std::getenv("FONTCONFIG_FILE") != nullptr || std::getenv("FONTCONFIG_PATH") != nullptr) return;
+    if (folder.empty() || std::getenv("FONTCONFIG_FILE") != nullptr || std::getenv("FONTCONFIG_PATH") != nullptr)
+        return;
     const std::filesystem::path configuration = folder / "fonts" / "fonts.conf";
     constexpr int kReplace = 1;
     if (sim::is_file(configuration)) ::setenv("FONTCONFIG_FILE", configuration.c_str(), kReplace);
