@@ -44,10 +44,11 @@ TEST(Usage, help_lists_every_subcommand) {
 TEST(Usage, version_tells_build_and_kernels) {
     const ProgramResult result = run_command("SELVEDGE_SIMD=plain " + program() + " --version");
     EXPECT_EQ(result.exit_code, 0);
-    EXPECT_TRUE(std::regex_match(result.out, std::regex("selvedge [0-9]+\\.[0-9]+\\.[0-9]+\n"
-                                                        "commit ([0-9a-f]{12}(, changed)?|unknown: not built from git); "
-                                                        "[A-Za-z]+ [0-9.]+, [A-Za-z]+\n"
-                                                        "SIMD plain(, of avx2|, of avx512)?\n")))
+    EXPECT_TRUE(
+        std::regex_match(result.out, std::regex("selvedge [0-9]+\\.[0-9]+\\.[0-9]+\n"
+                                                "commit ([0-9a-f]{12}(, changed)?|unknown: not built from git); "
+                                                "[A-Za-z]+ [0-9.]+, [A-Za-z]+\n"
+                                                "SIMD plain(, of avx2|, of avx512)?\n")))
         << result.out;
     EXPECT_EQ(run_selvedge("--version").out, run_selvedge("--version").out);
 }

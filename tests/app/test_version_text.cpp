@@ -23,19 +23,21 @@ class WriteBuild : public testing::Test {
  protected:
     // Of the source that cmake/write_build.cmake writes.
     std::string written_of(const std::string& source) const {
-        const ProgramResult result = run_command("cmake -DOUTPUT='" + folder_ / "build.cpp" + "' -DSOURCE='" + source +
-                                                 "' -DTYPE=Release '-DCOMPILER=GNU 12' -P '" + source_folder() +
-                                                 "/cmake/write_build.cmake'");
+        const ProgramResult result =
+            run_command("cmake -DOUTPUT='" + folder_ / "build.cpp" + "' -DSOURCE='" + source +
+                        "' -DTYPE=Release '-DCOMPILER=GNU 12' -P '" + source_folder() + "/cmake/write_build.cmake'");
         EXPECT_EQ(result.exit_code, 0) << result.err;
         return content_of(folder_ / "build.cpp");
     }
     void in_checkout(const std::string& command) const {
-        const ProgramResult result = run_command("mkdir -p '" + checkout_ + "' && cd '" + checkout_ + "' && " + command);
+        const ProgramResult result =
+            run_command("mkdir -p '" + checkout_ + "' && cd '" + checkout_ + "' && " + command);
         ASSERT_EQ(result.exit_code, 0) << result.err;
     }
     void commit() const {
-        in_checkout("echo one > file && git init -q . && git add file && "
-                    "git -c user.name=a -c user.email=a@b commit -q -m one");
+        in_checkout(
+            "echo one > file && git init -q . && git add file && "
+            "git -c user.name=a -c user.email=a@b commit -q -m one");
     }
 
     ScratchFolder folder_;
