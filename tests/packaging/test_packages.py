@@ -74,6 +74,31 @@ class Archive(Installed, unittest.TestCase):
             for folder in found[1].split(":"):
                 self.assertTrue(folder.startswith(("$ORIGIN", "/usr/lib")), f"{file}: {folder}")
 
+    def test_opens_a_window_with_the_libraries_of_this_system_that_drivers_share(self):
+        for tool in ("Xvfb", "xdotool"):
+            if not shutil.which(tool):
+                self.skipTest(f"no {tool}")
+        read, write = os.pipe()
+        server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x900x24"], pass_fds=[write],
+                                  stderr=subprocess.DEVNULL)
+        self.addCleanup(server.wait)
+        self.addCleanup(server.kill)
+        os.close(write)
+        with os.fdopen(read) as stream:
+            environment = {**os.environ, "DISPLAY": f":{stream.readline().strip()}", "HOME": os.fspath(self.root.folder)}
+        editor = subprocess.Popen([self.tree / "bin/selvedge", "edit", self.tree / "share/selvedge/patterns/skirt.json"],
+                                  env=environment)
+        self.addCleanup(editor.wait)
+        self.addCleanup(editor.kill)
+        run("timeout", "120", "xdotool", "search", "--sync", "--onlyvisible", "--name", "skirt.json - Selvedge",
+            env=environment)
+        self.assertIsNone(editor.poll())
+        mapped = pathlib.Path(f"/proc/{editor.pid}/maps").read_text()
+        for name in ("libstdc++.so.6", "libX11.so.6"):
+            self.assertRegex(mapped, rf" /(usr/)?lib/\S*/{re.escape(name)}", name)
+            self.assertNotIn(f"fallback/{name}", mapped)
+        self.assertIn("lib/selvedge/libglfw.so.3", mapped)
+
     def test_is_the_same_when_it_is_made_again(self):
         before = self.archive.read_bytes()
         run(SOURCE / "scripts/package", "archive")
@@ -91,10 +116,10 @@ class Metadata(unittest.TestCase):
     def test_desktop_file_is_valid(self):
         self.assertEqual(run("desktop-file-validate", self.share / "applications/selvedge.desktop").stdout, "")
 
-    def test_metainfo_is_valid_but_for_a_domain_that_the_project_does_not_have(self):
+    def test_metainfo_is_valid_but_for_a_domain_and_a_page_that_the_project_does_not_have(self):
         if not shutil.which("appstreamcli"):
             self.skipTest("no appstreamcli")
-        run("appstreamcli", "validate", "--no-net", "--override", "cid-desktopapp-is-not-rdns=info",
+        run("appstreamcli", "validate", "--no-net", "--override", "cid-desktopapp-is-not-rdns=info,url-homepage-missing=info",
             self.share / "metainfo/selvedge.metainfo.xml")
 
     def test_garments_have_a_type_and_other_json_files_have_not(self):
