@@ -72,7 +72,7 @@ void set_name(Command& program, const std::string& name) {
     app_of(program).name(name);
 }
 
-void set_version(Command& program, const std::string& text) {
+void set_version(Command& program, const std::function<std::string()>& text) {
     app_of(program).set_version_flag("--version", text);
 }
 

@@ -45,10 +45,10 @@ Command& add_command(Command& parent, const std::string& name, const std::string
 void add_passing_command(Command& parent, const std::string& name, const std::string& help,
                          const std::function<void(const std::vector<std::string>& words)>& run);
 
-void set_name(Command& program, const std::string& name);     // in its help; otherwise the program's file
-void set_version(Command& program, const std::string& text);  // what --version prints
-void require_command(Command& program);                       // one subcommand must be named
-void set_footer(Command& command, const std::string& text);   // the end of its help
+void set_name(Command& program, const std::string& name);  // in its help; otherwise the program's file
+void set_version(Command& program, const std::function<std::string()>& text);  // what --version prints
+void require_command(Command& program);                                        // one subcommand must be named
+void set_footer(Command& command, const std::string& text);                    // the end of its help
 void set_action(Command& command, const std::function<void()>& run);
 
 template <class T>

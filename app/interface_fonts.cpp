@@ -3,6 +3,7 @@
 #include <array>
 #include <system_error>
 
+#include "app/shipped_files.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 
@@ -28,6 +29,13 @@ bool is_file(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> font_folders() {
+    std::vector<std::filesystem::path> folders{"/usr/share/fonts", "/usr/local/share/fonts"};
+    const std::filesystem::path shipped = shipped_folder();
+    if (!shipped.empty()) folders.insert(folders.begin(), shipped / "fonts");
+    return folders;
+}
 
 FontFiles find_fonts(const std::vector<std::filesystem::path>& folders) {
     for (const Family& family : kFamilies) {

@@ -1,5 +1,6 @@
 #pragma once
-// The interface's fonts, searched among the system's packages at run time, and the font of legends, which is the same.
+// The interface's fonts, searched among what is shipped and the system's packages at run time, and the font of legends,
+// which is the same.
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -13,9 +14,11 @@ struct FontFiles {
     std::filesystem::path medium;   // for headings; the regular font if the family has no medium one
 };
 
-// The first family that is installed: Inter, Noto Sans, DejaVu Sans. folders: the system's font folders.
-FontFiles find_fonts(const std::vector<std::filesystem::path>& folders = {"/usr/share/fonts",
-                                                                          "/usr/local/share/fonts"});
+// Those that are shipped with the program, and the system's.
+std::vector<std::filesystem::path> font_folders();
+
+// The first family that is there: Inter, Noto Sans, DejaVu Sans; of a family, the one in the first folder.
+FontFiles find_fonts(const std::vector<std::filesystem::path>& folders = font_folders());
 
 // For legends in pictures and in the 3D view. Null: no font is installed, or its file cannot be read.
 std::shared_ptr<const render::OutlineFont> read_legend_font(const FontFiles& files = find_fonts());

@@ -1,14 +1,14 @@
 // selvedge: the program's entry point. Each subcommand has a file of its own.
-#include <string>
-
 #include "app/arguments.h"
 #include "app/command_line.h"
 #include "app/commands.h"
-#include "sim/core/version.h"
+#include "app/shipped_files.h"
+#include "app/version_text.h"
 
 int main(int argc, char** argv) {
+    selvedge::app::use_shipped_fonts();
     selvedge::app::Command app{"Selvedge: cut, sew and drape garments on an adaptive mesh."};
-    set_version(app, std::string(selvedge::sim::program_version()));
+    set_version(app, [] { return selvedge::app::version_text(selvedge::app::program_build()); });
     require_command(app);
     set_footer(app, "Example: selvedge dress patterns/tshirt.json --render tshirt.png");
 

@@ -195,6 +195,13 @@ void ask_to_replace(AppState& state, const std::string& file, std::function<void
     ask_to_replace(state, std::vector<std::string>{file}, std::move(write));
 }
 
+std::string name_without_ending(std::string name) {
+    for (const std::string_view ending : {".json", ".garment"}) {
+        if (name.size() > ending.size() && name.ends_with(ending)) name.resize(name.size() - ending.size());
+    }
+    return name;
+}
+
 std::string document_name(const AppState& state) {
     const std::string& file = state.workspace.file;
     return file.empty() ? "untitled" : name_in_folder(file);
@@ -509,14 +516,13 @@ void browse_to_save(AppState& state) {
                         .verb = "Save",
                         .endings = {".json"},
                         .is_saving = true,
-                        .name = state.workspace.file.empty() ? "garment.json" : document_name(state),
+                        .name = state.workspace.file.empty() ? "new.garment.json" : document_name(state),
                         .choose = [](AppState& current, const std::string& file) { save_as(current, file); }},
                        state.services);
 }
 
 void browse_to_export(AppState& state, const std::string& ending) {
-    std::string name = document_name(state);
-    if (name.ends_with(".json")) name.resize(name.size() - 5);
+    const std::string name = name_without_ending(document_name(state));
     state.browser.open({.title = "Export",
                         .verb = "Export",
                         .endings = {ending},
@@ -531,8 +537,7 @@ void browse_to_export(AppState& state, const std::string& ending) {
 }
 
 void browse_to_print(AppState& state, const std::string& ending) {
-    std::string name = document_name(state);
-    if (name.ends_with(".json")) name.resize(name.size() - 5);
+    const std::string name = name_without_ending(document_name(state));
     state.browser.open({.title = "Print the pattern",
                         .verb = "Write",
                         .endings = {ending},

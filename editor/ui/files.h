@@ -64,6 +64,9 @@ std::string with_ending(const std::string& file, const std::string& ending);
 // Offers to recover the journals that earlier runs left.
 void offer_recovery(AppState& state);
 
+// Of a garment's file: "tshirt" of "tshirt.json" and of "tshirt.garment.json".
+std::string name_without_ending(std::string name);
+
 // For example "tshirt.json"; "untitled" without a file.
 std::string document_name(const AppState& state);
 

@@ -21,11 +21,13 @@
 namespace selvedge::sim {
 namespace {
 
-// The garment's name from its file name: "patterns/shirt_mean_specification.json" gives "shirt_mean".
+// The garment's name from its file name: "patterns/shirt_mean_specification.json" gives "shirt_mean", and so does
+// "shirt_mean.garment.json".
 std::string garment_name(const std::string& file) {
     std::string name = std::filesystem::path(file).stem().string();
-    constexpr std::string_view suffix = "_specification";
-    if (name.ends_with(suffix)) name.resize(name.size() - suffix.size());
+    for (const std::string_view suffix : {"_specification", ".garment"}) {
+        if (name.size() > suffix.size() && name.ends_with(suffix)) name.resize(name.size() - suffix.size());
+    }
     return name;
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
 
 #include "sim/core/file.h"
 #include "tests/app/selvedge_program.h"
@@ -40,10 +41,23 @@ TEST(Usage, help_lists_every_subcommand) {
         EXPECT_NE(result.out.find(command), std::string::npos) << command;
 }
 
-TEST(Usage, version_is_one_line) {
-    const ProgramResult result = run_selvedge("--version");
+TEST(Usage, version_tells_build_and_kernels) {
+    const ProgramResult result = run_command("SELVEDGE_SIMD=plain " + program() + " --version");
     EXPECT_EQ(result.exit_code, 0);
-    EXPECT_EQ(count_lines(result.out), 1) << result.out;
+    EXPECT_TRUE(
+        std::regex_match(result.out, std::regex("selvedge [0-9]+\\.[0-9]+\\.[0-9]+\n"
+                                                "commit ([0-9a-f]{12}(, changed)?|unknown: not built from git); "
+                                                "[A-Za-z]+ [0-9.]+, [A-Za-z]+\n"
+                                                "SIMD plain(, of avx2|, of avx512)?\n")))
+        << result.out;
+    EXPECT_EQ(run_selvedge("--version").out, run_selvedge("--version").out);
+}
+
+TEST(Usage, version_refuses_a_simd_level_that_it_does_not_know) {
+    const ProgramResult result = run_command("SELVEDGE_SIMD=best " + program() + " --version");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(count_lines(result.err), 1) << result.err;
 }
 
 TEST(Usage, words_it_does_not_know_get_one_line) {

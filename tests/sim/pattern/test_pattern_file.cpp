@@ -324,6 +324,15 @@ TEST(PatternFile, saves_to_a_file_that_loads_again) {
     std::filesystem::remove(path);
 }
 
+TEST(PatternFile, names_a_garment_after_its_file_without_what_its_kind_adds) {
+    for (const char* name : {"shirt.json", "shirt_specification.json", "shirt.garment.json"}) {
+        const auto path = std::filesystem::path(::testing::TempDir()) / name;
+        save_pattern(parse_pattern(sample_text(), ""), path);
+        EXPECT_EQ(load_pattern(path).pattern.name, "shirt") << name;
+        std::filesystem::remove(path);
+    }
+}
+
 class GarmentCodeFiles : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(GarmentCodeFiles, load_with_seams_that_meet_and_come_back_as_they_were) {
