@@ -6,7 +6,7 @@
 
 #include "render/image/outline_font.h"
 
-namespace selvedge::app {
+namespace selvedge::render {
 
 struct FontFiles {
     std::filesystem::path regular;  // empty: none was found
@@ -18,6 +18,6 @@ FontFiles find_fonts(const std::vector<std::filesystem::path>& folders = {"/usr/
                                                                           "/usr/local/share/fonts"});
 
 // For legends in pictures and in the 3D view. Null: no font is installed, or its file cannot be read.
-std::shared_ptr<const render::OutlineFont> read_legend_font(const FontFiles& files = find_fonts());
+std::shared_ptr<const OutlineFont> read_legend_font(const FontFiles& files = find_fonts());
 
-}  // namespace selvedge::app
+}  // namespace selvedge::render
