@@ -9,10 +9,10 @@
 
 #include "app/film.h"
 #include "app/filming.h"
-#include "app/interface_fonts.h"
 #include "app/progress_bar.h"
 #include "app/report_inputs.h"
 #include "app/stop_signal.h"
+#include "render/output/interface_fonts.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/parallel.h"
@@ -107,7 +107,7 @@ int run_animate(AnimateArguments arguments) {
     check_outputs(arguments);
     if (!arguments.film.empty()) {
         check_can_draw(arguments.picture);
-        arguments.picture.legend_font = read_legend_font();
+        arguments.picture.legend_font = render::read_legend_font();
     }
     arguments.animation.dress = arguments.garment.dress;
     arguments.animation.frames_per_second = arguments.frames_per_second;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "app/baked_textures.h"
+#include "render/output/baked_textures.h"
 #include "sim/core/error.h"
 #include "sim/exchange/pc2_file.h"
 #include "sim/mesh/draw_mesh.h"
@@ -30,7 +30,7 @@ AnimationCaches::AnimationCaches(const CacheChoice& choice, int frames_per_secon
     if (choice.has_textures && std::ranges::any_of(choice.files, is_glb)) {
         const std::vector<render::ClothItem> cloths =
             picture.looks->parts({.mesh = fixed_.mesh, .sett = {}}, *picture.pattern);
-        options.textures = bake_pngs(fixed_.mesh, cloths, choice.atlas);
+        options.textures = render::bake_pngs(fixed_.mesh, cloths, choice.atlas);
     }
     for (const std::filesystem::path& path : choice.files) {
         has_body_.push_back(is_glb(path));

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sim/core/error.h"
+#include "sim/core/numbers.h"
 
 namespace selvedge::app {
 
@@ -51,11 +52,7 @@ void require_command(Command& program);                                        /
 void set_footer(Command& command, const std::string& text);                    // the end of its help
 void set_action(Command& command, const std::function<void()>& run);
 
-template <class T>
-struct Limits {
-    T least;
-    T most;
-};
+using sim::Limits;
 
 // What an option takes, and how the help shows it.
 struct OptionDetails {

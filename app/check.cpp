@@ -6,7 +6,7 @@
 
 #include "app/arguments.h"
 #include "app/commands.h"
-#include "app/pattern_faults.h"
+#include "render/output/pattern_faults.h"
 #include "sim/pattern/fault.h"
 
 namespace selvedge::app {
@@ -21,7 +21,7 @@ int check_files(const CheckArguments& arguments) {
     bool has_warning = false;
     bool has_fault = false;
     for (const std::string& file : arguments.files) {
-        const std::vector<sim::Fault> faults = faults_of_file(file);
+        const std::vector<sim::Fault> faults = render::faults_of_file(file);
         for (const sim::Fault& fault : faults) std::printf("%s\n", describe(fault).c_str());
         has_warning = has_warning || !faults.empty();
         has_fault = has_fault || has_error(faults);

@@ -17,13 +17,13 @@
 #include "app/film.h"
 #include "app/garment_files.h"
 #include "app/garment_options.h"
-#include "app/interface_fonts.h"
 #include "app/options.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
 #include "app/refused_report.h"
 #include "app/report_inputs.h"
 #include "render/image/image.h"
+#include "render/output/interface_fonts.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/parallel.h"
@@ -184,7 +184,7 @@ int dress_and_write(DressArguments& arguments, sim::DressReport& refused, const 
     refused.options = arguments.garment.dress;
     if (draws(arguments)) {
         check_can_draw(arguments.picture);
-        arguments.picture.legend_font = read_legend_font();
+        arguments.picture.legend_font = render::read_legend_font();
     }
 
     std::optional<sim::ThreadLimit> limit;
@@ -218,7 +218,7 @@ int dress_and_write(DressArguments& arguments, sim::DressReport& refused, const 
 }
 
 void add_run_options(Command& command, DressArguments& arguments) {
-    add_number<double>(command, "--seconds", kDrapeSeconds,
+    add_number<double>(command, "--seconds", sim::kDrapeSeconds,
                        "Longest simulated time of the drape, in frames of 1/30 s (default 12)", {.type = "S"},
                        [&arguments](double seconds) { arguments.garment.dress.max_seconds = seconds; });
 }

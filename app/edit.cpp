@@ -17,13 +17,13 @@
 #include "app/edit_loop.h"
 #include "app/editor_services.h"
 #include "app/fallback_fonts.h"
-#include "app/interface_fonts.h"
 #include "app/options.h"
 #include "app/picture.h"
 #include "editor/ui/app_state.h"
 #include "editor/ui/files.h"
 #include "editor/ui/script.h"
 #include "render/image/image.h"
+#include "render/output/interface_fonts.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/printable.h"
@@ -117,7 +117,8 @@ int run_window(const EditArguments& arguments) {
     if (!arguments.file.empty()) take_dropped_file(editor.state(), arguments.file);
     EditorSurface surface(editor);
     try {
-        run_edit_loop(surface, window, {.frame_times = arguments.frame_times, .legend_font = read_legend_font()});
+        run_edit_loop(surface, window,
+                      {.frame_times = arguments.frame_times, .legend_font = render::read_legend_font()});
     } catch (const std::exception&) {  // main tells it
         if (state && editor.state().workspace.document->has_unsaved_changes())
             std::fprintf(stderr, "selvedge: note: the editor offers the unsaved changes when it is started again\n");
@@ -176,7 +177,7 @@ render::Image play_script(const EditorScript& script) {
     OffscreenEditLoop loop({.width_px = script.width_px,
                             .height_px = script.height_px,
                             .scale = script.scale,
-                            .legend_font = read_legend_font()});
+                            .legend_font = render::read_legend_font()});
     const auto render_full_quality = [](const render::Scene&) -> render::Image {
         throw sim::InputError("", "export", "a script takes pictures by 'screenshot'");
     };

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/baked_textures.h"
 #include "app/edit_loop.h"
 #include "app/import_garment.h"
-#include "app/interface_fonts.h"
 #include "app/print_files.h"
 #include "render/image/image.h"
 #include "render/image/photo.h"
+#include "render/output/baked_textures.h"
+#include "render/output/interface_fonts.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/file_path.h"
@@ -116,7 +116,7 @@ void write_export(const editor::ExportRequest& request, const EditorServicesOpti
     if (!request.file.ends_with(".png")) {
         sim::GarmentExport content;
         if (sim::mesh_format_of(request.file).takes_textures)
-            content.textures = bake_pngs(request.garment, request.scene->cloths, content.atlas);
+            content.textures = render::bake_pngs(request.garment, request.scene->cloths, content.atlas);
         if (request.thickness.kind == editor::ExportThickness::Kind::None)
             return write_garment(request.garment, request.file, content);
         return write_garment(with_thickness(request.garment, thickness_of_panels(request)), request.file, content);
@@ -324,7 +324,7 @@ editor::FrameOutput EditorSurface::frame(const FrameInput& input) {
 
 editor::FontBytes read_fonts() {
     constexpr std::size_t kLargestFont = 64U << 20U;
-    const FontFiles files = find_fonts();
+    const render::FontFiles files = render::find_fonts();
     const auto read = [](const std::filesystem::path& path) {
         return path.empty() ? std::string() : sim::read_file(path, kLargestFont);
     };

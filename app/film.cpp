@@ -388,7 +388,7 @@ void write_turntable(const RenderSubject& subject, const PictureOptions& picture
                      const sim::Progress& progress) {
     constexpr int most_framed = 48;  // enough angles to find a camera frame for all of them
     const std::vector<float> turns = turn_in(options.frames);
-    const Layout layout = compose(subject, picture, turn_in(std::min(options.frames, most_framed)));
+    const render::Layout layout = compose(subject, picture, turn_in(std::min(options.frames, most_framed)));
     render::Renderer renderer;
     FilmWriter film(options.file, film_format(picture, options));
     for (std::size_t i = 0; i < turns.size(); ++i) {

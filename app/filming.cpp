@@ -72,7 +72,7 @@ Filming::Filming(const Options& options, const PictureOptions& picture, const si
 
 void Filming::add(const sim::Animation& animation) {
     const sim::DrawMesh mesh = draw_mesh(animation.cloth(), animation.panel_names());
-    const Layout now =
+    const render::Layout now =
         moved(layout_, {.garment = mesh, .body = &animation.body()}, picture_, camera_way(animation.seconds()));
     render::Image image = renderer_.draw(now.scene, render_options(picture_));
     if (now.legend) draw_legend(image, *now.legend, now.corner);
@@ -89,7 +89,7 @@ std::vector<Vec3f> Filming::framed(const sim::Animation& animation, const sim::D
     constexpr int kMoments = 96;
     constexpr std::size_t kEvery = 16;  // vertices of a body
     std::vector<Hanging> hanging = find_hanging(garment, animation.body_points());
-    if (picture_.framing != Framing::Garment)
+    if (picture_.framing != render::Framing::Garment)
         for (std::size_t v = 0; v < animation.body_points().size(); v += kEvery) hanging.push_back({v, 0, 0});
     const sim::BodyTimeline& timeline = animation.timeline();
     const sim::SkinnedSurface surface(animation.body());

@@ -36,7 +36,7 @@ class Filming {
     render::Renderer renderer_;
     FilmWriter writer_;
     std::optional<CameraPath> path_;  // none: the camera stays
-    Layout layout_;
+    render::Layout layout_;
 };
 
 }  // namespace selvedge::app

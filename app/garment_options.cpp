@@ -5,15 +5,12 @@
 #include <iterator>
 #include <sstream>
 
-#include "app/pattern_faults.h"
 #include "sim/core/error.h"
 #include "sim/core/printable.h"
-#include "sim/dress/anchor.h"
-#include "sim/pattern/garments.h"
+#include "sim/dress/worn_together.h"
 #include "sim/pattern/named_file.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/session/dress_check.h"
-#include "sim/tartan/tartan_file.h"
 
 namespace selvedge::app {
 
@@ -51,15 +48,15 @@ void add_garment_options(Command& command, GarmentOptions& options) {
                {.type = "FILE", .takes_one_value = true});
     add_option(command, "--fabric", options.fabric, "A shipped fabric or a fabric file (default: the pattern's)",
                {.type = "NAME|FILE"});
-    add_number<double>(command, "--edge-length", kEdgeLengthsCm,
+    add_number<double>(command, "--edge-length", sim::kEdgeLengthsCm,
                        "Edge length of the base mesh in cm (default: the pattern's, or 5)", {.type = "CM"},
                        [&dress](double length_cm) { dress.edge_length = length_cm / 100; });
-    add_number<int>(command, "--max-level", kLevels, "Times an edge may be halved (default 3)", {.type = "N"},
+    add_number<int>(command, "--max-level", sim::kLevels, "Times an edge may be halved (default 3)", {.type = "N"},
                     [&dress](int level) { dress.max_level = level; });
-    add_number<double>(command, "--shortest-edge", kShortestEdgesCm,
+    add_number<double>(command, "--shortest-edge", sim::kShortestEdgesCm,
                        "Edges shorter than this, in cm, are not halved (default 2)", {.type = "CM"},
                        [&dress](double length_cm) { dress.shortest_edge = length_cm / 100; });
-    add_number<int>(command, "--triangles", kTriangleBudgets,
+    add_number<int>(command, "--triangles", sim::kTriangleBudgets,
                     "Number of triangles to keep near, by how much shape they show (default: as many as it takes)",
                     {.type = "N"}, [&dress](int target) { dress.triangle_budget = target; });
     add_flag(command, "--coarse-back-faces", options.coarsens_back_faces,
@@ -71,7 +68,7 @@ void add_garment_options(Command& command, GarmentOptions& options) {
 }
 
 void add_thread_options(Command& command, GarmentOptions& options) {
-    add_number<int>(command, "--threads", kThreadCounts,
+    add_number<int>(command, "--threads", sim::kThreadCounts,
                     "Threads to use (default: all there are); the result is the same", {.type = "N"},
                     [&options](int threads) { options.threads = threads; });
     add_flag(command, "-q,--quiet", options.is_quiet, "Show no progress, and print only faults");
@@ -87,35 +84,17 @@ sim::Pattern load_dressable(const std::filesystem::path& file, const GarmentOpti
     const sim::Pattern& pattern = document.pattern;
     const sim::DressCheck check{
         .has_fabrics = options.fabric.empty(), .makes_body_and_mesh = false, .edge_length = options.dress.edge_length};
-    if (pattern.panels.empty())
-        throw sim::InputError(file.string(), "pattern.panels",
-                              pattern.underlays.empty() ? "no panel that is worn: nothing to dress"
-                                                        : "no panel that is worn: nothing to dress before its photos "
-                                                          "are traced in the editor");
-    for (const sim::Fault& fault : dress_faults(pattern, file.string(), check))
-        throw sim::InputError(fault.file, fault.place, fault.problem);
+    refuse_undressable(pattern, file.string(), check);
     return pattern;
 }
 
 }  // namespace
 
-sim::Pattern worn_together(sim::Pattern pattern, std::span<const sim::Pattern> over, const std::string& file,
-                           std::vector<std::string>& notes) {
-    for (const sim::Pattern& one : over) {
-        const sim::Pattern outer = moved_to_body_of(pattern, one, notes);
-        std::ranges::move(put_over(pattern, outer), std::back_inserter(notes));
-        pattern.name += " + " + outer.name;
-    }
-    if (std::ranges::none_of(pattern.panels, &sim::Panel::is_worn))
-        throw sim::InputError(file, "pattern.panels", "no panel that is worn: nothing to dress");
-    return pattern;
-}
-
 sim::Pattern load_garments(const GarmentOptions& options, std::vector<std::string>& notes) {
     sim::Pattern pattern = load_dressable(options.garment, options, notes);
     std::vector<sim::Pattern> over;
     for (const std::filesystem::path& file : options.over) over.push_back(load_dressable(file, options, notes));
-    return worn_together(std::move(pattern), over, options.garment.string(), notes);
+    return sim::worn_together(std::move(pattern), over, options.garment.string(), notes);
 }
 
 std::vector<std::filesystem::path> input_files(const GarmentOptions& options, const BodyOptions& body) {
@@ -126,50 +105,21 @@ std::vector<std::filesystem::path> input_files(const GarmentOptions& options, co
     return inputs;
 }
 
-namespace {
-
-// The pattern as the options change its looks: one fabric or one tartan for all panels, or another size and place of
-// its tartan.
-sim::Pattern shown_pattern(sim::Pattern pattern, const GarmentOptions& options, const PictureOptions& picture) {
-    if (!options.fabric.empty()) {
-        pattern.fabric = options.fabric;
-        for (sim::Panel& panel : pattern.panels) panel.fabric.clear();
-    }
-    if (picture.design) {
-        pattern.surface = picture.design;
-        for (sim::Panel& panel : pattern.panels) panel.surface = pattern.surface;
-    }
-    const auto place = [&](std::optional<sim::SurfaceDesign>& surface) {
-        if (!surface) return;
-        if (picture.sett_size) surface->size = picture.sett_size;
-        if (picture.sett_position) surface->position = *picture.sett_position;
-    };
-    place(pattern.surface);
-    for (sim::Panel& panel : pattern.panels) place(panel.surface);
-    if (picture.sett_size) pattern.sett_size = picture.sett_size;
-    if (picture.sett_position) pattern.sett_position = *picture.sett_position;
-    return pattern;
-}
-
-}  // namespace
-
 void name_inputs(GarmentOptions& options, BodyOptions& body, PictureOptions& picture, const sim::Pattern& pattern) {
-    picture.pattern = std::make_shared<const sim::Pattern>(shown_pattern(pattern, options, picture));
+    name_looks(picture, pattern, options.fabric);
     const std::vector<std::string> named = named_files(*picture.pattern);
     options.named.assign(named.begin(), named.end());
-    if (body.source.empty()) body.source = pattern.body.empty() ? "mannequin:sex=female" : pattern.body;
+    if (body.source.empty()) body.source = pattern.body.empty() ? sim::kDefaultBody : pattern.body;
 }
 
 void fill_in(GarmentOptions& options, PictureOptions& picture, const sim::Pattern& pattern) {
     if (!options.fabric.empty()) options.dress.fabric = sim::find_fabric(options.fabric);
-    if (!picture.sett && !picture.sett_size) picture.sett_size = pattern.sett_size;
-    if (!picture.sett && !pattern.tartan.empty())
-        picture.sett = named_tartan(pattern.tartan, options.garment.string(), "selvedge.tartan");
-    picture.looks = std::make_shared<render::ClothLooks>(render::ClothLooks::Unknown::Fail);
-    picture.looks->read(*picture.pattern);
-    if (!picture.sett_position) picture.sett_position = pattern.sett_position;
+    read_looks(picture, pattern, options.fabric, options.garment.string());
     if (options.coarsens_back_faces) options.dress.seen_from = seen_from(picture);
-    picture.material = render::material_of(sim::find_fabric(options.fabric.empty() ? pattern.fabric : options.fabric));
+}
+
+void tell_warnings(const std::vector<sim::Fault>& warnings) {
+    for (const sim::Fault& warning : warnings) std::fprintf(stderr, "selvedge: note: %s\n", describe(warning).c_str());
 }
 
 void print_faults(const sim::DressReport& report) {

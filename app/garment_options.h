@@ -2,16 +2,16 @@
 // Command-line options that say which garment is dressed and how: of dress and animate.
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "app/arguments.h"
 #include "app/options.h"
 #include "app/picture.h"
+#include "sim/dress/dress_limits.h"
 #include "sim/dress/dress_options.h"
 #include "sim/inspection/report.h"
-#include "sim/pattern/limits.h"
+#include "sim/pattern/fault.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::app {
@@ -27,24 +27,11 @@ struct GarmentOptions {
     std::vector<std::filesystem::path> named{};  // files that the garments and options name; set by name_inputs()
 };
 
-// Of options of dress, in the units of the command line.
-inline constexpr Limits<double> kEdgeLengthsCm{sim::kShortestMeshEdge * 100, sim::kLongestMeshEdge * 100};
-inline constexpr Limits<int> kLevels{0, 8};  // with the shortest edge 0.1 cm: to 1 mm
-inline constexpr Limits<double> kShortestEdgesCm{0.1, 50};
-inline constexpr Limits<int> kTriangleBudgets{100, 10'000'000};
-inline constexpr Limits<int> kThreadCounts{1, 1024};
-inline constexpr Limits<double> kDrapeSeconds{0.01, 600};
-
 // `options` must outlive the parsing.
 void add_garment_options(Command& command, GarmentOptions& options);
 void add_thread_options(Command& command, GarmentOptions& options);
 
-// The garment with these over it, from the inside out. `file`: its name in messages. Notes: one sentence per change.
-// Throws InputError.
-sim::Pattern worn_together(sim::Pattern pattern, std::span<const sim::Pattern> over, const std::string& file,
-                           std::vector<std::string>& notes);
-
-// The same, from their files. Throws InputError, for what dress_faults() finds too.
+// The garment with those over it, from their files. Throws InputError, for what dress_faults() finds too.
 sim::Pattern load_garments(const GarmentOptions& options, std::vector<std::string>& notes);
 
 // The files that are read: the garment and those over it, and the body's, if it is a file; after name_inputs() all
@@ -59,6 +46,9 @@ void name_inputs(GarmentOptions& options, BodyOptions& body, PictureOptions& pic
 // Tells the dressing from where the picture sees the cloth, if back faces are to be coarse. Pre: name_inputs(). Throws
 // InputError.
 void fill_in(GarmentOptions& options, PictureOptions& picture, const sim::Pattern& pattern);
+
+// Tells what was found while a garment was read, as notes on stderr.
+void tell_warnings(const std::vector<sim::Fault>& warnings);
 
 // One line each, to standard output.
 void print_faults(const sim::DressReport& report);

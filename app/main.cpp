@@ -2,11 +2,11 @@
 #include "app/arguments.h"
 #include "app/command_line.h"
 #include "app/commands.h"
-#include "app/shipped_files.h"
 #include "app/version_text.h"
+#include "render/output/shipped_files.h"
 
 int main(int argc, char** argv) {
-    selvedge::app::use_shipped_fonts();
+    selvedge::render::use_shipped_fonts();
     selvedge::app::Command app{"Selvedge: cut, sew and drape garments on an adaptive mesh."};
     set_version(app, [] { return selvedge::app::version_text(selvedge::app::program_build()); });
     require_command(app);

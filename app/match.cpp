@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/garment_options.h"
 #include "app/options.h"
-#include "app/pattern_faults.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
@@ -22,6 +22,7 @@
 #include "sim/pattern/named_file.h"
 #include "sim/pattern/pattern.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/tartan/named_tartan.h"
 #include "sim/tartan/offset_graph.h"
 #include "sim/tartan/tartan_file.h"
 
@@ -93,8 +94,9 @@ std::optional<double> sett_size(const MatchArguments& arguments, const sim::Patt
 
 sim::Sett sett_of(const MatchArguments& arguments, const sim::Pattern& pattern) {
     const std::string name = tartan_of(arguments, pattern);
-    const sim::Sett sett = arguments.tartan.empty() ? named_tartan(name, arguments.garment.string(), "selvedge.tartan")
-                                                    : named_tartan(name, "", "--tartan");
+    const sim::Sett sett = arguments.tartan.empty()
+                               ? sim::named_tartan(name, arguments.garment.string(), "selvedge.tartan")
+                               : sim::named_tartan(name, "", "--tartan");
     const std::optional<double> size = sett_size(arguments, pattern);
     return size ? with_repeat_size(sett, *size) : sett;
 }

@@ -13,11 +13,10 @@
 #include <string_view>
 
 #include "app/arguments.h"
-#include "sim/collide/body_collider.h"
 #include "sim/core/error.h"
 #include "sim/core/file_extension.h"
 #include "sim/core/file_path.h"
-#include "sim/core/math.h"
+#include "sim/core/numbers.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/pattern/pattern.h"
 
@@ -69,57 +68,6 @@ sim::MadeBody make_body(const BodyOptions& options, const sim::ContentStore* sto
 
 namespace {
 
-[[noreturn]] void refuse_camera(const std::string& problem) {
-    throw sim::InputError("", "--camera", problem);
-}
-
-CameraChoice by_direction(const std::vector<double>& numbers) {
-    if (std::abs(numbers[0]) > 3600) refuse_camera("the azimuth must be within 3600 degrees");
-    if (std::abs(numbers[1]) > 89) refuse_camera("the elevation must be from -89 to 89 degrees");
-    CameraChoice choice;
-    choice.direction = {.azimuth = static_cast<float>(numbers[0] * sim::kDegree),
-                        .elevation = static_cast<float>(numbers[1] * sim::kDegree)};
-    if (numbers.size() < 3) return choice;
-    if (numbers[2] < 0.1 || numbers[2] > 100) refuse_camera("the zoom must be from 0.1 to 100");
-    choice.zoom = static_cast<float>(numbers[2]);
-    return choice;
-}
-
-CameraChoice by_points(const std::vector<double>& numbers) {
-    const Vec3d eye(numbers[0], numbers[1], numbers[2]), target(numbers[3], numbers[4], numbers[5]);
-    if (std::max(eye.cwiseAbs().maxCoeff(), target.cwiseAbs().maxCoeff()) > 1000)
-        refuse_camera("must be within 1000 m");
-    if ((eye - target).norm() < 0.01) refuse_camera("the eye must be at least 1 cm from what it looks at");
-    CameraChoice choice;
-    choice.eye_and_target = {eye.cast<float>(), target.cast<float>()};
-    return choice;
-}
-
-}  // namespace
-
-std::optional<std::vector<double>> parse_numbers(std::string_view text) {
-    std::vector<double> numbers;
-    const char *at = text.data(), *last = text.data() + text.size();
-    while (true) {
-        double value = 0;
-        const auto [end, error] = std::from_chars(at, last, value);
-        if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
-        numbers.push_back(value);
-        if (end == last) return numbers;
-        if (*end != ',') return std::nullopt;
-        at = end + 1;
-    }
-}
-
-CameraChoice parse_camera(const std::string& text) {
-    const auto numbers = parse_numbers(text);
-    if (numbers && (numbers->size() == 2 || numbers->size() == 3)) return by_direction(*numbers);
-    if (numbers && numbers->size() == 6) return by_points(*numbers);
-    refuse_camera("'" + text + "' is neither AZIMUTH,ELEVATION[,ZOOM] in degrees nor EYE_X,Y,Z,TARGET_X,Y,Z in metres");
-}
-
-namespace {
-
 std::optional<int> parse_level(const std::string& text) {
     if (text == "adaptive") return std::nullopt;
     int level = -1;
@@ -132,30 +80,9 @@ std::optional<int> parse_level(const std::string& text) {
     return level;
 }
 
-constexpr double kMaxCoefficient = 100;  // of K0 to K3
-
-// A preset by name, or K0,K1,K2,K3.
-render::CurveModifier parse_modifier(const std::string& text) {
-    if (const auto kind = render::parse_surface_kind(text)) return curve_modifier(*kind);
-    const auto numbers = parse_numbers(text);
-    if (!numbers || numbers->size() != 4) {
-        throw sim::InputError(
-            "", "--surface",
-            "'" + text + "' is none of " + render::kSurfaceKindNames + ", nor four numbers K0,K1,K2,K3");
-    }
-    render::CurveModifier modifier;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const double k = (*numbers)[i];
-        if (std::abs(k) > kMaxCoefficient)
-            throw sim::InputError("", "--surface", "'" + text + "': each of K0 to K3 must be from -100 to 100");
-        modifier.k[i] = static_cast<float>(k);
-    }
-    return modifier;
-}
-
 float parse_soft_cap(const std::string& text) {
-    const auto numbers = parse_numbers(text);
-    if (!numbers || numbers->size() != 1 || numbers->front() < 0.001 || numbers->front() > kMaxCoefficient)
+    const auto numbers = sim::parse_number_list(text);
+    if (!numbers || numbers->size() != 1 || numbers->front() < 0.001 || numbers->front() > render::kMaxCoefficient)
         throw sim::InputError("", "--surface-soft-cap", "'" + text + "' is not a number from 0.001 to 100");
     return static_cast<float>(numbers->front());
 }
@@ -177,7 +104,7 @@ void add_surface_options(Command& command, SurfaceChoice& choice) {
                     std::string("Draw the cloth as a curved surface over its triangles: ") + render::kSurfaceKindNames +
                         ", or the curve modifier's K0,K1,K2,K3 (default: the triangles themselves)",
                     {.type = "KIND|K0,K1,K2,K3", .group = "Surface"},
-                    [&](const std::string& text) { choice.modifier = parse_modifier(text); });
+                    [&](const std::string& text) { choice.modifier = render::parse_modifier(text); });
     add("--surface-soft-cap", "The curve modifier grows slowly above this (default 1)", "SC",
         [&](const std::string& text) { choice.soft_cap = parse_soft_cap(text); });
     add("--surface-level", "How often its edges are halved: 0 to 6, or adaptive (default adaptive, to 3)", "N|adaptive",
@@ -187,23 +114,6 @@ void add_surface_options(Command& command, SurfaceChoice& choice) {
     add_flag(command, "--back-face-coarsening", choice.coarsens_back_faces,
              "Keep coarse what is turned away, in pictures of an adaptive surface",
              {.group = "Surface", .needs = {"--surface"}});
-}
-
-sim::DrawMesh drawn_mesh(const sim::DrawMesh& garment, const sim::Body* body, const SurfaceChoice& choice,
-                         const std::optional<sim::ViewPoint>& view) {
-    if (!choice.modifier) return garment;
-    render::CurveModifier modifier = *choice.modifier;
-    if (choice.soft_cap) modifier.soft_cap = *choice.soft_cap;
-    render::CurvedMeshOptions options{.curve = {.modifier = modifier, .level = choice.level},
-                                      .light_normals = choice.light_normals};
-    if (choice.coarsens_back_faces) options.curve.view = view;
-    std::optional<sim::BodyCollider> collider;
-    if (body != nullptr) options.curve.move.body = &collider.emplace(*body);
-    try {
-        return curved_mesh(garment, options);
-    } catch (const sim::InputError& error) {
-        throw sim::InputError("", "--surface", error.place() + ": " + error.problem());
-    }
 }
 
 namespace {

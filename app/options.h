@@ -3,21 +3,20 @@
 // paths before the work begins.
 #include <array>
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "render/scene/camera.h"
-#include "render/surface/curve.h"
-#include "sim/body/body.h"
+#include "render/output/view_choice.h"
 #include "sim/dress/prepared_body.h"
 #include "sim/repair/load_body.h"
 
 namespace selvedge::app {
 
 class Command;
+
+using render::SurfaceChoice;
 
 struct BodyOptions {
     std::string source;  // "mannequin[:bust=92,...]" or a file; empty: none
@@ -33,40 +32,11 @@ void add_body_options(Command& command, BodyOptions& options, const std::string&
 // sim::make_body() of these options. Pre: options.source is not empty.
 sim::MadeBody make_body(const BodyOptions& options, const sim::ContentStore* store = nullptr);
 
-// --camera: the camera as numbers.
-
-// Either a view direction, for which the scene is framed and then zoomed, or an eye and a target point.
-struct CameraChoice {
-    render::Direction direction;
-    float zoom = 1;
-    std::optional<std::array<Vec3f, 2>> eye_and_target;  // m
-};
-
-// Parses "azimuth,elevation[,zoom]" in degrees, or "x,y,z,x,y,z" in metres. Throws InputError.
-CameraChoice parse_camera(const std::string& text);
-
-// Parses the whole text as finite numbers separated by commas; none if it is anything else.
-std::optional<std::vector<double>> parse_numbers(std::string_view text);
-
 // Options to draw the cloth as a curved surface (thesis ch. 6).
-
-struct SurfaceChoice {
-    std::optional<render::CurveModifier> modifier;  // none: draw the simulated triangles
-    std::optional<int> level;                       // none: adaptive
-    std::optional<float> soft_cap{};                // replaces the modifier's
-    bool coarsens_back_faces = false;
-    render::LightNormals light_normals = render::LightNormals::Recomputed;
-};
 
 // Adds --surface, --surface-soft-cap, --surface-level, --surface-normals and --back-face-coarsening; validates them
 // while parsing. `choice` must outlive the parsing.
 void add_surface_options(Command& command, SurfaceChoice& choice);
-
-// The mesh to draw. view: the viewer, for back-face coarsening; may be empty. body: the surface is kept outside it; may
-// be null.
-// Throws InputError as curved_mesh() does.
-sim::DrawMesh drawn_mesh(const sim::DrawMesh& garment, const sim::Body* body, const SurfaceChoice& choice,
-                         const std::optional<sim::ViewPoint>& view = {});
 
 // Checks of output files, made before a subcommand starts long work.
 

@@ -8,8 +8,8 @@
 
 #include "app/arguments.h"
 #include "app/commands.h"
+#include "app/garment_options.h"
 #include "app/options.h"
-#include "app/pattern_faults.h"
 #include "app/print_files.h"
 #include "sim/core/printable.h"
 #include "sim/pattern/named_file.h"

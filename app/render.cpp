@@ -5,11 +5,11 @@
 #include "app/arguments.h"
 #include "app/commands.h"
 #include "app/film.h"
-#include "app/interface_fonts.h"
 #include "app/options.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
 #include "render/image/image.h"
+#include "render/output/interface_fonts.h"
 #include "sim/core/error.h"
 #include "sim/core/printable.h"
 #include "sim/exchange/mesh_file.h"
@@ -48,7 +48,7 @@ int render(RenderArguments& arguments) {
     check_outputs(arguments);
     show_design(arguments.picture, arguments.fabric);
     check_can_draw(arguments.picture);
-    arguments.picture.legend_font = read_legend_font();
+    arguments.picture.legend_font = render::read_legend_font();
     check_can_show(arguments.picture.show, !arguments.body.source.empty(), false);
     const sim::DrawMesh garment = sim::read_garment(arguments.garment);
     std::shared_ptr<const sim::Body> body;

@@ -33,7 +33,11 @@ set(SELVEDGE_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
 # So that ccache serves one checkout from another's cache, g++ tells it the precompiled header, and that is named by its
 # place in the checkout. With clang it cannot: the presets that use clang precompile nothing.
 target_compile_options(selvedge_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
-foreach(kind module test)
+set(kinds module)
+if(BUILD_TESTING)
+  list(APPEND kinds test)
+endif()
+foreach(kind ${kinds})
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled_${kind}.cpp CONTENT "// Nothing: a header is compiled with it.\n")
   add_library(selvedge_precompiled_${kind} OBJECT ${PROJECT_BINARY_DIR}/precompiled_${kind}.cpp)
   target_include_directories(selvedge_precompiled_${kind} PRIVATE ${PROJECT_SOURCE_DIR})

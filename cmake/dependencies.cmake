@@ -1,7 +1,11 @@
 # Every package that Selvedge uses, each owned by one module (docs/modules.md).
-option(SELVEDGE_TESTS "Build the tests" ON)
+option(SELVEDGE_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(SELVEDGE_PYTHON "Build the Python module" ${PROJECT_IS_TOP_LEVEL})
+if(NOT SELVEDGE_PROGRAM)
+  set(SELVEDGE_TESTS OFF)
+  set(SELVEDGE_PYTHON OFF)
+endif()
 set(BUILD_TESTING ${SELVEDGE_TESTS})  # CGAL's package would declare it, switched off
-option(SELVEDGE_PYTHON "Build the Python module" ON)
 if(SELVEDGE_PYTHON AND (SELVEDGE_SANITIZE OR SELVEDGE_FUZZ))
   # The run-time library of a sanitizer must be the first that a process loads, and Python's own process has none.
   set(SELVEDGE_PYTHON OFF)
@@ -25,8 +29,9 @@ find_package(assimp 5.2 REQUIRED)              # sim/repair, in a child process
 find_package(meshoptimizer REQUIRED)           # sim/repair/plain_gltf; 0.18 to 0.22 (each calls itself incompatible with the last)
 find_package(PNG REQUIRED)                     # render/image
 find_path(SELVEDGE_STB_FOLDER stb_truetype.h PATH_SUFFIXES stb REQUIRED)  # render/image/outline_font
-find_package(CLI11 REQUIRED)                   # app/arguments
-find_package(GTest REQUIRED)                   # tests
+if(SELVEDGE_TESTS)
+  find_package(GTest REQUIRED)                 # tests
+endif()
 if(SELVEDGE_PYTHON)
   find_package(Python3 3.10 REQUIRED COMPONENTS Interpreter Development.Module NumPy)  # python
   set(PYBIND11_FINDPYTHON ON)
@@ -37,6 +42,15 @@ pkg_check_modules(nettle REQUIRED IMPORTED_TARGET nettle>=3.7)  # sim/core/sha25
 pkg_check_modules(seccomp REQUIRED IMPORTED_TARGET libseccomp>=2.5)  # sim/core/system_call_filter
 pkg_check_modules(turbojpeg REQUIRED IMPORTED_TARGET libturbojpeg>=2.1)  # render/image
 pkg_check_modules(exif REQUIRED IMPORTED_TARGET libexif>=0.6.24)  # render/image
+pkg_check_modules(glib REQUIRED IMPORTED_TARGET glib-2.0>=2.74)  # sim/proposals: letters of any script
+# Its -pthread would define _REENTRANT, with which the precompiled header was not made.
+set_target_properties(PkgConfig::glib PROPERTIES INTERFACE_COMPILE_OPTIONS "")
+
+# Of the program alone.
+if(NOT SELVEDGE_PROGRAM)
+  return()
+endif()
+find_package(CLI11 REQUIRED)                   # app/arguments
 pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui>=1.86)  # editor, app/ui_draw
 pkg_check_modules(pugixml REQUIRED IMPORTED_TARGET pugixml>=1.13)  # sim/paper
 pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)  # sim/paper
@@ -44,8 +58,6 @@ pkg_check_modules(poppler REQUIRED IMPORTED_TARGET poppler>=22.12)  # sim/paper/
 pkg_check_modules(yaml-cpp REQUIRED IMPORTED_TARGET yaml-cpp>=0.7)  # sim/paper
 pkg_check_modules(pangocairo REQUIRED IMPORTED_TARGET pangocairo>=1.50)  # sim/print, with Cairo
 find_package(ZLIB REQUIRED)                    # sim/print/pdf_layers
-pkg_check_modules(glib REQUIRED IMPORTED_TARGET glib-2.0>=2.74)  # sim/proposals: letters of any script
-# Their -pthread would define _REENTRANT, with which the precompiled header was not made.
-set_target_properties(PkgConfig::pangocairo PkgConfig::glib PROPERTIES INTERFACE_COMPILE_OPTIONS "")
+set_target_properties(PkgConfig::pangocairo PROPERTIES INTERFACE_COMPILE_OPTIONS "")  # as glib
 pkg_check_modules(fontconfig REQUIRED IMPORTED_TARGET fontconfig)  # app/fallback_fonts
 pkg_check_modules(glfw REQUIRED IMPORTED_TARGET glfw3>=3.3)    # app/window

@@ -14,6 +14,7 @@
 #include "python/pickles.h"
 #include "python/views.h"
 #include "sim/core/error.h"
+#include "sim/dress/worn_together.h"
 #include "sim/exchange/mesh_file.h"
 
 namespace selvedge::python {
@@ -73,7 +74,7 @@ void export_body(const sim::PreparedBody& self, const std::filesystem::path& pat
 }  // namespace
 
 BodyPointer default_body(const std::string& named_by_pattern) {
-    return made_from({.source = named_by_pattern.empty() ? "mannequin:sex=female" : named_by_pattern, .load = {}});
+    return made_from({.source = named_by_pattern.empty() ? sim::kDefaultBody : named_by_pattern, .load = {}});
 }
 
 void add_bodies(py::module_& module) {

@@ -9,6 +9,7 @@
 
 #include "app/garment_options.h"
 #include "sim/core/error.h"
+#include "sim/core/numbers.h"
 
 namespace selvedge::python {
 
@@ -28,27 +29,10 @@ T value_of(py::handle object, const std::string& place, const char* what) {
     return py::detail::cast_op<T>(std::move(caster));
 }
 
-// The shortest text of a number: 0.5, 10000000.
-std::string short_text(double number);
-
 // A number that is finite.
 double finite_of(py::handle object, const std::string& place);
 
-// Throws InputError if the value is not within the limits: "must be from ... to ...". scale: of the limits' unit in
-// that of the value, 0.01 for limits in centimetres and a value in metres.
-template <class T>
-T within(T value, app::Limits<T> limits, const std::string& place, double scale = 1) {
-    const double number = static_cast<double>(value);
-    const double least = scale * static_cast<double>(limits.least), most = scale * static_cast<double>(limits.most);
-    if (std::isfinite(number) && number >= least && number <= most) return value;
-    throw sim::InputError("", place, "must be from " + short_text(least) + " to " + short_text(most));
-}
-
-template <class T>
-std::optional<T> within(const std::optional<T>& value, app::Limits<T> limits, const std::string& place,
-                        double scale = 1) {
-    if (value) within(*value, limits, place, scale);
-    return value;
-}
+using sim::short_text;
+using sim::within;
 
 }  // namespace selvedge::python

@@ -5,10 +5,10 @@
 
 #include <pybind11/stl.h>
 
-#include "app/pattern_faults.h"
 #include "python/errors.h"
 #include "python/pattern_record.h"
 #include "python/pickles.h"
+#include "render/output/pattern_faults.h"
 #include "sim/core/error.h"
 
 namespace selvedge::python {
@@ -68,7 +68,7 @@ py::list faults_of(const DocumentPointer& document) {
     {
         const py::gil_scoped_release release;
         faults = sim::check_pattern_text(sim::write_pattern(document->content), document->file);
-        if (!has_error(faults)) app::add_faults_of_dressing(document->content.pattern, document->file, faults);
+        if (!has_error(faults)) render::add_faults_of_dressing(document->content.pattern, document->file, faults);
     }
     return tuples_of(faults);
 }
@@ -77,7 +77,7 @@ py::list faults_of_file(const std::string& path) {
     std::vector<sim::Fault> faults;
     {
         const py::gil_scoped_release release;
-        faults = app::faults_of_file(path);
+        faults = render::faults_of_file(path);
     }
     return tuples_of(faults);
 }

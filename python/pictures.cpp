@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,7 +11,6 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "app/interface_fonts.h"
 #include "app/option_texts.h"
 #include "app/picture.h"
 #include "python/errors.h"
@@ -20,15 +18,10 @@
 #include "python/results.h"
 #include "python/views.h"
 #include "render/image/image.h"
+#include "render/output/interface_fonts.h"
 
 namespace selvedge::python {
 namespace {
-
-// One thread draws at a time: only one renderer may exist.
-std::mutex& drawing() {
-    static std::mutex mutex;
-    return mutex;
-}
 
 // Shape (height, width, 4), uint8, over the picture's own memory.
 py::array picture_array(render::Image image) {
@@ -41,8 +34,7 @@ py::array picture_array(render::Image image) {
 }
 
 render::Image draw(const app::RenderSubject& subject, app::PictureOptions options) {
-    const std::scoped_lock lock(drawing());
-    options.legend_font = app::read_legend_font();
+    options.legend_font = render::read_legend_font();
     return draw_picture(subject, options);
 }
 

@@ -1,7 +1,6 @@
 #include "python/results.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <optional>
 #include <string_view>
@@ -17,30 +16,17 @@
 #include "python/views.h"
 #include "sim/cloth/contact.h"
 #include "sim/core/error.h"
+#include "sim/dress/worn_together.h"
 #include "sim/exchange/garmentcode_element.h"
 #include "sim/inspection/report.h"
 #include "sim/place/fit.h"
+#include "sim/session/share_done.h"
 #include "sim/simulation/simulation.h"
 
 namespace selvedge::python {
 namespace {
 
 constexpr double kCm = 0.01;  // m
-
-struct Phase {
-    std::string_view name;
-    double begin;
-    double end;
-};
-// Shares of the whole, for a bar that grows evenly enough. The last two follow only if the arms were lowered.
-constexpr std::array<Phase, 4> kPhases{
-    {{"sewing", 0, 0.3}, {"draping", 0.3, 0.8}, {"moving", 0.8, 0.9}, {"settling", 0.9, 1}}};
-
-double done_of(std::string_view phase, double fraction) {
-    const auto* found = std::ranges::find(kPhases, phase, &Phase::name);
-    if (found == kPhases.end()) return 0;
-    return found->begin + (found->end - found->begin) * std::clamp(fraction, 0.0, 1.0);
-}
 
 void call(py::handle function, double done, std::string_view text) {
     if (!function.is_none()) function(done, py::str(text.data(), text.size()));
@@ -57,17 +43,17 @@ sim::Progress progress_to(py::handle function) {
     return [function](std::string_view phase, double fraction) {
         const py::gil_scoped_acquire acquire;
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-        call(function, done_of(phase, fraction), phase);
+        call(function, sim::share_done(phase, fraction), phase);
     };
 }
 
 sim::DressOptions dress_options(const DressArguments& arguments) {
     sim::DressOptions options;
     if (!arguments.fabric.empty()) options.fabric = sim::find_fabric(arguments.fabric);
-    options.edge_length = within(arguments.edge_length, app::kEdgeLengthsCm, "edge_length", kCm);
-    options.max_level = within(arguments.max_level, app::kLevels, "max_level");
-    options.shortest_edge = within(arguments.shortest_edge, app::kShortestEdgesCm, "shortest_edge", kCm);
-    options.triangle_budget = within(arguments.triangles, app::kTriangleBudgets, "triangles");
+    options.edge_length = within(arguments.edge_length, sim::kEdgeLengthsCm, "edge_length", kCm);
+    options.max_level = within(arguments.max_level, sim::kLevels, "max_level");
+    options.shortest_edge = within(arguments.shortest_edge, sim::kShortestEdgesCm, "shortest_edge", kCm);
+    options.triangle_budget = within(arguments.triangles, sim::kTriangleBudgets, "triangles");
     options.self_collision = arguments.self_collision;
     return options;
 }
@@ -87,16 +73,16 @@ ResultPointer dress(const DocumentPointer& pattern, const BodyPointer& body, con
                     const DressArguments& arguments, double seconds, std::optional<int> threads,
                     const py::object& progress) {
     if (!progress.is_none() && !PyCallable_Check(progress.ptr())) throw py::type_error("progress must be callable");
-    within(threads, app::kThreadCounts, "threads");
+    within(threads, sim::kThreadCounts, "threads");
     auto result = std::make_shared<Result>();
     const py::gil_scoped_release release;
     result->garment.dress = dress_options(arguments);
     result->garment.fabric = arguments.fabric;
-    result->garment.dress.max_seconds = within(seconds, app::kDrapeSeconds, "seconds");
+    result->garment.dress.max_seconds = within(seconds, sim::kDrapeSeconds, "seconds");
     std::vector<sim::Pattern> outer;
     for (const DocumentPointer& one : over) outer.push_back(one->content.pattern);
     std::vector<std::string> notes;
-    result->pattern = app::worn_together(pattern->content.pattern, outer, pattern->file, notes);
+    result->pattern = sim::worn_together(pattern->content.pattern, outer, pattern->file, notes);
     std::optional<sim::ThreadLimit> limit;
     if (threads) limit.emplace(*threads);
     result->body = body ? body : default_body(result->pattern.body);
@@ -150,13 +136,8 @@ const sim::ContactPressure& contact_of(Result& result) {
 }
 
 const std::vector<std::vector<int>>& seams_of(Result& result) {
-    return result.seams.get([&] {
-        const sim::GarmentSegmentation found =
-            segment_garment(result.dressed.mesh, result.pattern, result.dressed.meshing);
-        std::vector<std::vector<int>> seams(result.dressed.mesh.x.size());
-        for (std::size_t i = 0; i < found.order.size(); ++i) seams[found.order[i]] = found.stitches[i];
-        return seams;
-    });
+    return result.seams.get(
+        [&] { return seams_of_vertices(result.dressed.mesh, result.pattern, result.dressed.meshing); });
 }
 
 namespace {
@@ -209,7 +190,7 @@ void export_result(const Result& self, const std::string& path, const std::vecto
     all.emplace_back("--export=its.obj");  // other options need one
     app::ExportOptions options = app::read_export_options(all);
     options.files.files = {path};
-    check_garment_files(options.files);
+    app::check_garment_files(options.files);
     const app::PictureOptions picture = picture_of(self, options.picture);
     app::GarmentFiles(options.files, picture, self.dressed.mesh, self.body->body()).write(path);
 }

@@ -45,7 +45,7 @@ class CallerSession {
  public:
     CallerSession(const DocumentPointer& pattern, const BodyPointer& body, const DressArguments& arguments,
                   std::optional<int> threads)
-        : threads_(within(threads, app::kThreadCounts, "threads")) {
+        : threads_(within(threads, sim::kThreadCounts, "threads")) {
         const py::gil_scoped_release release;
         sim::SessionOptions options;
         const sim::DressOptions asked = dress_options(arguments);

@@ -248,7 +248,7 @@ int run(ThesisArguments arguments) {
     Run run(arguments);
     for (const Experiment& experiment : all_experiments()) {
         if (!run.wants(experiment)) continue;
-        if (experiment.makes_pictures_only || experiment.draws) app::check_can_draw();
+        if (experiment.makes_pictures_only || experiment.draws) render::check_can_draw();
         if (has(experiment.figures, "4.12") || has(experiment.figures, "4.2"))
             sim::load_pattern(arguments.options.tshirt);  // throws before long work
         if (has(experiment.figures, "5.9") || has(experiment.figures, "6.10"))

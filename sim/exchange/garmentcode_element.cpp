@@ -178,6 +178,14 @@ GarmentSegmentation segment_garment(const DrawMesh& mesh, const Pattern& pattern
     return found;
 }
 
+std::vector<std::vector<int>> seams_of_vertices(const DrawMesh& mesh, const Pattern& pattern,
+                                                const MeshOptions& meshing) {
+    const GarmentSegmentation found = segment_garment(mesh, pattern, meshing);
+    std::vector<std::vector<int>> seams(mesh.x.size());
+    for (std::size_t i = 0; i < found.order.size(); ++i) seams[found.order[i]] = found.stitches[i];
+    return seams;
+}
+
 namespace {
 
 constexpr float kCentimetres = 100;

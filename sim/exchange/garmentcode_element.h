@@ -39,6 +39,11 @@ struct GarmentSegmentation {
 // Stitches that did not close where the vertex is are left out. Throws InputError as count_segments() does.
 GarmentSegmentation segment_garment(const DrawMesh& mesh, const Pattern& pattern, const MeshOptions& meshing);
 
+// Of each vertex of the mesh, the seams on which it is: indices into Pattern::seams, ascending. Throws as
+// segment_garment().
+std::vector<std::vector<int>> seams_of_vertices(const DrawMesh& mesh, const Pattern& pattern,
+                                                const MeshOptions& meshing);
+
 inline constexpr int kGarmentCodeFiles = 5;
 
 // The paths of the five files, in the order above.

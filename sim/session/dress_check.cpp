@@ -111,4 +111,14 @@ std::vector<Fault> dress_faults(const Pattern& pattern, const std::string& file,
     return Checker(pattern, file, check).take();
 }
 
+void refuse_undressable(const Pattern& pattern, const std::string& file, const DressCheck& check) {
+    if (pattern.panels.empty())
+        throw InputError(file, "pattern.panels",
+                         pattern.underlays.empty() ? "no panel that is worn: nothing to dress"
+                                                   : "no panel that is worn: nothing to dress before its photos "
+                                                     "are traced in the editor");
+    for (const Fault& fault : dress_faults(pattern, file, check))
+        throw InputError(fault.file, fault.place, fault.problem);
+}
+
 }  // namespace selvedge::sim

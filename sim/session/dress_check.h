@@ -21,4 +21,7 @@ struct DressCheck {
 // that was only begun, without panels, has no fault.
 std::vector<Fault> dress_faults(const Pattern& pattern, const std::string& file, const DressCheck& check = {});
 
+// Throws InputError for the first of them, and for a garment without panels.
+void refuse_undressable(const Pattern& pattern, const std::string& file, const DressCheck& check);
+
 }  // namespace selvedge::sim

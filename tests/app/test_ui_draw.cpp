@@ -4,11 +4,11 @@
 #include <fstream>
 
 #include "app/edit_loop.h"
-#include "app/interface_fonts.h"
 #include "app/ui_draw.h"
 #include "app/window.h"
 #include "editor/frame/theme.h"
 #include "render/gl/context.h"
+#include "render/output/interface_fonts.h"
 #include "sim/core/error.h"
 #include "tests/app/run_program.h"
 
@@ -179,19 +179,19 @@ void lay_down(const std::filesystem::path& file) {
 TEST(FindFont, the_first_family_that_is_there_is_taken) {
     const ScratchFolder scratch;
     const std::filesystem::path root = scratch.path();
-    EXPECT_TRUE(find_fonts({root / "absent", root}).regular.empty());
+    EXPECT_TRUE(render::find_fonts({root / "absent", root}).regular.empty());
     lay_down(root / "truetype/dejavu/DejaVuSans.ttf");
-    EXPECT_EQ(find_fonts({root}).regular, root / "truetype/dejavu/DejaVuSans.ttf");
-    EXPECT_EQ(find_fonts({root}).medium, root / "truetype/dejavu/DejaVuSans.ttf");
+    EXPECT_EQ(render::find_fonts({root}).regular, root / "truetype/dejavu/DejaVuSans.ttf");
+    EXPECT_EQ(render::find_fonts({root}).medium, root / "truetype/dejavu/DejaVuSans.ttf");
     lay_down(root / "opentype/inter/Inter-Regular.otf");
-    EXPECT_EQ(find_fonts({root}).regular, root / "opentype/inter/Inter-Regular.otf");
-    EXPECT_EQ(find_fonts({root}).medium, root / "opentype/inter/Inter-Regular.otf") << "it has no medium here";
+    EXPECT_EQ(render::find_fonts({root}).regular, root / "opentype/inter/Inter-Regular.otf");
+    EXPECT_EQ(render::find_fonts({root}).medium, root / "opentype/inter/Inter-Regular.otf") << "it has no medium here";
     lay_down(root / "opentype/inter/Inter-Medium.otf");
-    EXPECT_EQ(find_fonts({root}).medium, root / "opentype/inter/Inter-Medium.otf");
+    EXPECT_EQ(render::find_fonts({root}).medium, root / "opentype/inter/Inter-Medium.otf");
 }
 
 TEST(TabularDigits, have_one_width_that_is_the_widest_ones) {
-    const FontFiles files = find_fonts();
+    const render::FontFiles files = render::find_fonts();
     if (files.regular.empty()) GTEST_SKIP() << "no font is installed";
     ImFontAtlas atlas;
     ImFont* font = atlas.AddFontFromFileTTF(files.regular.c_str(), 32);

@@ -84,7 +84,7 @@ def braces_of(text, parts):
 
 def _named(text, parts):
     """Seam{...}, Seam seam{...}."""
-    made = re.compile(rf"(?<!struct )(?<!class )(?<!-> )\b({'|'.join(parts.members)})(?:\s+\w+)?\s*(?=\{{)")
+    made = re.compile(rf"(?<!struct )(?<!class )(?<!class SELVEDGE_API )(?<!-> )\b({'|'.join(parts.members)})(?:\s+\w+)?\s*(?=\{{)")
     for match in made.finditer(text):
         yield match[1], match.end()
 

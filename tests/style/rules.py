@@ -51,9 +51,9 @@ def architecture_of(root):
     return pathlib.Path(root, ARCHITECTURE).read_text(encoding="utf-8")
 
 
-SOURCE_FOLDERS = ["sim", "render", "editor", "batch", "app", "bench", "python", "tests"]
+SOURCE_FOLDERS = ["sim", "render", "editor", "selvedge", "batch", "app", "bench", "python", "tests"]
 SOURCE_SUFFIXES = [".h", ".cpp"]
-TEXT_FOLDERS = SOURCE_FOLDERS + ["shaders", "cmake", "scripts", ".ci", "docs"]
+TEXT_FOLDERS = SOURCE_FOLDERS + ["shaders", "cmake", "scripts", ".ci", "docs", "examples"]
 TEXT_SUFFIXES = SOURCE_SUFFIXES + [".py", ".pyi", ".cmake", ".txt", ".md", ".glsl", ".vert", ".frag", ".sh", ""]
 
 MAX_FILE_LINES = 700

@@ -292,6 +292,7 @@ class Fields(unittest.TestCase):
 
     def test_a_part_with_names_or_defaults_and_other_types_pass(self):
         for text in ["Notch notch{.edge = 3};", "Notch notch{};", "struct Notch {\n    int edge = 0;\n};", "Seam f() {\n}",
+                     "class SELVEDGE_API Seam {\n    int edge = 0;\n};",
                      "SeamSide side{0, 1};", "shape.notches.push_back({3, 0.5});", "std::vector<int> seams{{1}, {2}};",
                      "pattern.seams = {a, b};", "panel.notches = other.notches;", 'f("Notch{1, 2}");']:
             self.assertEqual(self.faults_of(text), [], text)

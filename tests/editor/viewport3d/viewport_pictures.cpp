@@ -7,11 +7,11 @@
 #include <filesystem>
 
 #include "app/edit_loop.h"
-#include "app/interface_fonts.h"
 #include "editor/frame/keyboard.h"
 #include "editor/ui/ui_input.h"
 #include "editor/viewport3d/viewport.h"
 #include "render/image/image.h"
+#include "render/output/interface_fonts.h"
 #include "sim/core/error.h"
 
 namespace selvedge::editor {
@@ -30,7 +30,7 @@ class ViewportSurface : public app::EditSurface {
         io.IniFilename = nullptr;
         io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
         map_keys(io);
-        const std::filesystem::path font = app::find_fonts().regular;
+        const std::filesystem::path font = render::find_fonts().regular;
         if (!font.empty()) io.Fonts->AddFontFromFileTTF(font.c_str(), 15 * scale);
         io.Fonts->Build();
     }

@@ -1,4 +1,4 @@
-#include "app/baked_textures.h"
+#include "render/output/baked_textures.h"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "sim/exchange/mesh_file.h"
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge::app {
+namespace selvedge::render {
 namespace {
 
 // One flat square panel with its lower left corner at the origin of the material coordinates.
@@ -25,21 +25,21 @@ sim::DrawMesh square(float side, float grain = 0) {
     return mesh;
 }
 
-render::ClothItem cloth_of(const sim::DrawMesh& mesh, const std::string& threadcount) {
+ClothItem cloth_of(const sim::DrawMesh& mesh, const std::string& threadcount) {
     return {.mesh = mesh, .sett = sim::parse_threadcount(threadcount)};
 }
 
 // Linear light, at material coordinates.
-Vec3f colour_at(const render::Image& image, const sim::DrawMesh& mesh, const sim::AtlasOptions& atlas, Vec2d material) {
+Vec3f colour_at(const Image& image, const sim::DrawMesh& mesh, const sim::AtlasOptions& atlas, Vec2d material) {
     std::vector<sim::PanelPart> parts = split_by_panel(mesh);
     pack_panels(parts, atlas);
     const Vec2d uv = atlas.size_px * parts[0].chart->uv(material);
-    const render::Rgba8& pixel = image.at(static_cast<int>(uv.x()), atlas.size_px - 1 - static_cast<int>(uv.y()));
-    return render::to_linear(sim::Rgb8{pixel[0], pixel[1], pixel[2]});
+    const Rgba8& pixel = image.at(static_cast<int>(uv.x()), atlas.size_px - 1 - static_cast<int>(uv.y()));
+    return to_linear(sim::Rgb8{pixel[0], pixel[1], pixel[2]});
 }
 
 Vec3f reflected(const sim::Rgb8& colour) {
-    return 0.94F * render::to_linear(colour) + Vec3f::Constant(0.008F);
+    return 0.94F * to_linear(colour) + Vec3f::Constant(0.008F);
 }
 
 constexpr sim::Rgb8 kRed{0xC8, 0x10, 0x20}, kBlue{0x10, 0x20, 0xC8};
@@ -84,9 +84,9 @@ TEST(BakedTextures, show_single_yarns_and_their_relief_where_texels_are_fine) {
     int steepest = 0;
     for (int y = 100; y < 900; ++y) {
         for (int x = 100; x < 900; ++x, ++all) {
-            const render::Rgba8& colour = baked.base_colour.at(x, y);
+            const Rgba8& colour = baked.base_colour.at(x, y);
             (colour[0] > colour[2] ? red : blue)++;
-            const render::Rgba8& normal = baked.normal->at(x, y);
+            const Rgba8& normal = baked.normal->at(x, y);
             slope += Vec3d(normal[0] - 127.5, normal[1] - 127.5, 0);
             steepest = std::max(steepest, std::abs(normal[0] - 128));
         }
@@ -99,14 +99,14 @@ TEST(BakedTextures, show_single_yarns_and_their_relief_where_texels_are_fine) {
 TEST(BakedTextures, of_a_picture_are_the_picture_at_its_size_and_place) {
     const sim::AtlasOptions atlas{.size_px = 256, .margin_px = 8};
     const sim::DrawMesh mesh = square(0.2F);
-    render::Image halves(64, 64, {kRed[0], kRed[1], kRed[2], 255});
+    Image halves(64, 64, {kRed[0], kRed[1], kRed[2], 255});
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 64; ++x) halves.at(x, y) = {kBlue[0], kBlue[1], kBlue[2], 255};
-    render::ClothItem cloth{.mesh = mesh, .sett = {}};
-    cloth.picture = render::ClothPicture{.image = std::make_shared<const render::Image>(halves),
-                                         .size = {0.1F, 0.1F},
-                                         .position = {0.05F, 0.05F},
-                                         .is_repeated = false};
+    ClothItem cloth{.mesh = mesh, .sett = {}};
+    cloth.picture = ClothPicture{.image = std::make_shared<const Image>(halves),
+                                 .size = {0.1F, 0.1F},
+                                 .position = {0.05F, 0.05F},
+                                 .is_repeated = false};
     const BakedTextures baked = bake(mesh, {cloth}, atlas);
     EXPECT_LT((colour_at(baked.base_colour, mesh, atlas, {0.1, 0.07}) - reflected(kRed)).norm(), 0.01) << "below";
     EXPECT_LT((colour_at(baked.base_colour, mesh, atlas, {0.1, 0.13}) - reflected(kBlue)).norm(), 0.01) << "above";
@@ -117,7 +117,7 @@ TEST(BakedTextures, of_a_picture_are_the_picture_at_its_size_and_place) {
 TEST(BakedTextures, are_the_same_for_the_same_garment) {
     const sim::AtlasOptions atlas{.size_px = 256, .margin_px = 8};
     const sim::DrawMesh mesh = square(0.3F, 0.3F);
-    const std::vector<render::ClothItem> cloths{{.mesh = mesh, .sett = sim::find_tartan("buchanan")}};
+    const std::vector<ClothItem> cloths{{.mesh = mesh, .sett = sim::find_tartan("buchanan")}};
     const sim::GarmentTextures first = bake_pngs(mesh, cloths, atlas), second = bake_pngs(mesh, cloths, atlas);
     EXPECT_FALSE(first.base_colour.empty());
     EXPECT_EQ(first.base_colour, second.base_colour);
@@ -125,4 +125,4 @@ TEST(BakedTextures, are_the_same_for_the_same_garment) {
 }
 
 }  // namespace
-}  // namespace selvedge::app
+}  // namespace selvedge::render

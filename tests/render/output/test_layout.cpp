@@ -1,5 +1,5 @@
 // Legend placement: the legend never covers the subject, for any shape, any picture size, and a full turn.
-#include "app/picture.h"
+#include "render/output/picture.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "render/draw/renderer.h"
 
-namespace selvedge::app {
+namespace selvedge::render {
 namespace {
 
 struct Size {
@@ -40,11 +40,11 @@ sim::DrawMesh tube(const Size& size) {
 }
 
 // Opaque pixels of the subject in the legend's box, in the scene drawn without the legend.
-int hidden_pixels(const render::Scene& shown, const Layout& layout, const PictureOptions& options) {
-    render::Scene scene = shown;
+int hidden_pixels(const Scene& shown, const Layout& layout, const PictureOptions& options) {
+    Scene scene = shown;
     scene.background.is_transparent = true;
     scene.has_ground = false;
-    const render::Image image = render::Renderer().draw(scene, render_options(options));
+    const Image image = Renderer().draw(scene, render_options(options));
     const auto place = place_legend(*layout.legend, options.width_px, options.height_px, layout.corner);
     if (!place) return 0;
     int hidden = 0;
@@ -59,7 +59,7 @@ TEST(Layout, the_legend_hides_nothing_of_the_figure) {
     for (const Size size : {Size{1.0F, 1.0F}, {0.4F, 1.6F}, {2.0F, 0.5F}}) {
         const sim::DrawMesh mesh = tube(size);
         for (const auto& [width, height] : {std::pair{256, 256}, {400, 200}, {220, 400}}) {
-            for (const render::ShowMode mode : {render::ShowMode::Panels, render::ShowMode::Seams}) {
+            for (const ShowMode mode : {ShowMode::Panels, ShowMode::Seams}) {
                 PictureOptions options;
                 options.width_px = width;
                 options.height_px = height;
@@ -68,9 +68,9 @@ TEST(Layout, the_legend_hides_nothing_of_the_figure) {
                 EXPECT_EQ(hidden_pixels(layout.scene, layout, options), 0)
                     << size.width << " " << width << "x" << height;
                 Layout as_without = layout;
-                options.show = render::ShowMode::Plain;
+                options.show = ShowMode::Plain;
                 as_without.scene.camera = compose({.garment = mesh}, options).scene.camera;
-                as_without.corner = render::Corner::LowerLeft;
+                as_without.corner = Corner::LowerLeft;
                 would_hide += hidden_pixels(as_without.scene, as_without, options);
             }
         }
@@ -82,7 +82,7 @@ TEST(Layout, the_legend_hides_nothing_through_a_whole_turn) {
     const sim::DrawMesh mesh = tube({1.2F, 0.8F});
     PictureOptions options;
     options.width_px = options.height_px = 256;
-    options.show = render::ShowMode::Panels;
+    options.show = ShowMode::Panels;
     std::vector<float> turns;
     for (int i = 0; i < 8; ++i) turns.push_back(0.78539816F * float(i));
     const Layout layout = compose({.garment = mesh}, options, turns);
@@ -94,21 +94,21 @@ TEST(Layout, a_figure_that_leaves_a_corner_free_is_as_large_as_without_a_legend)
     const sim::DrawMesh mesh = tube({0.4F, 1.6F});
     PictureOptions options;
     options.width_px = options.height_px = 512;
-    const render::Camera plain = compose({.garment = mesh}, options).scene.camera;
-    options.show = render::ShowMode::Panels;
-    const render::Camera with_legend = compose({.garment = mesh}, options).scene.camera;
+    const Camera plain = compose({.garment = mesh}, options).scene.camera;
+    options.show = ShowMode::Panels;
+    const Camera with_legend = compose({.garment = mesh}, options).scene.camera;
     EXPECT_EQ(plain.eye, with_legend.eye);
 }
 
 TEST(Layout, a_camera_given_by_its_eye_is_left_as_it_is) {
     const sim::DrawMesh mesh = tube({1, 1});
     PictureOptions options;
-    options.show = render::ShowMode::Panels;
+    options.show = ShowMode::Panels;
     options.camera = parse_camera("0.5,1,2,0,0.5,0");
-    const render::Camera camera = compose({.garment = mesh}, options).scene.camera;
+    const Camera camera = compose({.garment = mesh}, options).scene.camera;
     EXPECT_EQ(camera.eye, Vec3f(0.5F, 1, 2));
     EXPECT_EQ(camera.target, Vec3f(0, 0.5F, 0));
 }
 
 }  // namespace
-}  // namespace selvedge::app
+}  // namespace selvedge::render

@@ -1,13 +1,13 @@
-#include "app/interface_fonts.h"
+#include "render/output/interface_fonts.h"
 
 #include <array>
 #include <system_error>
 
-#include "app/shipped_files.h"
+#include "render/output/shipped_files.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 
-namespace selvedge::app {
+namespace selvedge::render {
 namespace {
 
 struct Family {
@@ -47,14 +47,14 @@ FontFiles find_fonts(const std::vector<std::filesystem::path>& folders) {
     return {};
 }
 
-std::shared_ptr<const render::OutlineFont> read_legend_font(const FontFiles& files) {
+std::shared_ptr<const OutlineFont> read_legend_font(const FontFiles& files) {
     constexpr std::size_t kLargestFont = 64U << 20U;
     if (files.regular.empty()) return nullptr;
     try {
-        return render::OutlineFont::read(sim::read_file(files.regular, kLargestFont));
+        return OutlineFont::read(sim::read_file(files.regular, kLargestFont));
     } catch (const sim::InputError&) {  // the bitmap font will do
         return nullptr;
     }
 }
 
-}  // namespace selvedge::app
+}  // namespace selvedge::render

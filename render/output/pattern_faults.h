@@ -6,9 +6,8 @@
 
 #include "sim/pattern/fault.h"
 #include "sim/pattern/pattern.h"
-#include "sim/tartan/sett.h"
 
-namespace selvedge::app {
+namespace selvedge::render {
 
 // Of a file. Does not throw InputError.
 std::vector<sim::Fault> faults_of_file(const std::filesystem::path& path);
@@ -17,11 +16,4 @@ std::vector<sim::Fault> faults_of_file(const std::filesystem::path& path);
 // an error, of its surface designs. file: its name in the faults.
 void add_faults_of_dressing(const sim::Pattern& pattern, const std::string& file, std::vector<sim::Fault>& faults);
 
-// sim::find_tartan() of a name or threadcount that stands at this place of a file, or in an option (then no file): the
-// InputError for a wrong one names them.
-sim::Sett named_tartan(const std::string& name, const std::string& file, const std::string& place);
-
-// Tells what was found while a garment was read, as notes on stderr.
-void tell_warnings(const std::vector<sim::Fault>& warnings);
-
-}  // namespace selvedge::app
+}  // namespace selvedge::render

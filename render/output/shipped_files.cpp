@@ -1,4 +1,4 @@
-#include "app/shipped_files.h"
+#include "render/output/shipped_files.h"
 
 #include <dlfcn.h>
 #include <link.h>
@@ -8,7 +8,7 @@
 
 #include "sim/core/file_path.h"
 
-namespace selvedge::app {
+namespace selvedge::render {
 namespace {
 
 // Of the program or the module that holds this function.
@@ -44,4 +44,4 @@ void use_shipped_fonts() {
     if (sim::is_file(configuration)) ::setenv("FONTCONFIG_FILE", configuration.c_str(), kReplace);
 }
 
-}  // namespace selvedge::app
+}  // namespace selvedge::render

@@ -1,4 +1,4 @@
-#include "app/baked_textures.h"
+#include "render/output/baked_textures.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include "sim/core/parallel.h"
 #include "sim/exchange/mesh_file.h"
 
-namespace selvedge::app {
+namespace selvedge::render {
 namespace {
 
 float smoothstep(float low, float high, float x) {
@@ -30,7 +30,7 @@ int floored(float x) {
 // One system of parallel threads: prefix sums of its colours (render/draw/cloth_vertices.h).
 class Threads {
  public:
-    explicit Threads(render::SettSums sums) : sums_(std::move(sums)) {
+    explicit Threads(SettSums sums) : sums_(std::move(sums)) {
         for (std::size_t k = 0; k + 1 < sums_.sums.size(); ++k) {
             steps_.emplace_back(sums_.sums[k + 1] - sums_.sums[k]);
             colours_.emplace_back(sums_.mean + sums_.sums[k + 1] - sums_.sums[k]);
@@ -52,7 +52,7 @@ class Threads {
         return sums_.sums[k] + (t - static_cast<float>(thread)) * steps_[k];
     }
 
-    render::SettSums sums_;
+    SettSums sums_;
     std::vector<Vec3f> steps_, colours_;  // of each thread
 };
 
@@ -60,8 +60,7 @@ class Threads {
 // yarns as heights.
 class WovenCloth {
  public:
-    explicit WovenCloth(const sim::Sett& sett)
-        : warp_(render::sum_warp(sett)), weft_(render::sum_weft(sett)), weave_(sett.weave) {
+    explicit WovenCloth(const sim::Sett& sett) : warp_(sum_warp(sett)), weft_(sum_weft(sett)), weave_(sett.weave) {
         for (int at = 0; at < kPeriod; ++at) seen_[static_cast<std::size_t>(at)] = shows_warp(at);
     }
 
@@ -137,8 +136,8 @@ class WovenCloth {
 
 class PrintedCloth {
  public:
-    explicit PrintedCloth(const render::ClothPicture& picture)
-        : picture_(picture), rows_(render::picture_rows(picture)), ground_(render::to_linear(picture.ground)) {}
+    explicit PrintedCloth(const ClothPicture& picture)
+        : picture_(picture), rows_(picture_rows(picture)), ground_(to_linear(picture.ground)) {}
 
     // Linear light, mean over the parallelogram about a place on the fabric (m) that these two steps span.
     Vec3f colour(const Vec2f& place, const Vec2f& right, const Vec2f& up) const {
@@ -156,8 +155,8 @@ class PrintedCloth {
 
  private:
     Vec3f pixel(int x, int y) const {
-        const render::Rgba8& colour = picture_.image->at(x, y);
-        return render::to_linear(sim::Rgb8{colour[0], colour[1], colour[2]});
+        const Rgba8& colour = picture_.image->at(x, y);
+        return to_linear(sim::Rgb8{colour[0], colour[1], colour[2]});
     }
 
     Vec3f at(const Vec2f& place) const {
@@ -178,7 +177,7 @@ class PrintedCloth {
                low_share * ((1 - right_share) * pixel(x0, y1) + right_share * pixel(x1, y1));
     }
 
-    const render::ClothPicture& picture_;
+    const ClothPicture& picture_;
     std::array<Vec3f, 2> rows_;
     Vec3f ground_;
 };
@@ -186,7 +185,7 @@ class PrintedCloth {
 // The cloth of one panel, by its place on the fabric.
 class PanelCloth {
  public:
-    explicit PanelCloth(const render::ClothItem& item)
+    explicit PanelCloth(const ClothItem& item)
         : position_(item.sett_position), spacing_(static_cast<float>(item.sett.thread_spacing) * item.sett_scale) {
         if (item.picture) {
             printed_.emplace(*item.picture);
@@ -245,14 +244,14 @@ std::uint8_t as_byte(float component) {
     return static_cast<std::uint8_t>(std::lround(127.5F + 127.5F * std::clamp(component, -1.0F, 1.0F)));
 }
 
-using Srgb = render::SrgbTable<float, 16384>;  // dark colours too are within half a step of a byte
+using Srgb = SrgbTable<float, 16384>;  // dark colours too are within half a step of a byte
 
 void bake_panel(const sim::PanelPart& part, const PanelCloth& cloth, const sim::AtlasOptions& atlas, const Srgb& srgb,
                 BakedTextures& textures) {
     const Rectangle at = rectangle_of(part, atlas);
     const double texel = 1.0 / atlas.size_px;
     const float c = std::cos(part.grain_angle), s = std::sin(part.grain_angle);
-    const auto place_of = [&](double u, double v) -> Vec2f {  // render::place_on_fabric(), with the grain's sine kept
+    const auto place_of = [&](double u, double v) -> Vec2f {  // place_on_fabric(), with the grain's sine kept
         const Vec2f material = part.chart->material({u, v}).cast<float>();
         return Vec2f(c * material.x() + s * material.y(), -s * material.x() + c * material.y()) + part.sett_offset;
     };
@@ -276,8 +275,8 @@ void bake_panel(const sim::PanelPart& part, const PanelCloth& cloth, const sim::
 }
 
 // The item that holds the panel's triangles.
-const render::ClothItem& cloth_of(const std::string& panel, const std::vector<render::ClothItem>& cloths) {
-    const auto holds = [&](const render::ClothItem& cloth) {
+const ClothItem& cloth_of(const std::string& panel, const std::vector<ClothItem>& cloths) {
+    const auto holds = [&](const ClothItem& cloth) {
         for (std::size_t t = 0; t < cloth.mesh.triangles.size(); ++t) {
             const std::size_t p = panel_of(cloth.mesh, t);
             if (p < cloth.mesh.panel_names.size() && cloth.mesh.panel_names[p] == panel) return true;
@@ -290,14 +289,13 @@ const render::ClothItem& cloth_of(const std::string& panel, const std::vector<re
 
 }  // namespace
 
-BakedTextures bake(const sim::DrawMesh& mesh, const std::vector<render::ClothItem>& cloths,
-                   const sim::AtlasOptions& atlas) {
+BakedTextures bake(const sim::DrawMesh& mesh, const std::vector<ClothItem>& cloths, const sim::AtlasOptions& atlas) {
     SELVEDGE_ASSERT(!cloths.empty() && !mesh.u.empty());
     std::vector<sim::PanelPart> parts = split_by_panel(mesh);
     pack_panels(parts, atlas);
-    constexpr render::Rgba8 kFlat{128, 128, 255, 255};
-    BakedTextures textures{.base_colour = render::Image(atlas.size_px, atlas.size_px, {128, 128, 128, 255}),
-                           .normal = render::Image(atlas.size_px, atlas.size_px, kFlat)};
+    constexpr Rgba8 kFlat{128, 128, 255, 255};
+    BakedTextures textures{.base_colour = Image(atlas.size_px, atlas.size_px, {128, 128, 128, 255}),
+                           .normal = Image(atlas.size_px, atlas.size_px, kFlat)};
     const Srgb srgb;
     bool has_relief = false;
     for (const sim::PanelPart& part : parts) {
@@ -309,7 +307,7 @@ BakedTextures bake(const sim::DrawMesh& mesh, const std::vector<render::ClothIte
     return textures;
 }
 
-sim::GarmentTextures bake_pngs(const sim::DrawMesh& mesh, const std::vector<render::ClothItem>& cloths,
+sim::GarmentTextures bake_pngs(const sim::DrawMesh& mesh, const std::vector<ClothItem>& cloths,
                                const sim::AtlasOptions& atlas) {
     if (mesh.u.empty() || mesh.triangles.empty() || cloths.empty()) return {};
     const BakedTextures textures = bake(mesh, cloths, atlas);
@@ -323,4 +321,4 @@ sim::GarmentTextures bake_pngs(const sim::DrawMesh& mesh, const std::vector<rend
     return pngs;
 }
 
-}  // namespace selvedge::app
+}  // namespace selvedge::render

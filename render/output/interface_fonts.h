@@ -7,7 +7,7 @@
 
 #include "render/image/outline_font.h"
 
-namespace selvedge::app {
+namespace selvedge::render {
 
 struct FontFiles {
     std::filesystem::path regular;  // empty: none was found
@@ -21,6 +21,6 @@ std::vector<std::filesystem::path> font_folders();
 FontFiles find_fonts(const std::vector<std::filesystem::path>& folders = font_folders());
 
 // For legends in pictures and in the 3D view. Null: no font is installed, or its file cannot be read.
-std::shared_ptr<const render::OutlineFont> read_legend_font(const FontFiles& files = find_fonts());
+std::shared_ptr<const OutlineFont> read_legend_font(const FontFiles& files = find_fonts());
 
-}  // namespace selvedge::app
+}  // namespace selvedge::render

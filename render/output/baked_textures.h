@@ -13,22 +13,21 @@
 #include "sim/exchange/garment_export.h"
 #include "sim/mesh/draw_mesh.h"
 
-namespace selvedge::app {
+namespace selvedge::render {
 
 struct BakedTextures {
-    render::Image base_colour;  // sRGB
+    Image base_colour;  // sRGB
     // Tangent space, +x along u, +y up in the picture, 128 = 0. None: no texel is fine enough to show a yarn.
-    std::optional<render::Image> normal;
+    std::optional<Image> normal;
 };
 
 // cloths: what the panels look like, as ClothLooks::parts() divides the mesh's panels; they name all panels in the same
 // order as the mesh. Throws InputError if the panels do not fit in the texture. Pre: the mesh has material coordinates,
 // and there is a cloth.
-BakedTextures bake(const sim::DrawMesh& mesh, const std::vector<render::ClothItem>& cloths,
-                   const sim::AtlasOptions& atlas);
+BakedTextures bake(const sim::DrawMesh& mesh, const std::vector<ClothItem>& cloths, const sim::AtlasOptions& atlas);
 
 // The same as PNG files in memory; none for a mesh without material coordinates, or for size 0.
-sim::GarmentTextures bake_pngs(const sim::DrawMesh& mesh, const std::vector<render::ClothItem>& cloths,
+sim::GarmentTextures bake_pngs(const sim::DrawMesh& mesh, const std::vector<ClothItem>& cloths,
                                const sim::AtlasOptions& atlas);
 
-}  // namespace selvedge::app
+}  // namespace selvedge::render

@@ -1,6 +1,5 @@
-#include "app/pattern_faults.h"
+#include "render/output/pattern_faults.h"
 
-#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -9,15 +8,15 @@
 #include "sim/core/json.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/session/dress_check.h"
-#include "sim/tartan/tartan_file.h"
+#include "sim/tartan/named_tartan.h"
 
-namespace selvedge::app {
+namespace selvedge::render {
 namespace {
 
 // Looks up the names in the pattern in the same way as dress does.
 void add_faults_of_names(const sim::Pattern& pattern, const std::string& file, std::vector<sim::Fault>& faults) {
     try {
-        if (!pattern.tartan.empty()) named_tartan(pattern.tartan, file, "selvedge.tartan");
+        if (!pattern.tartan.empty()) sim::named_tartan(pattern.tartan, file, "selvedge.tartan");
     } catch (const sim::InputError& error) {
         faults.push_back({.severity = sim::Severity::Error,
                           .file = error.file(),
@@ -33,7 +32,7 @@ void add_faults_of_designs(const sim::Pattern& pattern, const std::string& file,
         try {
             sim::Pattern one;
             one.surface = design;
-            render::ClothLooks(render::ClothLooks::Unknown::Fail).read(one);
+            ClothLooks(ClothLooks::Unknown::Fail).read(one);
         } catch (const sim::InputError& error) {
             const std::string picture = error.file().empty() ? "" : error.file() + ": ";
             faults.push_back(
@@ -45,7 +44,7 @@ void add_faults_of_designs(const sim::Pattern& pattern, const std::string& file,
         check(panel.surface, sim::json_path("pattern.panels", panel.name) + ".selvedge.surface");
     if (has_error(faults)) return;
     try {
-        render::ClothLooks(render::ClothLooks::Unknown::Fail).read(pattern);  // those of fabrics too
+        ClothLooks(ClothLooks::Unknown::Fail).read(pattern);  // those of fabrics too
     } catch (const sim::InputError& error) {
         faults.push_back(
             {.severity = sim::Severity::Error, .file = file, .place = "selvedge.fabric", .problem = error.what()});
@@ -75,17 +74,4 @@ std::vector<sim::Fault> faults_of_file(const std::filesystem::path& path) {
     return faults;
 }
 
-sim::Sett named_tartan(const std::string& name, const std::string& file, const std::string& place) {
-    try {
-        return sim::find_tartan(name);
-    } catch (const sim::InputError& error) {
-        const std::string stripe = error.place() == "tartan" || error.place().empty() ? "" : error.place() + ": ";
-        throw sim::InputError(file, place, stripe + error.problem());
-    }
-}
-
-void tell_warnings(const std::vector<sim::Fault>& warnings) {
-    for (const sim::Fault& warning : warnings) std::fprintf(stderr, "selvedge: note: %s\n", describe(warning).c_str());
-}
-
-}  // namespace selvedge::app
+}  // namespace selvedge::render
