@@ -15,6 +15,8 @@ std::string argument_name(std::string place) {
     place.erase(0, 2);
     std::ranges::replace(place, '-', '_');
     constexpr std::string_view kBody = "body_";
+    if (place == "from") return "start";  // a word of the language
+    if (place == "to") return "end";
     return place.starts_with(kBody) ? place.substr(kBody.size()) : place;
 }
 

@@ -2,8 +2,10 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include "python/animations.h"
 #include "python/bodies.h"
 #include "python/errors.h"
+#include "python/forks.h"
 #include "python/meshes.h"
 #include "python/patterns.h"
 #include "python/pictures.h"
@@ -23,6 +25,8 @@ PYBIND11_MODULE(_selvedge, module) {
     selvedge::python::add_results(module);
     selvedge::python::add_pictures(module);
     selvedge::python::add_sessions(module);
+    selvedge::python::add_animations(module);
+    selvedge::python::survive_forks();
     module.def("fabric_names", &selvedge::sim::fabric_names,
                "The names of the fabrics that ship, in alphabetical order.");
     module.def("tartan_names", &selvedge::sim::shipped_tartans,
