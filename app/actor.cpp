@@ -56,11 +56,14 @@ sim::Clip choose_motion(const MotionChoice& motion, const sim::MadeBody& own, co
 }  // namespace
 
 Actor make_actor(const BodyOptions& body, const MotionChoice& motion) {
-    const sim::MadeBody own = make_body(body);
+    return make_actor(make_body(body), body.source, motion);
+}
+
+Actor make_actor(const sim::MadeBody& own, const std::string& source, const MotionChoice& motion) {
     std::vector<std::string> notes = own.notes;
     if (own.body->skin.empty())
-        throw sim::InputError(body.source, "skin", "is missing: a body moves by bones that its surface is bound to");
-    sim::Clip clip = choose_motion(motion, own, body.source, notes);
+        throw sim::InputError(source, "skin", "is missing: a body moves by bones that its surface is bound to");
+    sim::Clip clip = choose_motion(motion, own, source, notes);
     notes.insert(notes.end(), clip.notes.begin(), clip.notes.end());
     const bool is_of_body = is_own(motion, own);
     return {.body = own.body,

@@ -27,4 +27,7 @@ struct MotionChoice {
 // Throws InputError. Pre: body.source is not empty.
 Actor make_actor(const BodyOptions& body, const MotionChoice& motion);
 
+// Of a body that is made already. source: its name in messages.
+Actor make_actor(const sim::MadeBody& own, const std::string& source, const MotionChoice& motion);
+
 }  // namespace selvedge::app

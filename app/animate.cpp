@@ -68,18 +68,22 @@ void add_output_options(Command& command, AnimateArguments& arguments) {
 
 }  // namespace
 
+void add_animation_options(Command& command, AnimateArguments& arguments) {
+    arguments.picture.width_px = arguments.picture.height_px = 720;
+    add_motion_options(command, arguments);
+    add_picture_options(command, arguments.picture);
+    add_output_options(command, arguments);
+}
+
 void add_animate_command(Command& app, int& exit_code) {
     auto arguments = std::make_shared<AnimateArguments>();
-    arguments->picture.width_px = arguments->picture.height_px = 720;
     Command& command = add_command(app, "animate", "Dress a body and let it move: a film, or a cache for Blender");
     add_garment_options(command, arguments->garment);
     add_thread_options(command, arguments->garment);
     add_body_options(command, arguments->body,
                      "Body that moves: mannequin[:sex=female,bust=92,...], or a .glb, .gltf or .fbx file with bones "
                      "(default: the pattern's, or mannequin:sex=female)");
-    add_motion_options(command, *arguments);
-    add_picture_options(command, arguments->picture);
-    add_output_options(command, *arguments);
+    add_animation_options(command, *arguments);
     set_footer(
         command,
         "The body is dressed at rest, goes over into the motion within --blend seconds, and moves. Ctrl-C ends early\n"

@@ -37,4 +37,12 @@ ExportOptions read_export_options(const std::vector<std::string>& texts) {
     return options;
 }
 
+AnimateArguments read_animation_options(const std::vector<std::string>& texts) {
+    Command command;
+    AnimateArguments arguments;
+    add_animation_options(command, arguments);
+    parse_arguments(command, texts);
+    return arguments;
+}
+
 }  // namespace selvedge::app

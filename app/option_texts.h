@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/animation_run.h"
 #include "app/dress_command.h"
 #include "app/garment_files.h"
 #include "app/options.h"
@@ -21,5 +22,8 @@ struct ExportOptions {
     GarmentFileOptions files;
 };
 ExportOptions read_export_options(const std::vector<std::string>& texts);
+
+// Those of animate that are not of the garment and the body.
+AnimateArguments read_animation_options(const std::vector<std::string>& texts);
 
 }  // namespace selvedge::app

@@ -159,4 +159,9 @@ Printed print_pattern(const sim::Pattern& pattern, const std::filesystem::path& 
     return printed;
 }
 
+std::string svg_of_pattern(const sim::Pattern& pattern) {
+    std::string done;
+    return write_svg(pattern, {}, done);
+}
+
 }  // namespace selvedge::app

@@ -23,4 +23,7 @@ inline constexpr std::array<std::string_view, 3> kPrintFormats{".pdf", ".svg", "
 // Replaces the file; its extension selects the format. Throws InputError.
 Printed print_pattern(const sim::Pattern& pattern, const std::filesystem::path& file, const PrintSettings& settings);
 
+// The sheet of print_pattern()'s SVG, with all layers. Throws InputError.
+std::string svg_of_pattern(const sim::Pattern& pattern);
+
 }  // namespace selvedge::app

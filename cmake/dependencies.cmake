@@ -31,9 +31,10 @@ find_package(PNG REQUIRED)                     # render/image
 find_path(SELVEDGE_STB_FOLDER stb_truetype.h PATH_SUFFIXES stb REQUIRED)  # render/image/outline_font
 if(SELVEDGE_TESTS)
   find_package(GTest REQUIRED)                 # tests
+  set(SELVEDGE_NUMPY NumPy)                    # of tests/python; the module itself takes it when it runs
 endif()
 if(SELVEDGE_PYTHON)
-  find_package(Python3 3.10 REQUIRED COMPONENTS Interpreter Development.Module NumPy)  # python
+  find_package(Python3 3.10 REQUIRED COMPONENTS Interpreter Development.Module ${SELVEDGE_NUMPY})  # python
   set(PYBIND11_FINDPYTHON ON)
   find_package(pybind11 2.10 REQUIRED)         # python
 endif()

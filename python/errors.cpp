@@ -1,10 +1,21 @@
 #include "python/errors.h"
 
 #include <exception>
+#include <string>
 
 #include "sim/core/argument_name.h"
 
 namespace selvedge::python {
+namespace {
+
+// As sim::argument_name(), but of arguments whose names on the command line are words of Python.
+std::string argument_of(const std::string& place) {
+    if (place == "--from") return "start";
+    if (place == "--to") return "end";
+    return sim::argument_name(place);
+}
+
+}  // namespace
 
 void translate_errors() {
     py::register_local_exception_translator([](std::exception_ptr pointer) {
@@ -13,7 +24,7 @@ void translate_errors() {
         } catch (const sim::InputError& error) {
             const py::object type = py::module_::import("selvedge._errors").attr("InputError");
             PyErr_SetObject(type.ptr(),
-                            py::make_tuple(error.file(), sim::argument_name(error.place()), error.problem()).ptr());
+                            py::make_tuple(error.file(), argument_of(error.place()), error.problem()).ptr());
         }
     });
 }

@@ -5,6 +5,7 @@
 
 #include <pybind11/stl.h>
 
+#include "app/print_files.h"
 #include "python/errors.h"
 #include "python/pattern_record.h"
 #include "python/pickles.h"
@@ -63,6 +64,11 @@ py::list tuples_of(const std::vector<sim::Fault>& faults) {
     return tuples;
 }
 
+std::string svg_of(const DocumentPointer& document) {
+    const py::gil_scoped_release release;
+    return app::svg_of_pattern(document->content.pattern);
+}
+
 py::list faults_of(const DocumentPointer& document) {
     std::vector<sim::Fault> faults;
     {
@@ -100,6 +106,7 @@ void add_patterns(py::module_& module) {
     module.def(
         "_text", [](const DocumentPointer& document) { return sim::write_pattern(document->content); },
         py::arg("document"), "The document as the text of a garment file.");
+    module.def("_svg", &svg_of, py::arg("document"), "The pattern's sheet as an SVG, at its true size.");
     module.def("_faults", &faults_of, py::arg("document"), "(severity, file, place, problem) of each fault.");
     module.def("_faults_of_file", &faults_of_file, py::arg("path"), "The same of a file.");
 }

@@ -21,6 +21,12 @@
 #include "render/output/interface_fonts.h"
 
 namespace selvedge::python {
+
+std::mutex& drawing() {
+    static std::mutex mutex;
+    return mutex;
+}
+
 namespace {
 
 // Shape (height, width, 4), uint8, over the picture's own memory.
@@ -64,20 +70,36 @@ py::array render_mesh(const GarmentMeshView& mesh, const BodyPointer& body, cons
     return picture_array(std::move(image));
 }
 
-void write_picture(const py::object& picture, const std::filesystem::path& path) {
+// name: of what the picture is for, in messages.
+render::Image image_of(const py::object& picture, const std::string& name) {
     const auto array = py::array_t<std::uint8_t, py::array::c_style>::ensure(picture);
     PyErr_Clear();
     if (!array || array.ndim() != 3 || array.shape(0) < 1 || array.shape(1) < 1 || array.shape(2) < 3 ||
         array.shape(2) > 4)
         throw sim::InputError("", "picture", "must be a uint8 array of shape (height, width, 3 or 4)");
-    render::check_image_size(array.shape(1), array.shape(0), path.string());
+    render::check_image_size(array.shape(1), array.shape(0), name);
     render::Image image(static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0)));
     const auto channels = static_cast<std::size_t>(array.shape(2));
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         std::copy_n(array.data() + i * channels, channels, image.pixels[i].begin());
+    return image;
+}
+
+void write_picture(const py::object& picture, const std::filesystem::path& path) {
+    const render::Image image = image_of(picture, path.string());
     const py::gil_scoped_release release;
     app::check_output(path, app::kPictureExtensions);
     write_png(path, image);
+}
+
+py::bytes png_of(const py::object& picture) {
+    const render::Image image = image_of(picture, "");
+    std::string bytes;
+    {
+        const py::gil_scoped_release release;
+        bytes = encode_png(image);
+    }
+    return bytes;
 }
 
 }  // namespace
@@ -87,6 +109,7 @@ void add_pictures(py::module_& module) {
                "A picture of a result.");
     module.def("_render_mesh", &render_mesh, py::arg("mesh"), py::arg("body").none(true), py::arg("options"),
                py::arg("fabric"), "A picture of a mesh.");
+    module.def("_png", &png_of, py::arg("picture"), "A picture as the bytes of a PNG file.");
     module.def("write_png", &write_picture, py::arg("picture"), py::arg("path"),
                "Writes a picture, uint8 of shape (height, width, 3 or 4), as a PNG file. Raises InputError.");
 }

@@ -12,10 +12,16 @@ Arrays of results are read-only views without a copy. Wrong input raises InputEr
 
 from __future__ import annotations
 
+try:
+    import numpy
+except ModuleNotFoundError:
+    raise ModuleNotFoundError("selvedge needs NumPy, which is not installed: pip install numpy") from None
+
 from selvedge import _arguments, _selvedge
 
 _arguments.check_arguments_of(_selvedge)  # first: the others take the functions from there
 
+from selvedge._animate import Animation, animate
 from selvedge._batch import batch, program
 from selvedge._dress import Session, dress, export, mannequin, render
 from selvedge._errors import InputError
@@ -34,13 +40,29 @@ from selvedge._pattern import (
     check,
     load_pattern,
 )
-from selvedge._selvedge import Body, Frame, Mesh, Result, fabric_names, load_body, load_mesh, tartan_names
+from selvedge._selvedge import (
+    AnimationFrame,
+    Body,
+    Frame,
+    Mesh,
+    Result,
+    fabric_names,
+    load_body,
+    load_mesh,
+    tartan_names,
+    write_png,
+)
 from selvedge._selvedge import version as __version__
-from selvedge._selvedge import write_png
+
+from selvedge import _notebook  # isort: skip
 
 Result.export = export  # type: ignore[method-assign]
 
+del numpy, _notebook
+
 __all__ = [
+    "Animation",
+    "AnimationFrame",
     "Body",
     "Edge",
     "Elastic",
@@ -58,6 +80,7 @@ __all__ = [
     "Session",
     "Thread",
     "Topstitch",
+    "animate",
     "batch",
     "check",
     "dress",

@@ -8,20 +8,21 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NoReturn
 
 from selvedge._errors import InputError
 from selvedge._pattern import PathLike
 
 
 def program() -> pathlib.Path:
-    """The program that belongs to this module: $SELVEDGE_PROGRAM, or the one beside it in the build folder or the
-    install prefix, or the one on the path. Raises InputError if there is none."""
+    """The program that belongs to this module: $SELVEDGE_PROGRAM, or the one that a wheel has in it, or that is beside
+    the module in the build folder or the install prefix, or the one on the path. Raises InputError if there is none."""
     named = os.environ.get("SELVEDGE_PROGRAM")
     if named:
         return pathlib.Path(named)
-    for folder in pathlib.Path(__file__).resolve().parents[1:]:
+    for folder in pathlib.Path(__file__).resolve().parents:
         for candidate in (folder / "selvedge", folder / "bin" / "selvedge"):
             if candidate.is_file() and os.access(candidate, os.X_OK):
                 return candidate
@@ -29,6 +30,12 @@ def program() -> pathlib.Path:
     if found:
         return pathlib.Path(found)
     raise InputError("", "SELVEDGE_PROGRAM", "the program selvedge was not found: name it in this variable")
+
+
+def run_program() -> NoReturn:
+    """Becomes the program, with the arguments of this process: the command `selvedge` that a wheel installs."""
+    command = program()
+    os.execv(command, [os.fspath(command), *sys.argv[1:]])
 
 
 _COUNT = re.compile(r"\] (\d+) of (\d+)")

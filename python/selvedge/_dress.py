@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Union
 
 from selvedge import _selvedge
 from selvedge._pattern import PathLike, Pattern, document_of
-from selvedge._selvedge import Body, Frame, Mesh, Result
+from selvedge._selvedge import AnimationFrame, Body, Frame, Mesh, Result
 
 if TYPE_CHECKING:
     import numpy as np
@@ -29,8 +29,16 @@ def _body_of(body: BodyLike) -> Body:
     return _selvedge._body_named(os.fspath(body))
 
 
-def _body_if_any(body: BodyLike | None) -> Body | None:
+def body_if_any(body: BodyLike | None) -> Body | None:
+    """The body of an argument. Not a part of the interface."""
     return None if body is None else _body_of(body)
+
+
+def documents_of(over: Sequence[PatternLike]) -> list[_selvedge._Document]:
+    """The documents of patterns. Not a part of the interface."""
+    if isinstance(over, (str, os.PathLike, Pattern)):
+        raise TypeError("over must be a list of patterns or paths")
+    return [document_of(one) for one in over]
 
 
 def mannequin(
@@ -107,10 +115,9 @@ def dress(
     arguments = _selvedge._DressArguments(
         fabric or "", edge_length, max_level, shortest_edge, triangles, self_collision
     )
-    if isinstance(over, (str, os.PathLike, Pattern)):
-        raise TypeError("over must be a list of patterns or paths")
-    documents = [document_of(one) for one in over]
-    return _selvedge._dress(document_of(pattern), _body_if_any(body), documents, arguments, seconds, threads, progress)
+    return _selvedge._dress(
+        document_of(pattern), body_if_any(body), documents_of(over), arguments, seconds, threads, progress
+    )
 
 
 def _option(name: str, value: object) -> str:
@@ -121,8 +128,48 @@ def _numbers(values: Sequence[float] | npt.NDArray[np.float64], scale: float = 1
     return ",".join(repr(round(float(value) * scale, 12)) for value in values)
 
 
+def numbers_option(name: str, values: Sequence[float]) -> str:
+    """An option of numbers. Not a part of the interface."""
+    return _option(name, _numbers(values))
+
+
+def number_option(name: str, value: int) -> str:
+    """An option of a whole number. Not a part of the interface."""
+    return _option(name, int(value))
+
+
+def picture_options(
+    size: tuple[int, int],
+    view: str,
+    camera: Sequence[float] | None,
+    frame: str,
+    show: str,
+    tartan: str | None,
+    design: str | None,
+    sett_size: float | None,
+    sett_position: tuple[float, float] | None,
+    surface: str | None,
+    samples: int,
+    supersample: int,
+) -> list[str]:
+    """The options of pictures, as the command takes them. Not a part of the interface."""
+    if isinstance(size, str) or len(size) != 2:
+        raise TypeError("size must be (width, height)")
+    width, height = size
+    options = [_option("size", f"{int(width)}x{int(height)}"), _option("frame", frame), _option("show", show)]
+    options += [_option("samples", samples), _option("supersample", supersample)]
+    options.append(_option("view", view) if camera is None else _option("camera", _numbers(camera)))
+    texts = {"tartan": tartan, "design": design, "surface": surface}
+    options += [_option(name, text) for name, text in texts.items() if text is not None]
+    if sett_size is not None:
+        options.append(_option("sett-size", _numbers([sett_size], 100)))
+    if sett_position is not None:
+        options.append(_option("sett-position", _numbers(sett_position, 100)))
+    return options
+
+
 def render(
-    subject: Result | Mesh | Frame,
+    subject: Result | Mesh | Frame | AnimationFrame | Body,
     body: BodyLike | None = None,
     *,
     size: tuple[int, int] = (1024, 1024),
@@ -140,7 +187,7 @@ def render(
     transparent: bool = False,
     fabric: str | None = None,
 ) -> Picture:
-    """Draws a garment: the picture of `selvedge dress --render`, or for a Mesh or Frame that of `selvedge render`.
+    """Draws a garment: the picture of `selvedge dress --render`, or for others than a Result that of `selvedge render`.
 
     Returns uint8 of shape (height, width, 4): red, green, blue, alpha, from the top left.
     body: drawn with it, as of dress(); None: a result's own body, and for a mesh none. size: (width, height) in pixels.
@@ -151,26 +198,20 @@ def render(
     of either, m. sett_position: where it begins, (weft, warp), m. surface: draw a curved surface: flat, constant,
     linear, ... fabric: of a mesh, how it takes light. Raises InputError.
     """
-    if not isinstance(subject, (Result, Mesh, Frame)):
-        raise TypeError(f"subject must be a Result, a Mesh or a Frame, not {type(subject).__name__}")
-    if isinstance(size, str) or len(size) != 2:
-        raise TypeError("size must be (width, height)")
-    width, height = size
-    options = [_option("size", f"{int(width)}x{int(height)}"), _option("frame", frame), _option("show", show)]
-    options += [_option("samples", samples), _option("supersample", supersample)]
-    options.append(_option("view", view) if camera is None else _option("camera", _numbers(camera)))
-    texts = {"tartan": tartan, "design": design, "surface": surface}
-    options += [_option(name, text) for name, text in texts.items() if text is not None]
-    if sett_size is not None:
-        options.append(_option("sett-size", _numbers([sett_size], 100)))
-    if sett_position is not None:
-        options.append(_option("sett-position", _numbers(sett_position, 100)))
+    if not isinstance(subject, (Result, Mesh, Frame, AnimationFrame, Body)):
+        raise TypeError(f"subject must be a Result, a Mesh, a frame or a Body, not {type(subject).__name__}")
+    options = picture_options(
+        size, view, camera, frame, show, tartan, design, sett_size, sett_position, surface, samples, supersample
+    )
     if transparent:
         options.append("--transparent")
     if isinstance(subject, Result):
-        return _selvedge._render_result(subject, _body_if_any(body), options)
-    mesh = subject.mesh if isinstance(subject, Frame) else subject
-    return _selvedge._render_mesh(mesh, _body_if_any(body), options, fabric or "")
+        return _selvedge._render_result(subject, body_if_any(body), options)
+    if isinstance(subject, Body):
+        mesh = Mesh(subject.vertices, subject.triangles)
+    else:
+        mesh = subject if isinstance(subject, Mesh) else subject.mesh
+    return _selvedge._render_mesh(mesh, body_if_any(body), options, fabric or "")
 
 
 def export(
@@ -222,7 +263,7 @@ class Session(_selvedge._Session):
         arguments = _selvedge._DressArguments(
             fabric or "", edge_length, max_level, shortest_edge, triangles, self_collision
         )
-        super().__init__(document_of(pattern), _body_if_any(body), arguments, threads)
+        super().__init__(document_of(pattern), body_if_any(body), arguments, threads)
 
     def set_body(self, body: BodyLike) -> None:
         """Changes the body; the garment starts again. Raises InputError for a wrong one, and changes nothing then."""

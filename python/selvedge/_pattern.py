@@ -280,6 +280,12 @@ class Pattern:
         """
         _selvedge._save(document_of(self), os.fspath(path))
 
+    def _repr_html_(self) -> str:
+        """What notebooks show: its sheet."""
+        from selvedge._notebook import pattern_html  # it imports this module
+
+        return pattern_html(self)
+
     def check(self) -> list[Fault]:
         """All faults of the pattern, as `selvedge check` lists them; empty: none. Does not raise InputError."""
         try:

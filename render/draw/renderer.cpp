@@ -331,7 +331,10 @@ struct Renderer::Impl {
 
 Renderer::Renderer(std::optional<ContextKind> maker) : impl_(std::make_unique<Impl>(make_context(maker))) {}
 Renderer::Renderer(GlContext& shared) : impl_(std::make_unique<Impl>(shared)) {}
-Renderer::~Renderer() = default;
+
+Renderer::~Renderer() {
+    impl_->context.make_current();  // what it deletes is of this context
+}
 
 const GlContext& Renderer::context() const {
     return impl_->context;

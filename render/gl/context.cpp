@@ -1,7 +1,11 @@
 #include "render/gl/context.h"
 
 #include <dlfcn.h>
+#include <link.h>
+#include <sys/mman.h>
+#include <unistd.h>
 #include <array>
+#include <atomic>
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
@@ -10,6 +14,7 @@
 
 #include "sim/core/assert.h"
 #include "sim/core/atomic_file.h"
+#include "sim/core/file.h"
 #include "sim/core/passing_error.h"
 #include "sim/core/process_memory.h"
 
@@ -24,8 +29,15 @@ namespace {
 // behind.
 class SharedLibrary {
  public:
-    explicit SharedLibrary(const char* name) : handle_(dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
+    explicit SharedLibrary(const std::string& name) : handle_(dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) {
         if (handle_ == nullptr) throw std::runtime_error(dlerror());
+    }
+
+    // Where it was found.
+    std::string path() const {
+        const link_map* map = nullptr;
+        if (dlinfo(handle_, RTLD_DI_LINKMAP, static_cast<void*>(&map)) != 0) throw std::runtime_error(dlerror());
+        return map->l_name;
     }
 
     template <class Function>
@@ -37,6 +49,15 @@ class SharedLibrary {
 
  private:
     void* handle_;
+};
+
+// Mesa keeps threads for the life of a process. A forked child has Mesa's state but not its threads, for which it would
+// wait for ever. Set when a context is first made; 0: none was.
+struct DrawingProcess {
+    pid_t id = 0;
+    std::string library;  // that it draws by: its path
+
+    bool is_parent() const { return id != 0 && id != getpid(); }
 };
 
 // EGL without a surface: replaces OSMesa in newer Mesa versions, and uses a GPU if there is one.
@@ -107,6 +128,12 @@ class SurfacelessContext final : public GlContext {
 };
 
 std::unique_ptr<GlContext> make_egl_context() {
+    static DrawingProcess process;
+    if (process.is_parent())
+        throw std::runtime_error(
+            "cannot draw in a process that was forked from one that has drawn (of Python's multiprocessing, use the "
+            "start method spawn)");
+    process.id = getpid();
     return std::make_unique<SurfacelessContext>();
 }
 
@@ -117,9 +144,37 @@ using OSMesaHandle = struct osmesa_context*;
 constexpr int kFormat = 0x22, kDepthBits = 0x30, kProfile = 0x33, kCoreProfile = 0x34;
 constexpr int kMajor = 0x36, kMinor = 0x37, kRgba = 0x1908;
 constexpr unsigned kUnsignedByte = 0x1401;
+constexpr std::size_t kLargestLibrary = 1U << 30U;  // B, of Mesa's; today 12e6
+
+// A copy of a library, which no process has opened, as the name of a file for dlopen().
+std::string copy_of_library(const std::string& path) {
+    const std::string bytes = sim::read_file(path, kLargestLibrary);
+    const int file = memfd_create("libOSMesa", MFD_CLOEXEC);  // kept open: its name is good as long as it is
+    if (file < 0) throw std::runtime_error("no memory for a copy of it");
+    for (std::size_t done = 0; done < bytes.size();) {
+        const ssize_t written = write(file, bytes.data() + done, bytes.size() - done);
+        if (written <= 0) throw std::runtime_error("no memory for a copy of it");
+        done += static_cast<std::size_t>(written);
+    }
+    return "/proc/self/fd/" + std::to_string(file);
+}
+
+// The library for this process: a forked child of one that has drawn opens a copy, with state and threads of its own.
+SharedLibrary open_osmesa() {
+    constexpr const char* kName = "libOSMesa.so.8";
+    static DrawingProcess process;
+    static std::string original;
+    if (process.is_parent()) {
+        process = {.id = getpid(), .library = copy_of_library(original)};
+    } else if (process.id == 0) {
+        original = SharedLibrary(kName).path();
+        process = {.id = getpid(), .library = kName};
+    }
+    return SharedLibrary(process.library);
+}
 
 struct OSMesa {
-    SharedLibrary library{"libOSMesa.so.8"};
+    SharedLibrary library = open_osmesa();
     OSMesaHandle (*create)(const int*, OSMesaHandle) =
         library.function<OSMesaHandle (*)(const int*, OSMesaHandle)>("OSMesaCreateContextAttribs");
     void (*destroy)(OSMesaHandle) = library.function<void (*)(OSMesaHandle)>("OSMesaDestroyContext");
@@ -233,12 +288,27 @@ std::string GlContext::description() const {
     return text_of(gl_->GetString(GL_RENDERER)) + ", OpenGL " + text_of(gl_->GetString(GL_VERSION));
 }
 
+namespace {
+
+std::atomic<bool>& was_made() {
+    static std::atomic<bool> made = false;
+    return made;
+}
+
+}  // namespace
+
+bool was_context_made() {
+    return was_made();
+}
+
 std::unique_ptr<GlContext> make_context(std::optional<ContextKind> maker) {
     require_address_space();
     std::string reasons;
     for (const ContextKind candidate : makers_to_try(maker)) {
         try {
-            return make(candidate);  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): a unique_ptr holds it
+            auto context = make(candidate);
+            was_made() = true;
+            return context;  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): a unique_ptr holds it
         } catch (const std::runtime_error& error) {
             reasons += (reasons.empty() ? "" : "; ") + std::string(name(candidate)) + ": " + error.what();
         }

@@ -54,7 +54,11 @@ class GlContext {
 
 // Creates a context and makes it current. Without `maker`: the one named by the environment variable SELVEDGE_GL
 // (osmesa or egl); if that is not set, OSMesa, or EGL if OSMesa is missing. Throws InputError with the reason of each
-// maker if none works. Pre: no other context is current; maker is not Window.
+// maker if none works. Pre: no context of another kind is current; maker is not Window.
+// In a forked child of a process that has drawn, contexts of OSMesa work, and EGL throws.
 std::unique_ptr<GlContext> make_context(std::optional<ContextKind> maker = {});
+
+// Whether this process, or one that it was forked from, has made a context: Mesa then keeps threads.
+bool was_context_made();
 
 }  // namespace selvedge::render

@@ -29,8 +29,8 @@ std::filesystem::path own_file() {
 
 std::filesystem::path shipped_folder() {
     const std::filesystem::path beside = sim::folder_of(own_file());
-    for (const std::filesystem::path& folder : {sim::folder_of(beside) / "share" / "selvedge", beside / "share"}) {
-        if (sim::is_folder(folder)) return folder;
+    for (const std::filesystem::path& tree : {sim::folder_of(beside), beside}) {
+        if (sim::is_folder(tree / "share" / "selvedge")) return tree / "share" / "selvedge";
     }
     return {};
 }

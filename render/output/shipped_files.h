@@ -4,8 +4,8 @@
 
 namespace selvedge::render {
 
-// Where it lies, relative to the program or to the Python module: ../share/selvedge of a program in bin, and share
-// beside a module. Empty: this one was not packed, and uses the system's.
+// share/selvedge in the tree of a program, which lies in its bin, or beside the Python module. Empty: this one was not
+// packed, and uses the system's.
 std::filesystem::path shipped_folder();
 
 // Lets Fontconfig find the shipped fonts beside the system's, unless the environment names a configuration

@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#include <new>
 
 #include "sim/core/assert.h"
 
@@ -74,6 +75,11 @@ int available_threads() {
 
 int allowed_threads() {
     return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
+void end_worker_threads() {
+    tbb::task_scheduler_handle scheduler{tbb::attach{}};
+    static_cast<void>(tbb::finalize(scheduler, std::nothrow));
 }
 
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
