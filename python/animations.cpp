@@ -187,7 +187,7 @@ std::unique_ptr<PythonAnimation> make_animation(const DocumentPointer& pattern, 
                                                 const std::vector<DocumentPointer>& over,
                                                 const DressArguments& arguments, const std::vector<std::string>& texts,
                                                 std::optional<int> threads, const py::object& progress) {
-    within(threads, app::kThreadCounts, "threads");
+    within(threads, sim::kThreadCounts, "threads");
     const sim::Progress reports = progress_to(progress);
     const py::gil_scoped_release release;
     return std::make_unique<PythonAnimation>(Asked{pattern, body, over, arguments}, texts, threads, reports);

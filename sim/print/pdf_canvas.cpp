@@ -61,6 +61,9 @@ struct PdfCanvas::State {
 
 PdfCanvas::PdfCanvas(const std::string& title) : state_(std::make_unique<State>()) {
     state_->surface = cairo_pdf_surface_create_for_stream(append, &state_->bytes, 100, 100);
+    // Since 1.17.6, Cairo packs objects into streams where it may, which with_layers() does not read.
+    if (cairo_version() >= CAIRO_VERSION_ENCODE(1, 17, 6))
+        cairo_pdf_surface_restrict_to_version(state_->surface, CAIRO_PDF_VERSION_1_4);
     cairo_pdf_surface_set_metadata(state_->surface, CAIRO_PDF_METADATA_TITLE, valid(title).c_str());
     cairo_pdf_surface_set_metadata(state_->surface, CAIRO_PDF_METADATA_CREATOR, "Selvedge");
     cairo_pdf_surface_set_metadata(state_->surface, CAIRO_PDF_METADATA_CREATE_DATE, "");

@@ -114,6 +114,8 @@ class LayerWriter {
         order.push_back(*table);
         std::ranges::sort(order);
         head_ = pdf_.substr(0, order.front());
+        constexpr std::string_view kWithoutLayers = "%PDF-1.4";
+        if (head_.starts_with(kWithoutLayers)) head_[kWithoutLayers.size() - 1] = '5';
         objects_.emplace_back();
         for (std::size_t i = 0; i < starts.size(); ++i) {
             const std::size_t end = *std::ranges::upper_bound(order, starts[i]);
