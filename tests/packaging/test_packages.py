@@ -119,8 +119,9 @@ class Metadata(unittest.TestCase):
     def test_metainfo_is_valid_but_for_a_domain_and_a_page_that_the_project_does_not_have(self):
         if not shutil.which("appstreamcli"):
             self.skipTest("no appstreamcli")
-        run("appstreamcli", "validate", "--no-net", "--override", "cid-desktopapp-is-not-rdns=info,url-homepage-missing=info",
-            self.share / "metainfo/selvedge.metainfo.xml")
+        done = run("appstreamcli", "validate", "--no-net", self.share / "metainfo/selvedge.metainfo.xml", accepts=(0, 3))
+        found = set(re.findall(r"^[EW]: \S+ (\S+)", done.stdout, re.M))
+        self.assertLessEqual(found, {"cid-desktopapp-is-not-rdns", "url-homepage-missing"}, done.stdout)
 
     def test_garments_have_a_type_and_other_json_files_have_not(self):
         run("update-mime-database", self.share / "mime")
