@@ -31,12 +31,11 @@ class Refused(Exception):
 
 
 def selvedge_module():
-    """The Python module, which Blender may lack."""
     try:
         import selvedge
+        return selvedge
     except ImportError as error:
         raise Refused(f"Blender's Python cannot import selvedge: {error}") from None
-    return selvedge
 
 
 def find_body(active):
@@ -50,13 +49,14 @@ def find_body(active):
               and "selvedge" not in one]
     if active in meshes:
         return armature, active
-    if not meshes:
-        raise Refused(f"'{armature.name}' moves no mesh")
-    return armature, max(meshes, key=lambda one: len(one.data.vertices))
+    if meshes:
+        return armature, max(meshes, key=lambda one: len(one.data.vertices))
+    raise Refused(f"'{armature.name}' moves no mesh")
 
 
 def body_at_rest(armature, mesh):
-    """Positions in metres in Selvedge's axes, and faces, with modifiers applied, in the armature's rest pose."""
+    """Positions in metres in Selvedge's axes, faces, and the yaw (3, 3) and origin that lead back to the world: those of
+    the armature, or the middle of the body if that is away. Modifiers are applied, in the rest pose."""
     before, armature.data.pose_position = armature.data.pose_position, "REST"
     graph = bpy.context.evaluated_depsgraph_get()
     graph.update()
@@ -71,11 +71,15 @@ def body_at_rest(armature, mesh):
         evaluated.to_mesh_clear()
         armature.data.pose_position = before
     placed = x.reshape(-1, 3) @ world[:3, :3].T + world[:3, 3]
-    return placed @ TO_SELVEDGE * bpy.context.scene.unit_settings.scale_length, faces
+    angle = armature.matrix_world.to_euler("XYZ").z
+    yaw = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
+    origin, low, high = np.array(armature.matrix_world.translation), placed.min(axis=0), placed.max(axis=0)
+    if np.linalg.norm((origin - (low + high) / 2)[:2]) > 0.2 * (high - low)[2]:
+        origin = (low + high) / 2
+    return (placed - origin) @ yaw @ TO_SELVEDGE * bpy.context.scene.unit_settings.scale_length, faces, yaw, origin
 
 
 def write_obj(path, x, faces):
-    """The body as a file, which Selvedge repairs where its surface is not closed."""
     lines = ["v %.9g %.9g %.9g" % tuple(point) for point in x]
     path.write_text("\n".join(lines + ["f " + " ".join(str(vertex + 1) for vertex in face) for face in faces]))
 
@@ -89,8 +93,7 @@ def way_back(x, body):
         turned = body @ turn.T
         shift = (x.min(axis=0) + x.max(axis=0) - turned.min(axis=0) - turned.max(axis=0)) / 2
         shift[1] = x[:, 1].min() - turned[:, 1].min()
-        moved = sample @ turn.T + shift
-        apart = np.linalg.norm(moved[:, None] - points[None], axis=2).min(axis=1).mean()
+        apart = np.linalg.norm((sample @ turn.T + shift)[:, None] - points[None], axis=2).min(axis=1).mean()
         if best is None or apart < best[0]:
             best = (apart, turn, shift)
         turn = QUARTER_TURN @ turn
@@ -115,8 +118,7 @@ def read_garment(path):
             faces.append([int(one[0]) - 1 for one in parts])
             corners.append([int(one[1]) - 1 for one in parts])
             panels.append(len(charts) - 1)
-    uv = np.array(packed)[np.array(corners)]
-    chart = np.array(charts)[np.array(panels)]
+    uv, chart = np.array(packed)[np.array(corners)], np.array(charts)[np.array(panels)]
     material = (uv - chart[:, None, 2:4]) / chart[:, None, 0:1]
     turned = chart[:, 1] == 1
     material[turned] = np.stack([material[turned][..., 1], -material[turned][..., 0]], axis=-1)
@@ -126,15 +128,14 @@ def read_garment(path):
 class Job:
     """One dressing, which needs nothing of Blender while it runs, so that it may run on a thread of its own."""
 
-    def __init__(self, settings, x, faces):
-        self.arguments = {"edge_length": settings.edge_length, "max_level": settings.max_level}
-        if settings.fabric:
-            self.arguments["fabric"] = settings.fabric
+    def __init__(self, settings, x, faces, yaw, origin):
+        self.arguments = {"edge_length": settings.edge_length, "max_level": settings.max_level,
+                          "fabric": settings.fabric or None}
         self.pattern = bpy.path.abspath(settings.pattern)
         self.tartan, self.texture_size = settings.tartan, int(settings.texture_size)
-        self.x, self.faces = x, faces
+        self.x, self.faces, self.yaw, self.origin = x, faces, yaw, origin
         self.folder = tempfile.TemporaryDirectory(prefix="selvedge-")
-        self.done, self.stage, self.is_cancelled, self.error, self.result = 0.0, "body", False, None, None
+        self.done, self.stage, self.is_cancelled, self.error = 0.0, "body", False, None
 
     def tell(self, done, stage):
         self.done, self.stage = done, stage
@@ -153,14 +154,12 @@ class Job:
         write_obj(folder / "body.obj", self.x, self.faces)
         body = selvedge.load_body(folder / "body.obj", unit="m", up="y")
         pattern = selvedge.load_pattern(self.pattern)
-        if self.tartan:
-            pattern.tartan = self.tartan
-        result = selvedge.dress(pattern, body, progress=self.tell, **self.arguments)
-        result.export(folder / "garment.obj", texture_size=self.texture_size)
-        turn, shift = way_back(self.x, np.asarray(body.vertices))
+        pattern.tartan = self.tartan or pattern.tartan
+        self.result = selvedge.dress(pattern, body, progress=self.tell, **self.arguments)
+        self.result.export(folder / "garment.obj", texture_size=self.texture_size)
+        turn, shift = way_back(self.x, body.vertices)
         x, self.faces, self.uv, self.material = read_garment(folder / "garment.obj")
         self.positions = (x @ turn.T + shift) @ TO_BLENDER
-        self.result = result
 
 
 def make_material(name, picture):
@@ -170,20 +169,18 @@ def make_material(name, picture):
     shader = material.node_tree.nodes["Principled BSDF"]
     shader.inputs["Roughness"].default_value = 0.85
     if picture.exists():
-        image = bpy.data.images.load(str(picture))
-        image.pack()
         node = material.node_tree.nodes.new("ShaderNodeTexImage")
-        node.image = image
+        node.image = bpy.data.images.load(str(picture))
+        node.image.pack()
         material.node_tree.links.new(node.outputs["Color"], shader.inputs["Base Color"])
     return material
 
 
 def make_garment(job, armature, mesh):
     """The garment's object: UVs, material, the body's weights, and the armature that moves it."""
-    name = pathlib.Path(job.pattern).stem
-    data = bpy.data.meshes.new(name)
-    scale = bpy.context.scene.unit_settings.scale_length
-    data.from_pydata((job.positions / scale).tolist(), [], job.faces)
+    data = bpy.data.meshes.new(name := pathlib.Path(job.pattern).stem)
+    x = job.positions / bpy.context.scene.unit_settings.scale_length @ job.yaw.T + job.origin
+    data.from_pydata(x.tolist(), [], job.faces)
     for layer, uv in (("UVMap", job.uv), ("Material", job.material)):
         data.uv_layers.new(name=layer).data.foreach_set("uv", np.ascontiguousarray(uv, dtype=np.float32).ravel())
     data.polygons.foreach_set("use_smooth", [True] * len(data.polygons))
@@ -213,12 +210,11 @@ def bind(garment, armature, mesh):
 
 class SELVEDGE_settings(bpy.types.PropertyGroup):
     pattern: StringProperty(name="Pattern", subtype="FILE_PATH", description="A garment file of Selvedge or GarmentCode")
-    fabric: StringProperty(name="Fabric", description="A shipped fabric or a fabric file; empty: the pattern's")
-    tartan: StringProperty(name="Tartan", description="A shipped tartan or a threadcount; empty: the pattern's")
+    fabric: StringProperty(name="Fabric", description="A shipped one or a file; empty: the pattern's")
+    tartan: StringProperty(name="Tartan", description="A shipped one or a threadcount; empty: the pattern's")
     edge_length: FloatProperty(name="Mesh size", default=0.05, min=0.005, max=0.3, precision=3, description="Metres")
     max_level: IntProperty(name="Refinement", default=3, min=0, max=8, description="Times an edge may be halved")
-    texture_size: EnumProperty(name="Texture", default="2048", items=[(one, one + " px", "") for one in
-                                                                      ("512", "1024", "2048", "4096")])
+    texture_size: EnumProperty(name="Texture", default="2048", items=[(n, n + " px", "") for n in ("1024", "2048", "4096")])
 
 
 class SELVEDGE_OT_dress(bpy.types.Operator):
@@ -228,13 +224,17 @@ class SELVEDGE_OT_dress(bpy.types.Operator):
     bl_label = "Dress"
     bl_options = {"REGISTER", "UNDO"}
 
-    def start(self, context):
+    def started(self, context):
         settings = context.scene.selvedge
-        selvedge_module()
-        if not settings.pattern or not os.path.isfile(bpy.path.abspath(settings.pattern)):
-            raise Refused("choose the file of a pattern")
-        self.armature, self.mesh = find_body(context.active_object)
-        self.job = Job(settings, *body_at_rest(self.armature, self.mesh))
+        try:
+            selvedge_module()
+            if not os.path.isfile(bpy.path.abspath(settings.pattern)):
+                raise Refused("choose the file of a pattern")
+            self.armature, self.mesh = find_body(context.active_object)
+            self.job = Job(settings, *body_at_rest(self.armature, self.mesh))
+        except Refused as error:
+            self.report({"ERROR"}, str(error))
+        return hasattr(self, "job")
 
     def end(self, context):
         """The garment, or a report of what was wrong."""
@@ -243,29 +243,18 @@ class SELVEDGE_OT_dress(bpy.types.Operator):
                 self.report({"ERROR"}, str(self.job.error))
                 return {"CANCELLED"}
             garment = make_garment(self.job, self.armature, self.mesh)
-        result = self.job.result
-        faults = [fault["kind"].replace("_", " ") for fault in result.faults]
-        text = f"{garment.name}: {garment['selvedge']}, {len(result.triangles)} triangles"
+        faults = [fault["kind"].replace("_", " ") for fault in self.job.result.faults]
+        text = f"{garment.name}: {garment['selvedge']}, {len(garment.data.polygons)} triangles"
         self.report({"WARNING"} if faults else {"INFO"}, ", ".join([text, *faults]))
         return {"FINISHED"}
 
-    def started(self, context):
-        try:
-            self.start(context)
-        except Refused as error:
-            self.report({"ERROR"}, str(error))
-            return False
-        return True
-
-    def execute(self, context):
-        """Without a window, and when it is done again: waits."""
+    def execute(self, context):  # without a window, and when it is done again: waits
         if not self.started(context):
             return {"CANCELLED"}
         self.job.run()
         return self.end(context)
 
-    def invoke(self, context, event):
-        """With a window: on a thread of its own, with the progress in the status line."""
+    def invoke(self, context, event):  # with a window: on a thread of its own
         if not self.started(context):
             return {"CANCELLED"}
         self.thread = threading.Thread(target=self.job.run)
@@ -280,7 +269,7 @@ class SELVEDGE_OT_dress(bpy.types.Operator):
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
         if self.thread.is_alive():
-            context.workspace.status_text_set(f"Selvedge: {self.job.stage} {100 * self.job.done:.0f} %   Esc: cancel")
+            context.workspace.status_text_set(f"Selvedge: {self.job.stage} {self.job.done:.0%}   Esc: cancel")
             return {"RUNNING_MODAL"}
         context.window_manager.event_timer_remove(self.timer)
         context.workspace.status_text_set(None)
@@ -288,11 +277,10 @@ class SELVEDGE_OT_dress(bpy.types.Operator):
 
 
 class SELVEDGE_PT_panel(bpy.types.Panel):
-    bl_label = "Dress"
-    bl_space_type, bl_region_type, bl_category = "VIEW_3D", "UI", "Selvedge"
+    bl_label, bl_space_type, bl_region_type, bl_category = "Dress", "VIEW_3D", "UI", "Selvedge"
 
     def draw(self, context):
-        for name in ("pattern", "fabric", "tartan", "edge_length", "max_level", "texture_size"):
+        for name in SELVEDGE_settings.__annotations__:
             self.layout.prop(context.scene.selvedge, name)
         self.layout.operator(SELVEDGE_OT_dress.bl_idname)
 
