@@ -63,11 +63,11 @@ int run_animate(AnimateArguments arguments) {
     run.finish();
     const AnimateArguments& asked = run.arguments();
     if (!asked.report_file.empty())
-        sim::write_file_atomically(asked.report_file,
-                                   to_json(animation, run.actor().clip.name,
-                                           report_inputs(asked.garment, asked.body, *asked.picture.pattern,
-                                                         run.actor().motion_file),
-                                           run.actor().notes));
+        sim::write_file_atomically(
+            asked.report_file,
+            to_json(animation, run.actor().clip.name,
+                    report_inputs(asked.garment, asked.body, *asked.picture.pattern, run.actor().motion_file),
+                    run.actor().notes));
     bar.finish();
     if (!asked.garment.is_quiet) print_summary(run);
     print_faults(animation.dress_report());

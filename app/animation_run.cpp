@@ -98,8 +98,9 @@ void AnimationRun::open_outputs() {
     const FilmFormat format = film_format(arguments_, animation_.frame_count());
     if (!arguments_.film.empty()) {
         check_film(arguments_.film, format, "--film");
-        film_.emplace(Filming::Options{.file = arguments_.film, .format = format, .camera_stays = arguments_.camera_stays},
-                      arguments_.picture, animation_);
+        film_.emplace(
+            Filming::Options{.file = arguments_.film, .format = format, .camera_stays = arguments_.camera_stays},
+            arguments_.picture, animation_);
     }
     caches_.emplace(arguments_.caches, arguments_.frames_per_second, arguments_.picture, animation_);
 }

@@ -150,8 +150,7 @@ class PythonAnimation {
 
     // A film's renderer has threads, which a forked child lacks.
     void check_process() const {
-        if (getpid() != process_)
-            throw std::runtime_error("an animation belongs to the process that has begun it");
+        if (getpid() != process_) throw std::runtime_error("an animation belongs to the process that has begun it");
     }
 
     void end() {
@@ -206,8 +205,7 @@ void add_animation_frames(py::module_& module) {
         .def_property_readonly(
             "number", [](const AnimationFrame& self) { return self.frame->number; }, "From 0, the dressed body.")
         .def_property_readonly(
-            "seconds", [](const AnimationFrame& self) { return self.frame->seconds; },
-            "Time since the first frame, s.")
+            "seconds", [](const AnimationFrame& self) { return self.frame->seconds; }, "Time since the first frame, s.")
         .def_property_readonly(
             "mesh",
             [](const AnimationFrame& self) {

@@ -36,9 +36,9 @@ void survive_forks() {
         after();
         if (render::was_context_made()) on_exit(&leave, nullptr);
     };
-    py::module_::import("os").attr("register_at_fork")(
-        py::arg("before") = py::cpp_function(before), py::arg("after_in_parent") = py::cpp_function(after),
-        py::arg("after_in_child") = py::cpp_function(after_in_child));
+    py::module_::import("os").attr("register_at_fork")(py::arg("before") = py::cpp_function(before),
+                                                       py::arg("after_in_parent") = py::cpp_function(after),
+                                                       py::arg("after_in_child") = py::cpp_function(after_in_child));
 }
 
 }  // namespace selvedge::python

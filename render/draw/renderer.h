@@ -55,8 +55,8 @@ struct RenderOptions {
 inline constexpr int kLevelColours = 8;
 sim::Rgb8 level_colour(int level);
 
-// Used by one CPU thread at a time, as all renderers together. It reuses GPU data of the previous scene where the content
-// is equal; the result is byte-identical, whatever was drawn before.
+// Used by one CPU thread at a time, as all renderers together. It reuses GPU data of the previous scene where the
+// content is equal; the result is byte-identical, whatever was drawn before.
 class Renderer {
  public:
     // Throws InputError if no GL context can be created (render/gl/context.h).

@@ -28,9 +28,9 @@ int allowed_threads();  // under the limits in force
 // Pre: grain > 0.
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 
-// Ends the threads that parallel loops keep; the next loop starts new ones. For fork(): a child has none of its parent's
-// threads, and a loop there would take them for working ones and start none. Does nothing where another thread may be in
-// a loop.
+// Ends the threads that parallel loops keep; the next loop starts new ones. For fork(): a child has none of its
+// parent's threads, and a loop there would take them for working ones and start none. Does nothing where another thread
+// may be in a loop.
 void end_worker_threads();
 
 // A callback that receives the progress of a long task, for example to draw a progress bar. May be empty.

@@ -56,7 +56,7 @@ class Wheel(unittest.TestCase):
             metadata = archive.read(next(one for one in names if one.endswith("/METADATA"))).decode()
             for name in names:
                 content = archive.read(name)
-                for place in (os.fspath(SOURCE), os.fspath(self.folder), "/tmp/selvedge-"):
+                for place in (os.fspath(SOURCE), os.fspath(self.folder), f"{tempfile.gettempdir()}/selvedge-"):
                     self.assertNotIn(place.encode(), content, name)
         self.assertIn("Requires-Dist: numpy", metadata)
         self.assertIn("License: GPL-3.0-or-later", metadata)
