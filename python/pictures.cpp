@@ -40,6 +40,7 @@ py::array picture_array(render::Image image) {
 }
 
 render::Image draw(const app::RenderSubject& subject, app::PictureOptions options) {
+    const std::scoped_lock lock(drawing());
     options.legend_font = render::read_legend_font();
     return draw_picture(subject, options);
 }

@@ -56,7 +56,7 @@ from selvedge._selvedge import version as __version__
 
 from selvedge import _notebook  # isort: skip
 
-Result.export = export  # type: ignore[method-assign]
+Result.export = export
 
 del numpy, _notebook
 

@@ -32,6 +32,8 @@ class Animation(_selvedge._Animation):
     finish(), or by stop() with the frames until then; if neither happens, they are not written.
     """
 
+    _is_made = False
+
     def __init__(
         self,
         pattern: PatternLike,
@@ -50,6 +52,7 @@ class Animation(_selvedge._Animation):
         super().__init__(
             document_of(pattern), body_if_any(body), documents_of(over), arguments, options, threads, reports
         )
+        self._is_made = True
 
     def __iter__(self) -> Iterator[AnimationFrame]:
         """Itself."""
@@ -73,11 +76,7 @@ class Animation(_selvedge._Animation):
 
     def __del__(self) -> None:
         """Says that files were asked for and are not written."""
-        try:
-            is_lost = self._has_outputs and not self.is_finished
-        except Exception:  # it was never made
-            return
-        if is_lost:
+        if self._is_made and self._has_outputs and not self.is_finished:
             warnings.warn("an animation was given up before its files were written: finish() or stop()", stacklevel=2)
 
     @property

@@ -37,9 +37,11 @@ def _signature_of(function: Callable[..., Any]) -> inspect.Signature | None:
         assert isinstance(parsed, ast.FunctionDef)
         given = parsed.args
         required: list[ast.expr | None] = [None] * (len(given.args) - len(given.defaults))
-        named = [(one, inspect.Parameter.POSITIONAL_OR_KEYWORD, _default(value))
+        either, keyword = inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY
+        named: list[tuple[ast.arg, Any, Any]]
+        named = [(one, either, _default(value))
                  for one, value in zip(given.args, [*required, *given.defaults])]
-        named += [(one, inspect.Parameter.KEYWORD_ONLY, _default(value))
+        named += [(one, keyword, _default(value))
                   for one, value in zip(given.kwonlyargs, given.kw_defaults)]
     except (SyntaxError, ValueError):
         return None

@@ -306,7 +306,7 @@ def check(path: PathLike) -> list[Fault]:
 
 
 def _pattern_of(document: _selvedge._Document) -> Pattern:
-    pattern = _made(Pattern, _selvedge._record(document))
+    pattern: Pattern = _made(Pattern, _selvedge._record(document))
     pattern._document = document
     for seam in pattern.seams:
         seam.first, seam.second = SeamSide(*seam.first), SeamSide(*seam.second)

@@ -76,7 +76,7 @@ class Arguments(unittest.TestCase):
     def test_a_wrong_type_is_told_with_the_argument(self):
         self.assertEqual(self.wrong(selvedge.mannequin, bust="wide"),
                          "mannequin(): bust must be a number, not str")
-        self.assertIn("subject must be a Result, a Mesh or a Frame, not int", self.wrong(selvedge.render, 4))
+        self.assertIn("subject must be a Result, a Mesh, a frame or a Body, not int", self.wrong(selvedge.render, 4))
         self.assertIn("body must be a Body or a path, not int", self.wrong(selvedge.dress, shipped("poncho"), 4))
         self.assertIn("seconds must be a number, not str", self.wrong(selvedge.dress, shipped("two_squares"), seconds="long"))
         self.assertIn("max_level must be a whole number, not str",

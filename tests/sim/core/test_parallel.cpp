@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <algorithm>
 
 #include <atomic>
 #include <chrono>
@@ -148,4 +149,15 @@ TEST(Parallel, threads_that_wait_take_no_processor_time_from_a_busy_machine) {
 }
 
 }  // namespace
+TEST(Parallel, loops_run_before_and_after_the_worker_threads_were_ended) {
+    for (int round = 0; round < 3; ++round) {
+        std::vector<int> counts(1000, 0);
+        parallel_for(counts.size(), 10, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) ++counts[i];
+        });
+        EXPECT_EQ(std::count(counts.begin(), counts.end(), 1), 1000);
+        end_worker_threads();
+    }
+}
+
 }  // namespace selvedge::sim
