@@ -32,6 +32,9 @@ void map_keys(ImGuiIO& io) {
          {ImGuiKey_V, key_of('V')},          {ImGuiKey_X, key_of('X')},       {ImGuiKey_Y, key_of('Y')},
          {ImGuiKey_Z, key_of('Z')}}};
     for (const auto& [theirs, ours] : keys) io.KeyMap[theirs] = static_cast<int>(ours);
+#if IMGUI_VERSION_NUM >= 18700
+    io.BackendUsingLegacyKeyArrays = 1;  // else it clears the modifiers until a first key was pressed
+#endif
 }
 
 void set_key(ImGuiIO& io, Key key, bool is_down) {
