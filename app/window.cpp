@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <utility>
 
 #include "sim/core/assert.h"
@@ -29,6 +30,11 @@ namespace {
 class GlfwLibrary {
  public:
     GlfwLibrary() {
+#ifdef GLFW_PLATFORM
+        // Since 3.4 GLFW looks for Wayland first, whose library complains on stderr where there is none.
+        const char* wayland = std::getenv("WAYLAND_DISPLAY");
+        if (wayland == nullptr || *wayland == '\0') glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
         if (!glfwInit()) fail_to_open();
     }
     ~GlfwLibrary() { glfwTerminate(); }

@@ -26,6 +26,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/parallel.h"
+#include "sim/dress/worn_together.h"
 #include "sim/session/animation_report.h"
 
 namespace selvedge::python {
@@ -65,7 +66,7 @@ class PythonAnimation {
         std::vector<sim::Pattern> outer;
         for (const DocumentPointer& one : asked.over) outer.push_back(one->content.pattern);
         app::Worn worn;
-        worn.pattern = app::worn_together(asked.pattern->content.pattern, outer, asked.pattern->file, worn.notes);
+        worn.pattern = sim::worn_together(asked.pattern->content.pattern, outer, asked.pattern->file, worn.notes);
         body_ = asked.body ? asked.body : default_body(worn.pattern.body);
         arguments.body.source = body_->made().source.empty() ? body_->body().name : body_->made().source;
         prepare(arguments, worn.pattern);

@@ -130,18 +130,22 @@ void toggle(std::set<T>& chosen, const T& what) {
 }
 
 // The box in which a name is typed, instead of the row. Returns the name when it is to be applied.
+// Of the box just drawn, in the next frame. Dear ImGui 1.90 does not find the one that is drawn next in a child window
+// that was not focused before.
+void focus_last_item() {
+    ImGui::SetKeyboardFocusHere(-1);
+}
+
 std::optional<std::string> draw_naming(InspectorContext& context, const std::string& row, const std::string& text) {
     RowNaming& naming = context.state.objects.naming;
-    if (!naming.has_begun) {
-        ImGui::SetScrollHereY();
-        ImGui::SetKeyboardFocusHere();
-    }
+    if (!naming.has_begun) ImGui::SetScrollHereY();
     const std::string box = row + ".name";
     const std::optional<std::string> typed =
         text_box(context, {.name = box.c_str(),
                            .text = text,
                            .tip = "Enter gives it this name, Escape keeps the one it has.",
                            .width_px = ImGui::GetContentRegionAvail().x});
+    if (!naming.has_begun) focus_last_item();
     const bool is_active = ImGui::IsItemActive();
     if (typed || (naming.has_begun && !is_active)) {
         naming = {};
@@ -327,12 +331,12 @@ void draw_seam_group(InspectorContext& context, const std::vector<int>& seams) {
 // The words that are wanted, as they are typed.
 std::string draw_find_box(InspectorContext& context) {
     ObjectsState& state = context.state.objects;
-    if (state.wants_find) ImGui::SetKeyboardFocusHere();
     const auto found = text_box(context, {.name = "objects.find",
                                           .text = state.wanted,
                                           .hint = "Find by name",
                                           .tip = with_key(context, "Words of a name. Empty: everything.", "panel.find"),
                                           .width_px = ImGui::GetContentRegionAvail().x});
+    if (state.wants_find) focus_last_item();
     if (ImGui::IsItemActive()) state.wants_find = false;
     if (found) state.wanted = *found;
     const TypedText& typed = context.state.boxes.typed;

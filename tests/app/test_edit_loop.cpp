@@ -25,8 +25,9 @@ editor::InputEvent move_to(float x, float y) {
     return {.kind = editor::InputEvent::Kind::MouseMove, .x = x, .y = y};
 }
 
-// Moves to the button, presses, releases, then draws one more frame.
+// Shows the windows, moves to the button, presses, releases, then draws one more frame.
 render::Image press_and_look(OffscreenEditLoop& loop, FakeEditor& surface) {
+    for (int i = 0; i < 2; ++i) loop.step(surface);  // until the windows have their sizes
     loop.step(surface, {move_to(FakeEditor::kButtonX, FakeEditor::kButtonY)});
     loop.step(surface, {button(true)});
     loop.step(surface, {button(false)});
