@@ -29,6 +29,7 @@ FakeEditor::FakeEditor(render::Scene scene, float turn, const std::string& font,
     }
     io.Fonts->Build();
     editor::map_keys(io);
+    io.KeyMap[ImGuiKey_Escape] = -1;  // it ends the program, and would first take back what was typed
 }
 
 FakeEditor::~FakeEditor() {
