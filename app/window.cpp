@@ -37,7 +37,9 @@ class GlfwLibrary {
 #endif
         if (!glfwInit()) fail_to_open();
     }
-    ~GlfwLibrary() { glfwTerminate(); }
+    ~GlfwLibrary() {
+        glfwTerminate();
+    }
     GlfwLibrary(const GlfwLibrary&) = delete;
     GlfwLibrary& operator=(const GlfwLibrary&) = delete;
 };

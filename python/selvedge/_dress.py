@@ -115,9 +115,8 @@ def dress(
     arguments = _selvedge._DressArguments(
         fabric or "", edge_length, max_level, shortest_edge, triangles, self_collision
     )
-    return _selvedge._dress(
-        document_of(pattern), body_if_any(body), documents_of(over), arguments, seconds, threads, progress
-    )
+    outer = documents_of(over)
+    return _selvedge._dress(document_of(pattern), body_if_any(body), outer, arguments, seconds, threads, progress)
 
 
 def _option(name: str, value: object) -> str:
