@@ -11,7 +11,7 @@ namespace selvedge::sim {
 inline constexpr const char* kPdfLayerTag = "Div";
 
 // names: of the layers, as viewers list them. used: per page, the layer of each tag in the order in which they began.
-// A file that is not as Cairo 1.16 to 1.18 write it is returned as it is: it looks the same, without layers.
+// A file that is not as Cairo 1.16 writes it is returned as it is: it looks the same, without layers.
 std::string with_layers(std::string pdf, const std::vector<std::string>& names,
                         const std::vector<std::vector<int>>& used);
 
