@@ -58,7 +58,7 @@ TEST_F(WriteBuild, names_no_commit_of_a_checkout_around_it) {
     EXPECT_NE(written_of(checkout_ + "/unpacked").find(".commit = \"\""), std::string::npos);
 }
 
-TEST_F(WriteBuild, leaves_a_source_that_says_the_same_as_it_is) {
+TEST_F(WriteBuild, keeps_the_source_when_its_content_is_the_same) {
     commit();
     written_of(checkout_);
     const std::string time = "stat -c %y '" + folder_ / "build.cpp" + "'", before = run_command(time).out;

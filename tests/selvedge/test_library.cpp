@@ -110,7 +110,7 @@ TEST(Library, gives_a_mesh_whose_parts_fit_together) {
     EXPECT_EQ(std::count(is_seen.begin(), is_seen.end(), true), static_cast<long>(is_seen.size()));
 }
 
-TEST(Library, tells_what_is_wrong_with_a_drape_in_sentences_and_in_the_report) {
+TEST(Library, lists_faults_in_sentences_and_in_the_report_when_a_drape_has_defects) {
     EXPECT_EQ(skirt().verdict(), Verdict::Defect);
     EXPECT_FALSE(skirt().is_settled());
     ASSERT_FALSE(skirt().faults().empty());
@@ -167,7 +167,7 @@ TEST(Library, ends_a_dressing_when_the_callers_function_says_so) {
     EXPECT_EQ(calls, 2);
 }
 
-TEST(Library, passes_on_what_the_callers_function_throws) {
+TEST(Library, throws_the_same_exception_when_the_progress_function_throws_one) {
     struct Own {};
     const auto throws_own = [](double, std::string_view) -> bool { throw Own(); };
     const auto throws_range = [](double, std::string_view) -> bool { throw std::range_error("the caller's"); };

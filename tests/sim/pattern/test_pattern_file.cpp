@@ -324,7 +324,7 @@ TEST(PatternFile, saves_to_a_file_that_loads_again) {
     std::filesystem::remove(path);
 }
 
-TEST(PatternFile, names_a_garment_after_its_file_without_what_its_kind_adds) {
+TEST(PatternFile, names_a_garment_after_its_file_without_the_ending_when_it_has_no_name) {
     for (const char* name : {"shirt.json", "shirt_specification.json", "shirt.garment.json"}) {
         const auto path = std::filesystem::path(::testing::TempDir()) / name;
         save_pattern(parse_pattern(sample_text(), ""), path);
