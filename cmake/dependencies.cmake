@@ -17,9 +17,7 @@ endif()
 if(NOT Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
   set(Python3_EXECUTABLE /usr/bin/python3)  # Debian's, for which it has NumPy; another one by -DPython3_EXECUTABLE=
 endif()
-if(POLICY CMP0167)
-  cmake_policy(SET CMP0167 NEW)  # CGAL finds Boost by Boost's own package
-endif()
+set(CMAKE_POLICY_DEFAULT_CMP0167 NEW)  # CGAL finds Boost by Boost's own package
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)    # sim/core
 find_package(nlohmann_json 3.11 REQUIRED)      # sim/core/json
@@ -58,7 +56,6 @@ pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)  # sim/pap
 pkg_check_modules(poppler REQUIRED IMPORTED_TARGET poppler>=22.12)  # sim/paper/pdf_recorder, in a child process
 pkg_check_modules(yaml-cpp REQUIRED IMPORTED_TARGET yaml-cpp>=0.7)  # sim/paper
 pkg_check_modules(pangocairo REQUIRED IMPORTED_TARGET pangocairo>=1.50)  # sim/print, with Cairo
-find_package(ZLIB REQUIRED)                    # sim/print/pdf_layers
 set_target_properties(PkgConfig::pangocairo PROPERTIES INTERFACE_COMPILE_OPTIONS "")  # as glib
 pkg_check_modules(fontconfig REQUIRED IMPORTED_TARGET fontconfig)  # app/fallback_fonts
 pkg_check_modules(glfw REQUIRED IMPORTED_TARGET glfw3>=3.3)    # app/window

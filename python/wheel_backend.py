@@ -133,7 +133,7 @@ def _compile(sources: pathlib.Path, settings: Settings) -> pathlib.Path:
     given = (settings or {}).get("cmake", [])
     arguments = [given] if isinstance(given, str) else given
     _run("cmake", "-S", sources, "--preset", "release", "-DSELVEDGE_TESTS=OFF", "-DSELVEDGE_WERROR=OFF",
-         f"-DCMAKE_CXX_FLAGS=-ffile-prefix-map={sources}=.", f"-DPython3_EXECUTABLE={sys.executable}", *arguments)
+         f"-DPython3_EXECUTABLE={sys.executable}", *arguments)
     _run("cmake", "--build", build, "--target", "selvedge_python", "selvedge")
     return build
 

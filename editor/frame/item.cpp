@@ -49,6 +49,16 @@ void press_area(const char* id, const Vec2f& size_px, Cover cover) {
 #endif
 }
 
+void drag_area(const char* id, const Vec2f& size_px) {
+#if IMGUI_VERSION_NUM >= 18940
+    ImGui::PushTabStop(false);
+    ImGui::InvisibleButton(id, {size_px.x(), size_px.y()});
+    ImGui::PopTabStop();
+#else
+    ImGui::InvisibleButton(id, {size_px.x(), size_px.y()});  // only boxes are stops of Tab
+#endif
+}
+
 std::string elided(std::string_view text, float width, Elide what,
                    const std::function<float(std::string_view)>& width_of) {
     if (width_of(text) <= width) return std::string(text);

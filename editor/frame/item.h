@@ -20,6 +20,9 @@ void show_tip(const std::string& text, float width = 22);
 enum class Cover { Never, ByLaterItems };
 void press_area(const char* id, const Vec2f& size_px, Cover cover);
 
+// An area of this size in px that the mouse drags. Tab passes over it.
+void drag_area(const char* id, const Vec2f& size_px);
+
 // Text that does not fit: an ellipsis replaces a part of it.
 
 // The part that is omitted: the end of a sentence, or the middle of a text with a file path.

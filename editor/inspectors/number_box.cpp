@@ -188,7 +188,7 @@ NumberEdit drag_number(InspectorContext& context, const NumberBox& box, float wi
     const std::string name = std::string("drag ") + box.name;
     const unsigned id = ImGui::GetID(name.c_str());
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton(name.c_str(), {width_px, ImGui::GetFrameHeight()});
+    drag_area(name.c_str(), {width_px, ImGui::GetFrameHeight()});
     note_widget(context, name);
     draw_handle(context, box, low, width_px);
     show_tip(box.tip.empty() ? "Drag to change" : box.tip + "\nDrag to change.");

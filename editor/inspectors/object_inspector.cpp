@@ -129,13 +129,13 @@ void toggle(std::set<T>& chosen, const T& what) {
     if (chosen.erase(what) == 0) chosen.insert(what);
 }
 
-// The box in which a name is typed, instead of the row. Returns the name when it is to be applied.
-// Of the box just drawn, in the next frame. Dear ImGui 1.90 does not find the one that is drawn next in a child window
-// that was not focused before.
+// Focuses the box just drawn in the next frame. Dear ImGui 1.90 does not find the one that is drawn next in a child
+// window that was not focused before.
 void focus_last_item() {
     ImGui::SetKeyboardFocusHere(-1);
 }
 
+// The box in which a name is typed, instead of the row. Returns the name when it is to be applied.
 std::optional<std::string> draw_naming(InspectorContext& context, const std::string& row, const std::string& text) {
     RowNaming& naming = context.state.objects.naming;
     if (!naming.has_begun) ImGui::SetScrollHereY();

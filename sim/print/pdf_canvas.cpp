@@ -57,6 +57,24 @@ struct PdfCanvas::State {
         for (const Vec2d& p : line) cairo_line_to(cairo, points(p.x()), points(p.y()));
         if (is_closed) cairo_close_path(cairo);
     }
+
+    // Ends the group that holds what was drawn in the layer. Cairo writes none that is empty, as where all lines lie
+    // beside the page.
+    void draw_layer() {
+        cairo_pattern_t* group = cairo_pop_group(cairo);
+        cairo_surface_t* drawn = nullptr;
+        double x = 0, y = 0, width = 0, height = 0;
+        cairo_pattern_get_surface(group, &drawn);
+        cairo_recording_surface_ink_extents(drawn, &x, &y, &width, &height);
+        if (width > 0 && height > 0) {
+            cairo_set_source(cairo, group);
+            cairo_paint(cairo);
+            auto known = std::ranges::find(layers, layer);
+            if (known == layers.end()) known = layers.insert(known, layer);
+            used.back().push_back(static_cast<int>(known - layers.begin()));
+        }
+        cairo_pattern_destroy(group);
+    }
 };
 
 PdfCanvas::PdfCanvas(const std::string& title) : state_(std::make_unique<State>()) {
@@ -152,13 +170,9 @@ void PdfCanvas::end_clip() {
 
 void PdfCanvas::set_layer(const std::string& name) {
     if (name == state_->layer) return;
-    if (!state_->layer.empty()) cairo_tag_end(state_->cairo, kPdfLayerTag);
+    if (!state_->layer.empty()) state_->draw_layer();
     state_->layer = name;
-    if (name.empty()) return;
-    auto known = std::ranges::find(state_->layers, name);
-    if (known == state_->layers.end()) known = state_->layers.insert(known, name);
-    state_->used.back().push_back(static_cast<int>(known - state_->layers.begin()));
-    cairo_tag_begin(state_->cairo, kPdfLayerTag, nullptr);
+    if (!name.empty()) cairo_push_group(state_->cairo);
 }
 
 std::string PdfCanvas::finish() {

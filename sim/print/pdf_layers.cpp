@@ -1,7 +1,5 @@
 #include "sim/print/pdf_layers.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -24,33 +22,6 @@ std::optional<std::size_t> number_after(std::string_view text, std::string_view 
     return at == std::string_view::npos ? std::nullopt : number_at(text, at + key.size());
 }
 
-std::optional<std::string> inflated(std::string_view data) {
-    z_stream stream{};
-    if (inflateInit(&stream) != Z_OK) return std::nullopt;
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(data.data()));
-    stream.avail_in = static_cast<uInt>(data.size());
-    std::string out;
-    std::array<char, 1 << 16> part{};
-    int result = Z_OK;
-    while (result == Z_OK) {
-        stream.next_out = reinterpret_cast<Bytef*>(part.data());
-        stream.avail_out = static_cast<uInt>(part.size());
-        result = inflate(&stream, Z_NO_FLUSH);
-        out.append(part.data(), part.size() - stream.avail_out);
-    }
-    inflateEnd(&stream);
-    return result == Z_STREAM_END ? std::optional(out) : std::nullopt;
-}
-
-std::string deflated(const std::string& text) {
-    uLongf size = compressBound(static_cast<uLong>(text.size()));
-    std::string out(size, '\0');
-    compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
-              static_cast<uLong>(text.size()), Z_DEFAULT_COMPRESSION);
-    out.resize(size);
-    return out;
-}
-
 std::string reference(std::size_t number) {
     return std::to_string(number) + " 0 R";
 }
@@ -65,13 +36,6 @@ std::string string_of(const std::string& text) {
     return out + ")";
 }
 
-void erase_between(std::string& text, std::string_view from, std::string_view to) {
-    const std::size_t start = text.find(from);
-    if (start == std::string::npos) return;
-    const std::size_t end = text.find(to, start + from.size());
-    if (end != std::string::npos) text.erase(start, end - start);
-}
-
 class LayerWriter {
  public:
     LayerWriter(const std::string& pdf, const std::vector<std::string>& names,
@@ -82,7 +46,7 @@ class LayerWriter {
         if (!find_objects() || !find_pages()) return std::nullopt;
         first_group_ = objects_.size();
         for (std::size_t page = 0; page < pages_.size(); ++page) {
-            if (page < used_.size() && !used_[page].empty() && !change_page(pages_[page], used_[page]))
+            if (page < used_.size() && !used_[page].empty() && !change_forms(pages_[page], used_[page]))
                 return std::nullopt;
         }
         if (!change_catalog()) return std::nullopt;
@@ -144,48 +108,32 @@ class LayerWriter {
         return !pages_.empty();
     }
 
-    bool change_page(std::size_t page, const std::vector<int>& used) {
-        const std::optional<std::size_t> contents = number_after(objects_[page], "/Contents ");
+    // The page's form objects stand among its resources in the order in which the page draws them, as
+    // "/XObject << /x7 7 0 R /x9 9 0 R >>".
+    bool change_forms(std::size_t page, const std::vector<int>& used) {
         const std::optional<std::size_t> resources = number_after(objects_[page], "/Resources ");
-        if (!contents || !resources || *contents >= objects_.size() || *resources >= objects_.size()) return false;
-        erase_between(objects_[page], "   /StructParents", ">>");
-        std::string& list = objects_[*resources];
-        const std::size_t start = list.find("<<\n");
+        if (!resources || *resources >= objects_.size()) return false;
+        const std::string& list = objects_[*resources];
+        const std::size_t start = list.find("/XObject <<");
         if (start == std::string::npos) return false;
-        std::string properties = "   /Properties <<";
-        for (std::size_t i = 0; i < names_.size(); ++i)
-            properties += " /L" + std::to_string(i) + " " + reference(first_group_ + i);
-        list.insert(start + 3, properties + " >>\n");
-        return change_content(objects_[*contents], used);
-    }
-
-    static bool change_content(std::string& object, const std::vector<int>& used) {
-        const std::size_t start = object.find("stream\n"), end = object.rfind("\nendstream");
-        if (start == std::string::npos || end == std::string::npos || end < start) return false;
-        std::optional<std::string> content = inflated(std::string_view(object).substr(start + 7, end - start - 7));
-        if (!content) return false;
-        const std::string begin = std::string("/") + kPdfLayerTag + " << /MCID ";
+        const std::size_t end = list.find(">>", start);
         std::size_t count = 0;
-        for (std::size_t at = content->find(begin); at != std::string::npos; at = content->find(begin, at + 1)) {
-            const std::optional<std::size_t> mark = number_at(*content, at + begin.size());
-            const std::size_t stop = content->find(" BDC", at);
-            if (!mark || *mark >= used.size() || stop == std::string::npos) return false;
-            content->replace(at, stop - at, "/OC /L" + std::to_string(used[*mark]));
-            ++count;
+        for (std::size_t at = list.find(" /x", start); at < end; at = list.find(" /x", at + 1), ++count) {
+            const std::optional<std::size_t> form = number_after(std::string_view(list).substr(at + 1), " ");
+            if (!form || *form >= objects_.size() || count >= used.size()) return false;
+            constexpr std::string_view kForm = "   /Subtype /Form\n";
+            const std::size_t kind = objects_[*form].find(kForm);
+            if (kind == std::string::npos || kind > objects_[*form].find("stream\n")) return false;
+            objects_[*form].insert(kind + kForm.size(),
+                                   "   /OC " + reference(first_group_ + static_cast<std::size_t>(used[count])) + "\n");
         }
-        if (count != used.size()) return false;
-        const std::string data = deflated(*content);
-        object = object.substr(0, object.find("<<")) + "<< /Length " + std::to_string(data.size()) +
-                 "\n   /Filter /FlateDecode\n>>\nstream\n" + data + "\nendstream\nendobj\n";
-        return true;
+        return count == used.size();
     }
 
     bool change_catalog() {
         const auto catalog = std::ranges::find_if(
             objects_, [](const std::string& object) { return object.find("/Type /Catalog") != std::string::npos; });
         if (catalog == objects_.end()) return false;
-        erase_between(*catalog, "   /StructTreeRoot", "\n");
-        erase_between(*catalog, "   /MarkInfo", "\n");
         std::string groups;
         for (std::size_t i = 0; i < names_.size(); ++i) groups += " " + reference(first_group_ + i);
         const std::size_t end = catalog->rfind(">>");
@@ -195,17 +143,10 @@ class LayerWriter {
         return true;
     }
 
-    // Without the structure that the tags made.
     std::string joined() const {
-        std::string out = head_, table;
-        for (std::size_t i = 0; i < objects_.size(); ++i) {
-            const bool is_structure = objects_[i].find("/Type /StructElem") != std::string::npos ||
-                                      objects_[i].find("/Type /StructTreeRoot") != std::string::npos;
+        std::string out = head_, table = "0000000000 65535 f \n";
+        for (std::size_t i = 1; i < objects_.size(); ++i) {
             std::array<char, 24> entry{};
-            if (i == 0 || is_structure) {
-                table += "0000000000 65535 f \n";
-                continue;
-            }
             std::snprintf(entry.data(), entry.size(), "%010zu 00000 n \n", out.size());
             table += entry.data();
             out += objects_[i];
