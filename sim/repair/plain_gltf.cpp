@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "sim/core/error.h"
 #include "sim/core/glb_container.h"
@@ -106,9 +107,10 @@ class PlainGltf {
     std::optional<std::string> write() {
         check_extensions();
         const bool are_whole = !whole_accessors(file_.root()).empty();
-        if (!is_packed() && !are_whole) return std::nullopt;
+        if (!is_packed() && !are_whole && skins_without_binds(file_.root()).empty()) return std::nullopt;
         unpack_views();
         if (are_whole) write_floats();
+        write_binds();
         return in_one_buffer();
     }
 
@@ -163,6 +165,17 @@ class PlainGltf {
             const Json* samplers = member(&animations->elements()[a], "samplers");
             for (std::size_t s = 0; s < length_of(samplers); ++s)
                 add(member(&samplers->elements()[s], "output"), false);
+        }
+        return found;
+    }
+
+    // The skins whose inverse bind matrices are left out: all are the identity, and assimp reads them nevertheless.
+    static std::vector<std::size_t> skins_without_binds(const Json& root) {
+        std::vector<std::size_t> found;
+        const Json* skins = root.find("skins");
+        for (std::size_t i = 0; i < length_of(skins); ++i) {
+            const Json& skin = skins->elements()[i];
+            if (length_of(member(&skin, "joints")) > 0 && !member(&skin, "inverseBindMatrices")) found.push_back(i);
         }
         return found;
     }
@@ -276,12 +289,45 @@ class PlainGltf {
             if (!bytes && is_position)
                 fail(place_of("accessors", index), "it is broken, sparse, or does not lie in its view");
             if (!bytes) continue;
-            Json& views = *root_.find("bufferViews");
-            accessor["bufferView"] = views.elements().size();
+            accessor["bufferView"] = add_view(*bytes);
             accessor["componentType"] = gltf::Numbers::kFloat;
             for (const char* key : {"byteOffset", "normalized", "min", "max"}) accessor.erase(key);
-            views.push_back(appended(Json::object(), *bytes, views.elements().size()));
         }
+    }
+
+    // Pre: unpack_views().
+    void write_binds() {
+        for (const std::size_t index : skins_without_binds(root_)) {
+            Json& skin = root_.find("skins")->elements()[index];
+            const std::size_t count = length_of(skin.find("joints"));
+            constexpr std::array<float, 16> kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+            std::string bytes;
+            for (std::size_t i = 0; i < count; ++i)
+                bytes.append(reinterpret_cast<const char*>(kIdentity.data()), sizeof kIdentity);
+            Json accessor = Json::object();
+            accessor["bufferView"] = add_view(bytes);
+            accessor["componentType"] = gltf::Numbers::kFloat;
+            accessor["count"] = count;
+            accessor["type"] = "MAT4";
+            Json& accessors = list_of("accessors");
+            skin["inverseBindMatrices"] = accessors.elements().size();
+            accessors.push_back(std::move(accessor));
+        }
+    }
+
+    // A list of the root, which may be absent.
+    Json& list_of(const char* name) {
+        Json& list = root_[name];
+        if (!list.is_array()) list = Json::array();
+        return list;
+    }
+
+    // The index of a new view of these bytes.
+    std::size_t add_view(std::string_view bytes) {
+        Json& views = list_of("bufferViews");
+        const std::size_t index = views.elements().size();
+        views.push_back(appended(Json::object(), bytes, index));
+        return index;
     }
 
     std::filesystem::path path_;

@@ -4,7 +4,8 @@
 // - EXT_meshopt_compression (Khronos, vendor extension; decoded by meshoptimizer),
 // - KHR_mesh_quantization: positions, normals and texture coordinates as whole numbers, normalized or not,
 // - the normalized weights of skins and values of animations, which glTF 2.0 itself allows; of weights in bytes, assimp
-//   leaves most unset.
+//   leaves most unset,
+// - skins without inverse bind matrices, which are then the identity (glTF 2.0, 5.28.1).
 #include <filesystem>
 #include <optional>
 #include <string>

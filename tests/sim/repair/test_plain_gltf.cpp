@@ -224,6 +224,28 @@ TEST(PlainGltf, reads_the_weights_of_a_skin_when_they_are_bytes) {
     EXPECT_NEAR(weight_of_spine(2), 0.8F, 1e-6F);
 }
 
+TEST(PlainGltf, reads_a_skin_when_its_inverse_bind_matrices_are_left_out) {
+    const std::array<std::array<float, 3>, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+    const std::array<std::uint8_t, 12> joints{0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0};
+    const std::array<std::array<float, 4>, 3> weights{{{1, 0, 0, 0}, {0.5F, 0.5F, 0, 0}, {0, 1, 0, 0}}};
+    const ImportedScene scene = imported(glb::container(R"({"asset": {"version": "2.0"}, "scene": 0,
+            "scenes": [{"nodes": [0, 1]}], "nodes": [{"mesh": 0, "skin": 0}, {"name": "hips", "children": [2]},
+            {"name": "spine"}], "skins": [{"joints": [1, 2]}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 2}}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+                          {"bufferView": 1, "componentType": 5121, "count": 3, "type": "VEC4"},
+                          {"bufferView": 2, "componentType": 5126, "count": 3, "type": "VEC4"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 12},
+                            {"buffer": 0, "byteOffset": 48, "byteLength": 48}],
+            "buffers": [{"byteLength": 96}]})",
+                                                        bytes_of(corners) + bytes_of(joints) + bytes_of(weights)));
+    ASSERT_EQ(scene.meshes.size(), 1U);
+    EXPECT_EQ(scene.bones.size(), 2U);
+    ASSERT_EQ(scene.meshes[0].skin.size(), 3U);
+    ASSERT_EQ(scene.meshes[0].x.size(), 3U);
+    EXPECT_LT((scene.meshes[0].x[1] - Vec3f(1, 0, 0)).norm(), 1e-6F);
+}
+
 TEST(PlainGltf, names_a_required_extension_when_it_changes_the_shape_and_is_not_read) {
     EXPECT_EQ(
         problem_of(tetrahedron(stored_views(), R"(, "extensionsRequired": ["EXT_mesh_gpu_instancing"])")),
