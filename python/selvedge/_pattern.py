@@ -9,7 +9,7 @@ from __future__ import annotations
 import dataclasses
 import os
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, Union
+from typing import TYPE_CHECKING, Any, NamedTuple, Union, cast
 
 import numpy as np
 
@@ -353,7 +353,7 @@ def _record_of(one: Any, place: str, kind: type = Pattern) -> dict[str, Any]:
     if not isinstance(one, kind):
         raise InputError("", place, f"must be of type {kind.__name__}, not {type(one).__name__}")
     record = {}
-    for field in dataclasses.fields(one):
+    for field in dataclasses.fields(cast(Any, one)):
         value = getattr(one, field.name)
         inner = f"{place}.{field.name}" if place else field.name
         if field.name in _LISTS:

@@ -64,8 +64,9 @@ struct PdfCanvas::State {
         cairo_pattern_t* group = cairo_pop_group(cairo);
         cairo_surface_t* drawn = nullptr;
         double x = 0, y = 0, width = 0, height = 0;
-        cairo_pattern_get_surface(group, &drawn);
-        cairo_recording_surface_ink_extents(drawn, &x, &y, &width, &height);
+        // Fails where Cairo has failed before, which finish() tells.
+        if (cairo_pattern_get_surface(group, &drawn) == CAIRO_STATUS_SUCCESS)
+            cairo_recording_surface_ink_extents(drawn, &x, &y, &width, &height);
         if (width > 0 && height > 0) {
             cairo_set_source(cairo, group);
             cairo_paint(cairo);
@@ -179,7 +180,8 @@ std::string PdfCanvas::finish() {
     set_layer("");
     if (state_->has_page) cairo_show_page(state_->cairo);
     cairo_surface_finish(state_->surface);
-    const cairo_status_t status = cairo_surface_status(state_->surface);
+    cairo_status_t status = cairo_status(state_->cairo);
+    if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(state_->surface);
     if (status != CAIRO_STATUS_SUCCESS) throw std::runtime_error(cairo_status_to_string(status));
     return with_layers(std::move(state_->bytes), state_->layers, state_->used);
 }

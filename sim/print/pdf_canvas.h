@@ -49,7 +49,7 @@ class PdfCanvas {
     void end_clip();
 
     // What is drawn from now on lies in this layer, which viewers list by its name (ASCII) and can hide; empty: in
-    // none. It ends with the page.
+    // none. It ends with the page. Pre: a page has begun; the layer before began within the same clip.
     void set_layer(const std::string& name);
 
     // The file. Throws std::runtime_error if Cairo could not make it.

@@ -234,40 +234,22 @@ void join_parts(Surface& surface, const PersonSearch& person, double scale, Load
         {.cell = kCell * stature, .widest_gap = kWidestGap * stature, .highest_groove = kHighestGroove * stature});
 }
 
-void shift(Body& body, const Vec3d& by) {
-    for (Vec3d& p : body.x) p += by;
-    const Eigen::Translation3d moved(by);
+void stand_on_floor(Body& body) {
+    body.lift = -height_range(body).low;
+    for (Vec3d& p : body.x) p.y() += body.lift;
+    const Eigen::Translation3d up(0, body.lift, 0);
     for (Bone& bone : body.bones) {
-        bone.joint += by;
-        bone.inverse_bind = bone.inverse_bind * moved.inverse();
+        bone.joint.y() += body.lift;
+        bone.inverse_bind = bone.inverse_bind * up.inverse();
     }
-    body.frame = moved * body.frame;
-}
-
-// Also to the origin, to which panels are placed, where the body's box does not stand over it.
-void stand_on_floor(Body& body, LoadBodyReport& report) {
-    Eigen::AlignedBox3d box;
-    for (const Vec3d& p : body.x) box.extend(p);
-    body.lift = -box.min().y();
-    report.moved.y() = body.lift;
-    if (!box.contains(Vec3d(0, box.min().y(), 0))) {
-        report.moved.x() = -box.center().x();
-        report.moved.z() = -box.center().z();
-    }
-    shift(body, report.moved);
+    body.frame = up * body.frame;
 }
 
 // For example "moved 0.9 mm down to stand on the floor".
-std::string describe_lift(double lift) {
+std::string describe_shift(double shift) {
     char text[64];
-    std::snprintf(text, sizeof text, "moved %.1f mm %s to stand on the floor", std::abs(lift) * 1000,
-                  lift > 0 ? "up" : "down");
-    return text;
-}
-
-std::string describe_moved_beside(double distance) {
-    char text[64];
-    std::snprintf(text, sizeof text, "moved %.2f m along the floor to stand at the origin", distance);
+    std::snprintf(text, sizeof text, "moved %.1f mm %s to stand on the floor", std::abs(shift) * 1000,
+                  shift > 0 ? "up" : "down");
     return text;
 }
 
@@ -284,12 +266,11 @@ std::string describe_unit(const LoadBodyReport& report, double height) {
 }
 
 // For example "cut 2 edges where more than two triangles meet, the first at (0.012, 1.530, 0.104) m".
-std::string describe_cuts(const EdgeCuts& cuts, const Vec3d& moved) {
-    const Vec3d at = cuts.at + moved;
+std::string describe_cuts(const EdgeCuts& cuts, double lift) {
     char text[160];
     std::snprintf(text, sizeof text,
                   "cut %d edges where more than two triangles meet, the first at (%.3f, %.3f, %.3f) m", cuts.edges,
-                  at.x(), at.y(), at.z());
+                  cuts.at.x(), cuts.at.y() + lift, cuts.at.z());
     return cuts.dropped == 0 ? text : std::string(text) + ", and left out " + triangles_text(cuts.dropped) + " there";
 }
 
@@ -311,12 +292,10 @@ void write_notes(LoadBodyReport& report, const Body& body) {
     if (report.up == UpAxis::Z) notes.emplace_back("turned from z up to y up");
     if (report.quarter_turns != 0)
         notes.push_back("turned by " + std::to_string(90 * report.quarter_turns) + " degrees to face the front");
-    if (std::abs(body.lift) > 1e-4) notes.push_back(describe_lift(body.lift));
-    const double beside = std::hypot(report.moved.x(), report.moved.z());
-    if (beside > 0) notes.push_back(describe_moved_beside(beside));
+    if (std::abs(body.lift) > 1e-4) notes.push_back(describe_shift(body.lift));
     if (repair.dropped_triangles > 0)
         notes.push_back("left out " + triangles_text(repair.dropped_triangles) + " without area or twice there");
-    if (repair.cuts.edges > 0) notes.push_back(describe_cuts(repair.cuts, report.moved));
+    if (repair.cuts.edges > 0) notes.push_back(describe_cuts(repair.cuts, body.lift));
     if (repair.turned_triangles > 0)
         notes.push_back("turned " + triangles_text(repair.turned_triangles) + " to face outward");
     if (repair.capped_crowns > 0) notes.emplace_back("closed the top of the head, which the file leaves open");
@@ -388,7 +367,7 @@ BodyClips body_of(ImportedScene scene, const std::filesystem::path& path, const 
     body.x = std::move(surface.x);
     body.triangles = std::move(surface.triangles);
     take_bones(body, std::move(scene.bones), frame);
-    if (options.stands_on_floor) stand_on_floor(body, filled_report);
+    if (options.stands_on_floor) stand_on_floor(body);
     const double parted = part_legs(body);
     if (!body.skin.empty()) bind_at_rest(body);
     write_notes(filled_report, body);

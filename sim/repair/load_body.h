@@ -23,8 +23,7 @@ struct LoadBodyOptions {
     LengthUnit unit = LengthUnit::Auto;
     UpAxis up = UpAxis::Auto;     // Auto: that with which a person stands; the longer of y and z, but y for glTF, first
     bool must_be_person = false;  // refuses a surface on which no person is found, or one of an impossible stature
-    // Moves the lowest point to y = 0, and a body beside the origin to it; otherwise it stays where the file has it.
-    bool stands_on_floor = true;
+    bool stands_on_floor = true;  // moves the lowest point to y = 0; otherwise the height stays as in the file
     RepairOptions repair = {};
 };
 
@@ -33,7 +32,6 @@ struct LoadBodyReport {
     bool is_unit_assumed = true;           // not requested
     UpAxis up = UpAxis::Y;                 // as used
     int quarter_turns = 0;                 // by which the person was turned to face the front
-    Vec3d moved = Vec3d::Zero();           // m: to stand on the floor, and at the origin
     std::vector<std::string>
         left_out;  // pieces that are not of the person: a description with the reason for each kind
     RepairReport repair;

@@ -10,6 +10,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/glb_container.h"
+#include "sim/core/printable.h"
 #include "sim/repair/gltf_file.h"
 
 namespace selvedge::sim {
@@ -106,8 +107,11 @@ class PlainGltf {
 
     std::optional<std::string> write() {
         check_extensions();
+        check_skins();
         const bool are_whole = !whole_accessors(file_.root()).empty();
-        if (!is_packed() && !are_whole && skins_without_binds(file_.root()).empty()) return std::nullopt;
+        if (!is_packed() && !are_whole && skins_without_binds(file_.root()).empty() && !has_escaped_name())
+            return std::nullopt;
+        check_buffers();
         unpack_views();
         if (are_whole) write_floats();
         write_binds();
@@ -126,6 +130,17 @@ class PlainGltf {
             if (name.is_string() && changes_shape_unread(name.string()))
                 fail(place_of("extensionsRequired", i),
                      "the extension '" + name.string() + "' is not read: save the file without it");
+        }
+    }
+
+    // assimp crashes without joints, and takes room for all that are named.
+    void check_skins() const {
+        constexpr std::size_t kMostJoints = 65536;  // vertices name them by 16 bits
+        const Json* skins = file_.root().find("skins");
+        for (std::size_t i = 0; i < length_of(skins); ++i) {
+            const Json* joints = member(&skins->elements()[i], "joints");
+            if (!joints || !joints->is_array()) fail(place_of("skins", i), "it has no joints");
+            if (length_of(joints) > kMostJoints) fail(place_of("skins", i), "it has more than 65536 joints");
         }
     }
 
@@ -169,7 +184,33 @@ class PlainGltf {
         return found;
     }
 
-    // The skins whose inverse bind matrices are left out: all are the identity, and assimp reads them nevertheless.
+    // The name of the file of a buffer; null: it is in this file.
+    static const Json* name_of(const Json& buffer) {
+        const Json* name = member(&buffer, "uri");
+        return name && name->is_string() && !name->string().starts_with("data:") ? name : nullptr;
+    }
+
+    // assimp opens no file whose name is escaped, as "a%20body.bin".
+    bool has_escaped_name() const {
+        const Json* buffers = file_.root().find("buffers");
+        for (std::size_t i = 0; i < length_of(buffers); ++i) {
+            const Json* name = name_of(buffers->elements()[i]);
+            if (name && name->string().find('%') != std::string::npos) return true;
+        }
+        return false;
+    }
+
+    // One for readers that cannot unpack the compressed one may be absent.
+    void check_buffers() {
+        const Json* buffers = file_.root().find("buffers");
+        for (std::size_t i = 0; i < length_of(buffers); ++i) {
+            const Json* name = name_of(buffers->elements()[i]);
+            if (name && !packing_of(buffers->elements()[i]) && file_.buffer(i).empty())
+                fail(place_of("buffers", i), "its file '" + printable(name->string()) + "' cannot be read");
+        }
+    }
+
+    // Skins whose inverse bind matrices are left out, since all are the identity: assimp crashes at them.
     static std::vector<std::size_t> skins_without_binds(const Json& root) {
         std::vector<std::size_t> found;
         const Json* skins = root.find("skins");
@@ -295,24 +336,28 @@ class PlainGltf {
         }
     }
 
-    // Pre: unpack_views().
+    // Pre: unpack_views(). The skins share one list, as long as the longest asks.
     void write_binds() {
-        for (const std::size_t index : skins_without_binds(root_)) {
-            Json& skin = root_.find("skins")->elements()[index];
-            const std::size_t count = length_of(skin.find("joints"));
-            constexpr std::array<float, 16> kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-            std::string bytes;
-            for (std::size_t i = 0; i < count; ++i)
-                bytes.append(reinterpret_cast<const char*>(kIdentity.data()), sizeof kIdentity);
-            Json accessor = Json::object();
-            accessor["bufferView"] = add_view(bytes);
-            accessor["componentType"] = gltf::Numbers::kFloat;
-            accessor["count"] = count;
-            accessor["type"] = "MAT4";
-            Json& accessors = list_of("accessors");
-            skin["inverseBindMatrices"] = accessors.elements().size();
-            accessors.push_back(std::move(accessor));
-        }
+        const std::vector<std::size_t> without = skins_without_binds(root_);
+        if (without.empty()) return;
+        const auto joints_of = [&](std::size_t skin) {
+            return length_of(root_.find("skins")->elements()[skin].find("joints"));
+        };
+        std::size_t count = 0;
+        for (const std::size_t skin : without) count = std::max(count, joints_of(skin));
+        constexpr std::array<float, 16> kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+        std::string bytes;
+        for (std::size_t i = 0; i < count; ++i)
+            bytes.append(reinterpret_cast<const char*>(kIdentity.data()), sizeof kIdentity);
+        Json accessor = Json::object();
+        accessor["bufferView"] = add_view(bytes);
+        accessor["componentType"] = gltf::Numbers::kFloat;
+        accessor["count"] = count;
+        accessor["type"] = "MAT4";
+        Json& accessors = list_of("accessors");
+        for (const std::size_t skin : without)
+            root_.find("skins")->elements()[skin]["inverseBindMatrices"] = accessors.elements().size();
+        accessors.push_back(std::move(accessor));
     }
 
     // A list of the root, which may be absent.

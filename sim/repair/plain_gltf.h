@@ -5,7 +5,8 @@
 // - KHR_mesh_quantization: positions, normals and texture coordinates as whole numbers, normalized or not,
 // - the normalized weights of skins and values of animations, which glTF 2.0 itself allows; of weights in bytes, assimp
 //   leaves most unset,
-// - skins without inverse bind matrices, which are then the identity (glTF 2.0, 5.28.1).
+// - skins without inverse bind matrices, which are then the identity (glTF 2.0, 5.28.1),
+// - buffers in files with escaped names, as "a%20body.bin".
 #include <filesystem>
 #include <optional>
 #include <string>

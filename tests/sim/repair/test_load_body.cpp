@@ -124,20 +124,6 @@ TEST_F(LoadBody, stands_it_on_the_floor_and_says_so) {
     EXPECT_NEAR(height_range(load_text(obj_of(floating), {.stands_on_floor = false})).low, 0.25, 1e-6);
 }
 
-TEST_F(LoadBody, moves_it_to_the_origin_when_it_stands_beside_it_and_says_so) {
-    Body beside = post();
-    for (Vec3d& p : beside.x) p += Vec3d(15, 0.25, -8);
-    const Body body = load_text(obj_of(beside));
-    EXPECT_TRUE(noted("moved 17.00 m along the floor to stand at the origin"));
-    Eigen::AlignedBox3d box;
-    for (const Vec3d& p : body.x) box.extend(p);
-    EXPECT_NEAR(box.center().x(), 0, 1e-6);
-    EXPECT_NEAR(box.center().z(), 0, 1e-6);
-    EXPECT_NEAR(box.min().y(), 0, 1e-9);
-    EXPECT_LT((body.frame * beside.x[0] - body.x[0]).norm(), 1e-6) << "clips of its file move it where it stands";
-    EXPECT_NEAR(load_text(obj_of(beside), {.stands_on_floor = false}).x[0].x(), beside.x[0].x(), 1e-6);
-}
-
 TEST_F(LoadBody, welds_triangles_that_share_no_vertices) {
     Body soup;
     for (const auto& triangle : post().triangles) {

@@ -1,6 +1,7 @@
 // glTF as tools make it small: whole numbers for floats, and buffers compressed by meshoptimizer.
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -224,13 +225,15 @@ TEST(PlainGltf, reads_the_weights_of_a_skin_when_they_are_bytes) {
     EXPECT_NEAR(weight_of_spine(2), 0.8F, 1e-6F);
 }
 
-TEST(PlainGltf, reads_a_skin_when_its_inverse_bind_matrices_are_left_out) {
+// A triangle whose corners hang on a hips that stands at x = 1 and on its spine, 1 m above it.
+std::string skinned_triangle(const std::string& skins) {
     const std::array<std::array<float, 3>, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
     const std::array<std::uint8_t, 12> joints{0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0};
     const std::array<std::array<float, 4>, 3> weights{{{1, 0, 0, 0}, {0.5F, 0.5F, 0, 0}, {0, 1, 0, 0}}};
-    const ImportedScene scene = imported(glb::container(R"({"asset": {"version": "2.0"}, "scene": 0,
-            "scenes": [{"nodes": [0, 1]}], "nodes": [{"mesh": 0, "skin": 0}, {"name": "hips", "children": [2]},
-            {"name": "spine"}], "skins": [{"joints": [1, 2]}],
+    return glb::container(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+            "nodes": [{"mesh": 0, "skin": 0}, {"name": "hips", "translation": [1, 0, 0], "children": [2]},
+                      {"name": "spine", "translation": [0, 1, 0]}], "skins": )" +
+                              skins + R"(,
             "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 2}}]}],
             "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
                           {"bufferView": 1, "componentType": 5121, "count": 3, "type": "VEC4"},
@@ -238,12 +241,37 @@ TEST(PlainGltf, reads_a_skin_when_its_inverse_bind_matrices_are_left_out) {
             "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 12},
                             {"buffer": 0, "byteOffset": 48, "byteLength": 48}],
             "buffers": [{"byteLength": 96}]})",
-                                                        bytes_of(corners) + bytes_of(joints) + bytes_of(weights)));
+                          bytes_of(corners) + bytes_of(joints) + bytes_of(weights));
+}
+
+TEST(PlainGltf, reads_skins_when_their_inverse_bind_matrices_are_left_out) {
+    const ImportedScene scene = imported(skinned_triangle(R"([{"joints": [1, 2]}, {"joints": [1]}])"));
     ASSERT_EQ(scene.meshes.size(), 1U);
-    EXPECT_EQ(scene.bones.size(), 2U);
     ASSERT_EQ(scene.meshes[0].skin.size(), 3U);
     ASSERT_EQ(scene.meshes[0].x.size(), 3U);
-    EXPECT_LT((scene.meshes[0].x[1] - Vec3f(1, 0, 0)).norm(), 1e-6F);
+    for (const char* name : {"hips", "spine"}) {
+        const auto bone = std::ranges::find(scene.bones, name, &Bone::name);
+        ASSERT_NE(bone, scene.bones.end()) << name;
+        EXPECT_TRUE(bone->inverse_bind.isApprox(Eigen::Affine3d::Identity())) << name;
+    }
+}
+
+TEST(PlainGltf, names_the_skin_when_it_has_no_joints) {
+    EXPECT_EQ(problem_of(skinned_triangle("[{}]")), "cannot be read: skins[0]: it has no joints");
+    EXPECT_EQ(problem_of(skinned_triangle(R"([{"joints": [1, 2]}, {"joints": 5}])")),
+              "cannot be read: skins[1]: it has no joints");
+}
+
+TEST(PlainGltf, reads_a_buffer_when_the_name_of_its_file_is_escaped) {
+    const std::array<std::array<float, 3>, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+    const TemporaryFolder folder;
+    std::ofstream(folder / "body.gltf") << R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "a%20body.bin"}]})";
+    EXPECT_THROW(guarded_import(folder / "body.gltf"), InputError);
+    std::ofstream(folder / "a body.bin", std::ios::binary) << bytes_of(corners);
+    EXPECT_EQ(guarded_import(folder / "body.gltf").meshes.at(0).x.size(), 3U);
 }
 
 TEST(PlainGltf, names_a_required_extension_when_it_changes_the_shape_and_is_not_read) {
