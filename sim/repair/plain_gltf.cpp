@@ -108,6 +108,7 @@ class PlainGltf {
     std::optional<std::string> write() {
         check_extensions();
         check_skins();
+        check_depth();
         const bool are_whole = !whole_accessors(file_.root()).empty();
         if (!is_packed() && !are_whole && skins_without_binds(file_.root()).empty() && !has_escaped_name())
             return std::nullopt;
@@ -182,6 +183,37 @@ class PlainGltf {
                 add(member(&samplers->elements()[s], "output"), false);
         }
         return found;
+    }
+
+    // assimp goes down the nodes by recursion, and has no more stack at some depth. Nodes in a circle are not looked
+    // at.
+    void check_depth() const {
+        constexpr std::size_t kDeepest = 4096;
+        const Json* nodes = file_.root().find("nodes");
+        const std::size_t count = length_of(nodes);
+        const auto children_of = [&](std::size_t node) {
+            std::vector<std::size_t> children;
+            const Json* list = member(&nodes->elements()[node], "children");
+            for (std::size_t k = 0; k < length_of(list); ++k) {
+                const auto child = index_of(&list->elements()[k]);
+                if (child && *child < count) children.push_back(*child);
+            }
+            return children;
+        };
+        std::vector<bool> is_child(count), is_seen(count);
+        for (std::size_t i = 0; i < count; ++i)
+            for (const std::size_t child : children_of(i)) is_child[child] = true;
+        std::vector<std::pair<std::size_t, std::size_t>> open;  // a node, and how many lie above it
+        for (std::size_t i = 0; i < count; ++i)
+            if (!is_child[i]) open.emplace_back(i, 0);
+        while (!open.empty()) {
+            const auto [node, depth] = open.back();
+            open.pop_back();
+            if (depth > kDeepest) fail(place_of("nodes", node), "more than 4096 nodes lie above it");
+            if (is_seen[node]) continue;
+            is_seen[node] = true;
+            for (const std::size_t child : children_of(node)) open.emplace_back(child, depth + 1);
+        }
     }
 
     // The name of the file of a buffer; null: it is in this file.

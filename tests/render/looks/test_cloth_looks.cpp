@@ -129,7 +129,7 @@ TEST(PrintedCloth, shows_the_picture_the_right_way_up_and_once) {
     scene.light = even_light(scene.camera);
     Renderer renderer;
     const Image seen = renderer.draw(scene, {.width_px = 200, .height_px = 200});
-    const auto clip = projection_matrix(scene.camera, 1) * view_matrix(scene.camera);
+    const Eigen::Matrix4f clip = projection_matrix(scene.camera, 1) * view_matrix(scene.camera);
     const auto pixel = [&](float x, float y) {
         const Eigen::Vector4f at = clip * Eigen::Vector4f(x, y, 0, 1);
         return seen.at(static_cast<int>(100 * (1 + at.x() / at.w())), static_cast<int>(100 * (1 - at.y() / at.w())));

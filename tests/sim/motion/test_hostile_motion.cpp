@@ -208,7 +208,7 @@ TEST_F(HostileMotion, in_gltf_skeleton_and_skin_is_named) {
         box.more_nodes += R"(, {"name": "j)" + std::to_string(i) + "\"" + child + "}";
     }
     box.node_rest = R"("children": [3], )";
-    EXPECT_EQ(message_of(box), "cannot be read: it has more than 4096 joints");
+    EXPECT_EQ(message_of(box), "cannot be read: nodes[4098]: more than 4096 nodes lie above it");
 }
 
 TEST_F(HostileMotion, of_gltf_bytes_garbled_anywhere_is_found_or_harmless) {
