@@ -1,33 +1,18 @@
 #include "app/body_buffers.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cstddef>
 #include <string>
 
 #include "sim/core/error.h"
 #include "sim/core/file_extension.h"
 #include "sim/core/file_path.h"
 #include "sim/core/json.h"
+#include "sim/core/percent_decoded.h"
 
 namespace selvedge::app {
 namespace {
 
 using Path = std::filesystem::path;
-
-// "my body.bin" of "my%20body.bin".
-std::string percent_decoded(const std::string& text) {
-    std::string decoded;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        unsigned char byte = 0;
-        const char* const digits = text.data() + i + 1;
-        const bool is_code =
-            text[i] == '%' && i + 2 < text.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2;
-        decoded += is_code ? static_cast<char>(byte) : text[i];
-        if (is_code) i += 2;
-    }
-    return decoded;
-}
 
 void add_buffers_of(const Path& gltf, std::vector<Path>& files) {
     const sim::Json json = sim::read_json(gltf);
@@ -36,7 +21,7 @@ void add_buffers_of(const Path& gltf, std::vector<Path>& files) {
     for (const sim::Json& buffer : buffers->elements()) {
         const sim::Json* uri = buffer.is_object() ? buffer.find("uri") : nullptr;
         if (uri == nullptr || !uri->is_string() || uri->string().starts_with("data:")) continue;
-        for (const std::string& name : {uri->string(), percent_decoded(uri->string())}) {
+        for (const std::string& name : {uri->string(), sim::percent_decoded(uri->string())}) {
             const Path file = sim::folder_of(gltf) / name;
             if (sim::file_exists(file) && std::ranges::find(files, file) == files.end()) files.push_back(file);
         }

@@ -1,6 +1,5 @@
 #include "sim/repair/gltf_file.h"
 
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -8,6 +7,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/glb_container.h"
+#include "sim/core/percent_decoded.h"
 
 namespace selvedge::sim::gltf {
 namespace {
@@ -54,20 +54,6 @@ double number_at(const char* from) {
     Number value = 0;
     std::memcpy(&value, from, sizeof value);
     return double(value);
-}
-
-// "a%20body.bin" as "a body.bin" (RFC 3986, 2.1). What is no such escape stays.
-std::string unescaped(std::string_view uri) {
-    std::string out;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        unsigned char byte = 0;
-        const std::string_view digits = uri.substr(i + 1, 2);
-        const bool is_escape = uri[i] == '%' && digits.size() == 2 &&
-                               std::from_chars(digits.data(), digits.data() + 2, byte, 16).ptr == digits.data() + 2;
-        out += is_escape ? static_cast<char>(byte) : uri[i];
-        if (is_escape) i += 2;
-    }
-    return out;
 }
 
 }  // namespace
@@ -147,7 +133,7 @@ std::string File::read_buffer(const Json* buffer, std::size_t index) const {
     const std::size_t data = text.find(";base64,");
     if (text.starts_with("data:"))
         return data == std::string::npos ? "" : from_base64(std::string_view(text).substr(data + 8));
-    for (const std::string& name : {text, unescaped(text)}) {
+    for (const std::string& name : {text, percent_decoded(text)}) {
         try {
             return read_file(folder_ / name, kMostBytes);
         } catch (const InputError&) {  // the other name, or none

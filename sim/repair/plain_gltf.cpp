@@ -191,18 +191,17 @@ class PlainGltf {
         constexpr std::size_t kDeepest = 4096;
         const Json* nodes = file_.root().find("nodes");
         const std::size_t count = length_of(nodes);
-        const auto children_of = [&](std::size_t node) {
-            std::vector<std::size_t> children;
-            const Json* list = member(&nodes->elements()[node], "children");
+        std::vector<std::vector<std::size_t>> children(count);
+        std::vector<bool> is_child(count), is_seen(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Json* list = member(&nodes->elements()[i], "children");
             for (std::size_t k = 0; k < length_of(list); ++k) {
                 const auto child = index_of(&list->elements()[k]);
-                if (child && *child < count) children.push_back(*child);
+                if (!child || *child >= count) continue;
+                children[i].push_back(*child);
+                is_child[*child] = true;
             }
-            return children;
-        };
-        std::vector<bool> is_child(count), is_seen(count);
-        for (std::size_t i = 0; i < count; ++i)
-            for (const std::size_t child : children_of(i)) is_child[child] = true;
+        }
         std::vector<std::pair<std::size_t, std::size_t>> open;  // a node, and how many lie above it
         for (std::size_t i = 0; i < count; ++i)
             if (!is_child[i]) open.emplace_back(i, 0);
@@ -212,7 +211,7 @@ class PlainGltf {
             if (depth > kDeepest) fail(place_of("nodes", node), "more than 4096 nodes lie above it");
             if (is_seen[node]) continue;
             is_seen[node] = true;
-            for (const std::size_t child : children_of(node)) open.emplace_back(child, depth + 1);
+            for (const std::size_t child : children[node]) open.emplace_back(child, depth + 1);
         }
     }
 
@@ -372,11 +371,13 @@ class PlainGltf {
     void write_binds() {
         const std::vector<std::size_t> without = skins_without_binds(root_);
         if (without.empty()) return;
-        const auto joints_of = [&](std::size_t skin) {
-            return length_of(root_.find("skins")->elements()[skin].find("joints"));
-        };
+        const std::size_t index_of_binds = list_of("accessors").elements().size();
         std::size_t count = 0;
-        for (const std::size_t skin : without) count = std::max(count, joints_of(skin));
+        for (const std::size_t index : without) {
+            Json& skin = root_.find("skins")->elements()[index];
+            count = std::max(count, length_of(skin.find("joints")));
+            skin["inverseBindMatrices"] = index_of_binds;
+        }
         constexpr std::array<float, 16> kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
         std::string bytes;
         for (std::size_t i = 0; i < count; ++i)
@@ -386,10 +387,7 @@ class PlainGltf {
         accessor["componentType"] = gltf::Numbers::kFloat;
         accessor["count"] = count;
         accessor["type"] = "MAT4";
-        Json& accessors = list_of("accessors");
-        for (const std::size_t skin : without)
-            root_.find("skins")->elements()[skin]["inverseBindMatrices"] = accessors.elements().size();
-        accessors.push_back(std::move(accessor));
+        list_of("accessors").push_back(std::move(accessor));
     }
 
     // A list of the root, which may be absent.

@@ -209,6 +209,13 @@ TEST_F(HostileMotion, in_gltf_skeleton_and_skin_is_named) {
     }
     box.node_rest = R"("children": [3], )";
     EXPECT_EQ(message_of(box), "cannot be read: nodes[4098]: more than 4096 nodes lie above it");
+    box = {};
+    for (int i = 0; i < 10'000; ++i) {
+        box.more_nodes += R"(, {"name": "j)" + std::to_string(i) + "\"}";
+        box.node_rest += (i == 0 ? R"("children": [)" : ", ") + std::to_string(i + 3);
+    }
+    box.node_rest += "], ";
+    EXPECT_EQ(message_of(box), "cannot be read: it has more than 4096 joints");
 }
 
 TEST_F(HostileMotion, of_gltf_bytes_garbled_anywhere_is_found_or_harmless) {
