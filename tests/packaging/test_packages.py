@@ -11,7 +11,7 @@ import unittest
 from support import SOURCE, Installed, Root, empty_root, run, skip
 
 PACKAGES = SOURCE / "out/packages"
-PROGRAM = SOURCE / "build/package/selvedge"
+PROGRAM = SOURCE / "build/release/selvedge"
 LARGEST = 60_000_000  # bytes, of a package
 OS_RELEASE = dict(re.findall(r'^([A-Z_]+)="?([^"\n]*)"?$', pathlib.Path("/etc/os-release").read_text(), re.M))
 
