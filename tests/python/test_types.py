@@ -12,11 +12,12 @@ import selvedge
 
 SCRIPT = '''
 import numpy as np
+import numpy.typing as npt
 import selvedge
 
 body: selvedge.Body = selvedge.mannequin("female", bust=0.9)
 result = selvedge.dress("tshirt.json", body, progress=lambda done, stage: print(done, stage))
-heights: np.ndarray[object, np.dtype[np.float32]] = result.positions[:, 1]
+heights: npt.NDArray[np.float32] = result.positions[:, 1]
 selvedge.write_png(selvedge.render(result, size=(64, 64)), "picture.png")
 result.export("tshirt.glb")
 for frame in selvedge.animate("tshirt.json", motion="walk", export=["walk.pc2"]):
