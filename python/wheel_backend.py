@@ -152,8 +152,9 @@ def _stage(build: pathlib.Path, sources: pathlib.Path, folder: pathlib.Path) -> 
     if not all(shutil.which(one) for one in ("patchelf", "strip", "dpkg")):
         print("selvedge: patchelf, strip or dpkg is missing: the wheel has no libraries in it, and is for this machine only")
         return False
-    fonts = ["--fonts", package / "share/selvedge/fonts"] if INTER.is_dir() else []
-    _run(sys.executable, tool, "--rename", "--to", package / "lib", "--licences", licences / "libraries", *fonts, *modules, package / "bin/selvedge")
+    fonts: list[str | pathlib.Path] = ["--fonts", package / "share/selvedge/fonts"] if INTER.is_dir() else []
+    _run(sys.executable, tool, "--rename", "--to", package / "lib", "--licences", licences / "libraries", *fonts, *modules,
+         package / "bin/selvedge")
     return True
 
 
@@ -194,6 +195,23 @@ def _pack(folder: pathlib.Path, wheel: pathlib.Path) -> None:
         _add(archive, record, "".join([*records, f"{record},,\n"]).encode())
 
 
+def _write_info(folder: pathlib.Path, tag: str) -> str:
+    """Writes what the wheel tells of itself, but for the list of its files; the name of the folder that holds it."""
+    info = folder / f"selvedge-{_version()}.dist-info"
+    info.mkdir(exist_ok=True)
+    (info / "METADATA").write_text(_metadata(), encoding="utf-8")
+    (info / "WHEEL").write_text(f"Wheel-Version: 1.0\nGenerator: selvedge\nRoot-Is-Purelib: false\nTag: {tag}\n")
+    scripts = "".join(f"{script} = {function}\n" for script, function in _project()["scripts"].items())
+    (info / "entry_points.txt").write_text(f"[console_scripts]\n{scripts}")
+    return info.name
+
+
+def prepare_metadata_for_build_wheel(metadata_directory: str, config_settings: Settings = None) -> str:
+    """So pip finds out that NumPy is missing before it compiles. What the tag will be is not known yet."""
+    folder = pathlib.Path(metadata_directory)
+    return _write_info(folder, _tag(folder, has_libraries=False))
+
+
 def build_wheel(wheel_directory: str, config_settings: Settings = None, metadata_directory: str | None = None) -> str:
     """Builds it; its file's name."""
     with _work_folder(config_settings) as work, tempfile.TemporaryDirectory(prefix="selvedge-") as name:
@@ -201,11 +219,7 @@ def build_wheel(wheel_directory: str, config_settings: Settings = None, metadata
         sources = _copy_sources(work)
         has_libraries = _stage(_compile(sources, config_settings), sources, folder)
         tag = _tag(folder, has_libraries)
-        info = folder / f"selvedge-{_version()}.dist-info"
-        (info / "METADATA").write_text(_metadata(), encoding="utf-8")
-        (info / "WHEEL").write_text(f"Wheel-Version: 1.0\nGenerator: selvedge\nRoot-Is-Purelib: false\nTag: {tag}\n")
-        scripts = "".join(f"{script} = {function}\n" for script, function in _project()["scripts"].items())
-        (info / "entry_points.txt").write_text(f"[console_scripts]\n{scripts}")
+        _write_info(folder, tag)
         wheel = f"selvedge-{_version()}-{tag}.whl"
         _pack(folder, pathlib.Path(wheel_directory, wheel))
     return wheel

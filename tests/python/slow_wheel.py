@@ -63,6 +63,14 @@ class Wheel(unittest.TestCase):
         self.assertTrue(any(one.endswith("licenses/LICENSE") for one in names))
         self.assertTrue(any("licenses/libraries/" in one for one in names))
 
+    def test_what_it_tells_of_itself_is_known_before_it_is_built(self):
+        script = "import sys, wheel_backend; print(wheel_backend.prepare_metadata_for_build_wheel(sys.argv[1]))"
+        (self.folder / "info").mkdir()
+        name = run(self.folder / "env/bin/python", "-B", "-c", script, self.folder / "info", cwd=SOURCE / "python").strip()
+        with zipfile.ZipFile(self.wheel) as archive:
+            for file in ("METADATA", "entry_points.txt"):
+                self.assertEqual((self.folder / "info" / name / file).read_bytes(), archive.read(f"{name}/{file}"), file)
+
     def test_it_works_where_no_package_is_installed_but_numpy(self):
         run(sys.executable, "-m", "venv", self.folder / "bare")
         python = self.folder / "bare/bin/python"
