@@ -6,22 +6,16 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 import unittest
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
+sys.path.append(str(SOURCE / "tests/support"))
+import skips
+
 C_LIBRARY = ["libc.so.6", "libm.so.6", "libmvec.so.1", "libdl.so.2", "libpthread.so.0", "librt.so.1", "libresolv.so.2"]
 LOADER = {"x86_64": "/lib64/ld-linux-x86-64.so.2", "aarch64": "/lib/ld-linux-aarch64.so.1"}[os.uname().machine]
 QUICK = ["--edge-length", "8", "--max-level", "1", "--seconds", "1", "--size", "300x400", "--quiet"]
-
-
-def skip(reason: str) -> None:
-    """Ends the program: the test is skipped, which scripts/test tells at its end."""
-    skips = os.environ.get("SELVEDGE_TEST_SKIPS")
-    if skips:
-        with open(skips, "a", encoding="utf-8") as file:
-            file.write(f"packaging: {reason}\n")
-    print(f"skipped: {reason}", flush=True)
-    os._exit(77)
 
 
 def run(*command: object, accepts: tuple[int, ...] = (0,), **options: object) -> subprocess.CompletedProcess[str]:
@@ -69,7 +63,7 @@ def empty_root(folder: pathlib.Path) -> Root:
         shutil.copyfile(libraries / name, target / name)
     root = Root(folder)
     if not root.is_allowed():
-        skip("neither root nor a user namespace may enter another root folder")
+        skips.skip_program("packaging", "neither root nor a user namespace may enter another root folder")
     return root
 
 

@@ -6,7 +6,7 @@ import shutil
 import tempfile
 import unittest
 
-from support import SOURCE, Installed, empty_root, run, skip
+from support import SOURCE, Installed, empty_root, run, skips
 
 
 class EmptyRoot(Installed, unittest.TestCase):
@@ -18,7 +18,7 @@ class EmptyRoot(Installed, unittest.TestCase):
     def setUpClass(cls):
         for tool in ("unshare", "chroot", "patchelf", "strip"):
             if not shutil.which(tool):
-                skip(f"no {tool}")
+                skips.skip_program("packaging.empty_root", f"no {tool}")
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.root = empty_root(pathlib.Path(folder.name))

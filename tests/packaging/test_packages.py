@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import unittest
 
-from support import SOURCE, Installed, Root, empty_root, run, skip
+from support import SOURCE, Installed, Root, empty_root, run, skips
 
 PACKAGES = SOURCE / "out/packages"
 PROGRAM = SOURCE / "build/release/selvedge"
@@ -18,7 +18,7 @@ OS_RELEASE = dict(re.findall(r'^([A-Z_]+)="?([^"\n]*)"?$', pathlib.Path("/etc/os
 
 def setUpModule():
     if OS_RELEASE.get("ID") != "debian":
-        skip("packages are made on Debian")
+        skips.skip_program("packaging.packages", "packages are made on Debian")
     shutil.rmtree(PACKAGES, ignore_errors=True)
     print(run(SOURCE / "scripts/package").stdout, flush=True)
 
@@ -63,7 +63,7 @@ class Archive(Installed, unittest.TestCase):
 
     def test_asks_for_no_newer_c_library_than_that_of_debian_12(self):
         if OS_RELEASE["VERSION_ID"] != "12":
-            self.skipTest("the archive is made on Debian 12")
+            skips.skip_test(self.id(), "the archive is made on Debian 12")
         for file in filter(is_elf, self.files):
             versions = re.findall(r"GLIBC_2\.([0-9]+)", run("readelf", "--version-info", "--wide", file).stdout)
             self.assertLessEqual(max(map(int, versions), default=0), 36, file)
@@ -77,7 +77,7 @@ class Archive(Installed, unittest.TestCase):
     def test_opens_a_window_with_the_libraries_of_this_system_that_drivers_share(self):
         for tool in ("Xvfb", "xdotool"):
             if not shutil.which(tool):
-                self.skipTest(f"no {tool}")
+                skips.skip_test(self.id(), f"no {tool}")
         read, write = os.pipe()
         server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x900x24"], pass_fds=[write],
                                   stderr=subprocess.DEVNULL)
@@ -118,7 +118,7 @@ class Metadata(unittest.TestCase):
 
     def test_metainfo_is_valid_but_for_a_domain_and_a_page_that_the_project_does_not_have(self):
         if not shutil.which("appstreamcli"):
-            self.skipTest("no appstreamcli")
+            skips.skip_test(self.id(), "no appstreamcli")
         done = run("appstreamcli", "validate", "--no-net", self.share / "metainfo/selvedge.metainfo.xml", accepts=(0, 3))
         found = set(re.findall(r"^[EW]: \S+ (\S+)", done.stdout, re.M))
         self.assertLessEqual(found, {"cid-desktopapp-is-not-rdns", "url-homepage-missing"}, done.stdout)
@@ -147,12 +147,12 @@ class Deb(Installed, unittest.TestCase):
     def setUpClass(cls):
         cls.deb = only("selvedge_*.deb")
         if not shutil.which("debootstrap") or os.geteuid() != 0:
-            raise unittest.SkipTest("needs debootstrap, and root")
+            skips.skip_test("packaging.packages.Deb", "needs debootstrap, and root")
         folder = folder_of_test(cls) / "system"
         try:
             run("debootstrap", "--variant=minbase", OS_RELEASE["VERSION_CODENAME"], folder)
         except AssertionError as failure:
-            raise unittest.SkipTest(f"debootstrap: {str(failure)[-200:]}") from failure
+            skips.skip_test("packaging.packages.Deb", f"debootstrap: {str(failure)[-200:]}")
         for file in pathlib.Path("/etc/apt").glob("sources.list.d/debian.sources"):
             shutil.copyfile(file, folder / "etc/apt/sources.list.d" / file.name)
         (folder / "etc/apt/apt.conf.d/90no-date").write_text('Acquire::Check-Valid-Until "false";\n')

@@ -8,10 +8,11 @@ import sys
 import tempfile
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
+sys.path.append(str(SOURCE / "tests/support"))
+import skips
 
 if not shutil.which("blender"):
-    print("skipped: blender is not installed")
-    sys.exit(77)
+    skips.skip_program("python.blender", "blender is not installed")
 addon = SOURCE / "blender/selvedge_dress.py"
 assert len(addon.read_text(encoding="utf-8").splitlines()) <= 300
 with tempfile.TemporaryDirectory() as folder:

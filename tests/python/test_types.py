@@ -10,6 +10,9 @@ from support import SOURCE, InFolder
 
 import selvedge
 
+sys.path.append(str(SOURCE / "tests/support"))
+import skips
+
 SCRIPT = '''
 import numpy as np
 import numpy.typing as npt
@@ -28,8 +31,12 @@ shown: str = result._repr_html_()
 KNOWN = r"selvedge\._selvedge\.\w+(\.__init__)?" + "\n"
 
 
-@unittest.skipUnless(importlib.util.find_spec("mypy"), "mypy is not installed")
 class Types(InFolder):
+    @classmethod
+    def setUpClass(cls):
+        if not importlib.util.find_spec("mypy"):
+            skips.skip_test("python.types", "mypy is not installed")
+
     def run_mypy(self, *arguments):
         environment = {**os.environ, "MYPYPATH": str(SOURCE / "python")}
         done = subprocess.run([sys.executable, "-m", *arguments], cwd=self.folder, env=environment, text=True,

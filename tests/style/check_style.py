@@ -15,7 +15,8 @@ import draw_modules
 import rules
 from sources import read_tree
 
-SKIPPED = 77
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import skips
 
 
 def cpp_sources(root):
@@ -72,8 +73,7 @@ def examples(root):
 def formatting(root):
     program, why_not = check_format.find_clang_format()
     if not program:
-        print(f"skipped: {why_not}")
-        sys.exit(SKIPPED)
+        skips.skip_program("style.format", why_not)
     yield from check_format.check_format(root, cpp_sources(root), program)
 
 
